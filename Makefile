@@ -1,0 +1,43 @@
+# The front door: on a bare Debian 12 with git and make, each of these does everything it needs.
+#   make demo    render the demo pictures into demo/ and say where to look
+#   make test    build and run every test
+#   make build   the program, at build/release/bin/burnish
+#   make bench   budgets and what was reached, into bench/results/
+#   make asan    the tests under address and undefined-behaviour sanitizers
+#   make format  clang-format over the tree
+#   make clean   remove what was built
+
+PRESET ?= release
+BUILD := build/$(PRESET)
+JOBS ?= $(shell nproc)
+BURNISH := $(BUILD)/bin/burnish
+
+.PHONY: demo test build bench asan format clean packages
+
+build: packages
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
+	cmake --build $(BUILD) -j $(JOBS)
+
+packages:
+	@scripts/install_packages.sh
+
+demo: packages
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
+	cmake --build $(BUILD) -j $(JOBS) --target burnish_cli
+	scripts/demo.sh $(BURNISH) demo
+
+test: build
+	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+bench: build
+	scripts/bench.sh $(BUILD)
+
+asan:
+	$(MAKE) test PRESET=asan
+
+format:
+	@command -v clang-format >/dev/null || { echo "burnish: clang-format is not installed"; exit 1; }
+	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+clean:
+	rm -rf build demo

@@ -1,0 +1,38 @@
+// Triangle meshes in memory. Right-handed, metres, +y up, counter-clockwise front faces.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+// Every attribute is empty or as long as `positions`. After loading, `normals` and `tangents` are
+// always present, unit length and finite; `texcoord0` is empty when the file had none.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> tangents;  // xyz along increasing u, w = +-1: bitangent = w cross(n, t)
+    std::vector<glm::vec2> texcoord0;
+    std::vector<glm::vec2> texcoord1;
+    std::vector<glm::vec4> colors;  // linear RGBA
+    std::vector<std::uint32_t> indices;  // 3 a triangle
+};
+
+struct Bounds {
+    glm::vec3 low{0.0f};
+    glm::vec3 high{0.0f};
+    // Halved first, so that the sum cannot overflow.
+    glm::vec3 center() const { return 0.5f * low + 0.5f * high; }
+    float radius() const;  // of the sphere around the box; finite for finite corners
+};
+
+// The box of all positions, those with a coordinate that is not finite left out; a point at the
+// origin when none is left.
+Bounds bounds_of(const Mesh& mesh);
+
+}  // namespace burnish

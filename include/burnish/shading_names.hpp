@@ -1,0 +1,41 @@
+// The names of distributions, models and methods: one list for flags, scene files and tables.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace burnish {
+
+// The numbers are those of shading/names.glsl (a test holds them together).
+enum class Mdf { ashikhmin_shirley = 0, ward = 1, beckmann = 2, ggx = 3 };
+enum class Brdf { microfacet = 0, microfacet_separable = 1, ashikhmin_shirley = 2, ward_gmd = 3 };
+enum class Method {
+    none = 0,
+    normal_map = 1,
+    gram_schmidt = 2,
+    rotate_exact = 3,
+    rotate_approx = 4,
+    rotate_arc = 5,
+    follow_grain = 6,
+    deform_linear = 7,
+    deform_smooth = 8
+};
+
+std::span<const std::string_view> mdf_names();     // in the order of the enumeration
+std::span<const std::string_view> brdf_names();
+std::span<const std::string_view> method_names();
+
+std::string_view name_of(Mdf mdf);
+std::string_view name_of(Brdf brdf);
+std::string_view name_of(Method method);
+
+// Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'? known:
+// ..." when it is not there.
+int index_of_name(std::span<const std::string_view> names, std::string_view name,
+                  std::string_view kind, std::string_view where);
+
+// The known name nearest to `name` by edit distance; empty when none is near.
+std::string_view nearest_name(std::span<const std::string_view> names, std::string_view name);
+
+}  // namespace burnish

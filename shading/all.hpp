@@ -1,0 +1,14 @@
+// The texts in the order in which they build on each other: the one list, read by the C++ faces
+// (src/shading/f32.hpp, f64.hpp) and by cmake/embed_shaders.cmake for GLSL. No include guard.
+#include "shading/names.glsl"
+#include "shading/frame.glsl"
+#include "shading/perturb.glsl"
+#include "shading/mdf_ashikhmin_shirley.glsl"
+#include "shading/mdf_ward.glsl"
+#include "shading/mdf_beckmann.glsl"
+#include "shading/mdf_ggx.glsl"
+#include "shading/lobe.glsl"
+#include "shading/smith.glsl"
+#include "shading/fresnel.glsl"
+#include "shading/brdf.glsl"
+#include "shading/sample.glsl"

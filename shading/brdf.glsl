@@ -1,0 +1,42 @@
+// BRDFs over a perturbed lobe: specular only, per steradian, without the cosine and without Fresnel
+// (which the caller multiplies, evaluated at wi.h). Directions in the unperturbed tangent space.
+
+// The distribution a model is built on: its own, or `mdf` for the microfacet models.
+FN int brdf_mdf(int brdf, int mdf) {
+    if (brdf == kBrdfAshikhminShirley) { return kMdfAshikhminShirley; }
+    if (brdf == kBrdfWardGmd) { return kMdfBeckmann; }
+    return mdf;
+}
+
+// `lobe` is of brdf_mdf. 0 where wi or wo is below the perturbed horizon.
+FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
+    vec3 sum = wi + wo;
+    vec3 h = sum * (Float(1) / sqrt(max(dot(sum, sum), kTiny)));
+    Float cos_i = dot(p.n, wi);
+    Float cos_o = dot(p.n, wo);
+    // 1e-7: half the angle resolution of single precision; keeps 1/cos finite.
+    Float low_i = max(cos_i, Float(1e-7));
+    Float low_o = max(cos_o, Float(1e-7));
+    Float wi_h = max(dot(wi, h), Float(1e-7));
+    LobePoint q = perturb_point(p, h);
+    Float shape = lobe_shape(lobe, q);
+    Float f = Float(0);
+    if (brdf == kBrdfAshikhminShirley) {
+        // Ashikhmin & Shirley 2000 Eq 4: sqrt((e_x+1)(e_y+1))/(8 pi) is K11 Eq 1's prefactor over 4.
+        f = lobe.paper_norm * shape / (Float(4) * wi_h * max(low_i, low_o));
+    } else if (brdf == kBrdfWardGmd) {
+        // |i+o|^2 exp(-tan^2)/(pi ax ay (i+o)_z^4) = D_beckmann / (4 (i.h)^2).
+        f = lobe.projected_norm * shape / (Float(4) * wi_h * wi_h);
+    } else {
+        vec3 gi = perturb_direction(p, wi);
+        vec3 go = perturb_direction(p, wo);
+        Float g = Float(0);
+        if (brdf == kBrdfMicrofacetSeparable) {
+            g = smith_G1(lobe, gi) * smith_G1(lobe, go);
+        } else {
+            g = smith_G2(lobe, gi, go);
+        }
+        f = lobe.projected_norm * shape * g / (Float(4) * low_i * low_o);
+    }
+    return choose(cos_i > Float(0) && cos_o > Float(0), f, Float(0));
+}

@@ -1,0 +1,33 @@
+// Fresnel reflectance for unpolarised light; cos_i = wi.h in [0, 1].
+
+// Schlick 1994: f0 + (1 - f0) (1 - cos)^5.
+FN Float fresnel_schlick(Float f0, Float cos_i) {
+    Float m = clamp(Float(1) - cos_i, Float(0), Float(1));
+    Float m2 = m * m;
+    return f0 + (Float(1) - f0) * (m2 * m2 * m);
+}
+
+FN vec3 fresnel_schlick(vec3 f0, Float cos_i) {
+    return vec3(fresnel_schlick(f0.x, cos_i), fresnel_schlick(f0.y, cos_i),
+                fresnel_schlick(f0.z, cos_i));
+}
+
+// Exact, for a conductor with index eta + i k against air.
+FN Float fresnel_conductor(Float eta, Float k, Float cos_i) {
+    Float c = clamp(cos_i, Float(0), Float(1));
+    Float c2 = c * c;
+    Float s2 = Float(1) - c2;
+    Float d = eta * eta - k * k - s2;
+    Float a2b2 = sqrt(d * d + Float(4) * eta * eta * k * k);
+    Float a = sqrt(max(Float(0.5) * (a2b2 + d), Float(0)));
+    Float rs = (a2b2 + c2 - Float(2) * a * c) / (a2b2 + c2 + Float(2) * a * c);
+    Float g = c2 * a2b2 + s2 * s2;
+    Float q = Float(2) * a * c * s2;
+    Float rp = rs * (g - q) / (g + q);
+    return Float(0.5) * (rs + rp);
+}
+
+FN vec3 fresnel_conductor(vec3 eta, vec3 k, Float cos_i) {
+    return vec3(fresnel_conductor(eta.x, k.x, cos_i), fresnel_conductor(eta.y, k.y, cos_i),
+                fresnel_conductor(eta.z, k.z, cos_i));
+}

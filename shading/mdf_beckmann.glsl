@@ -1,0 +1,17 @@
+// Anisotropic Beckmann distribution: exp(-((x/alpha_x)^2 + (y/alpha_y)^2)/z^2) / z^4, times
+// 1/(pi alpha_x alpha_y) for Int D (n.h) dw = 1.
+
+FN Float mdf_beckmann_shape(Float alpha_x, Float alpha_y, LobePoint q) {
+    Float x = q.x / alpha_x;
+    Float y = q.y / alpha_y;
+    // 1e-18: 1/z^4 still fits single precision, and the exponential is 0 long before.
+    Float z2 = max(q.z * q.z, Float(1e-18));
+    return exp(-(x * x + y * y) / z2) / (z2 * z2);
+}
+
+// Samples D (n.h): an ellipse of normally distributed slopes.
+FN vec3 mdf_beckmann_sample(Float alpha_x, Float alpha_y, vec2 xi) {
+    Float psi = Float(2) * kPi * xi.x;
+    Float r = sqrt(-log(max(Float(1) - xi.y, kTiny)));
+    return normalize(vec3(alpha_x * r * cos(psi), alpha_y * r * sin(psi), Float(1)));
+}

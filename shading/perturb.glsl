@@ -1,0 +1,140 @@
+// What a perturbed normal n~ does to a lobe: the methods of docs/papers.md, term by term.
+//
+// All directions are in the tangent space of the unperturbed surface (x tangent, y bitangent,
+// z normal); n~ is unit. A method is a map from the half vector h to the LobePoint where the
+// unperturbed distribution is evaluated, a map for the directions that shadowing sees, and the
+// normal that cosines use.
+
+// Where an unperturbed distribution is evaluated.
+struct LobePoint {
+    Float x;       // tangent part: azimuth and slopes come from (x, y)
+    Float y;
+    Float z;       // cosine to the pole, > 0 where weight > 0
+    Float s2;      // 1 - z^2 of a unit direction, kept apart because 1 - z*z loses the lobe's core
+    Float weight;  // 0 where the method says D = 0, else 1 (or the factor that conserves energy)
+};
+
+struct Perturbation {
+    int method;
+    Frame frame;       // rows that map h and w; for rotate-approx not normalised (K12 Eq 11)
+    Float stretch;     // s2 = stretch (x^2 + y^2)
+    vec3 n;            // the normal of cosines and of the diffuse term
+    Float conserve;    // factor of deform-smooth: 1 as published
+};
+
+// maths: (4 - |d|^2) / (4 - 2 |d|^2) makes deform-smooth keep its energy to 2 % up to 60 degrees.
+FN Float deform_smooth_conserving_factor(vec3 n) {
+    Float d2 = n.x * n.x + n.y * n.y;
+    return (Float(4) - d2) / (Float(4) - Float(2) * d2);
+}
+
+// `grooves_along_x`: the grain runs along the tangent (the axis of the smaller alpha, the larger
+// exponent); only follow-grain asks. `conserving`: deform-smooth in its energy-conserving form.
+FN Perturbation perturb_make(int method, vec3 n, Bool grooves_along_x, Bool conserving) {
+    Perturbation p;
+    p.method = method;
+    p.stretch = Float(1);
+    p.n = n;
+    p.conserve = Float(1);
+    if (method == kMethodNone || method == kMethodNormalMap) {
+        p.frame.t = vec3(Float(1), Float(0), Float(0));
+        p.frame.b = vec3(Float(0), Float(1), Float(0));
+        p.frame.n = n;  // K11 Eq 2, K12 Eq 2: only the normal is replaced
+        if (method == kMethodNone) {
+            p.frame.n = vec3(Float(0), Float(0), Float(1));
+            p.n = p.frame.n;
+        }
+    } else if (method == kMethodGramSchmidt) {
+        p.frame = frame_keep_tangent(n);
+    } else if (method == kMethodRotateExact) {
+        p.frame = frame_keep_bitangent(n);
+    } else if (method == kMethodRotateApprox) {
+        // K12 Eq 9 and 11: row 2 is w' x u' = (-nx ny, 1 - ny^2, -ny nz) and row 3 is n~.h; the
+        // printed signs and the printed n~.n~ are wrong (docs/papers.md).
+        Float s2 = n.x * n.x + n.z * n.z;
+        p.frame.t = vec3(n.z, Float(0), -n.x);
+        p.frame.b = vec3(-n.x * n.y, s2, -n.y * n.z);
+        p.frame.n = n;
+        p.stretch = Float(1) / max(s2, kTiny);
+    } else if (method == kMethodFollowGrain) {
+        // A groove along unit g runs along (g, -(g.d)/n~z) on the displaced surface. For g on an
+        // axis that is one of the two Gram-Schmidt frames.
+        Frame along_x = frame_keep_bitangent(n);
+        Frame along_y = frame_keep_tangent(n);
+        p.frame.t = choose(grooves_along_x, along_x.t, along_y.t);
+        p.frame.b = choose(grooves_along_x, along_x.b, along_y.b);
+        p.frame.n = n;
+    } else {
+        // rotate-arc; the deformations have no closed shadowing of their own and take this frame.
+        p.frame = frame_shortest_arc(n);
+        if (method == kMethodDeformSmooth) {
+            p.conserve = choose(conserving, deform_smooth_conserving_factor(n), Float(1));
+        }
+    }
+    return p;
+}
+
+// 1 - k of the deformations at p = (h.x, h.y), k = |C'p| / |C'R|: hz^2 / (1 - d.p + S), exact near
+// the rim, where the ray and circle subtract (docs/papers.md, K11 Eq 3).
+FN Float deform_rim_fraction(vec3 n, vec3 h) {
+    Float vx = h.x - n.x;
+    Float vy = h.y - n.y;
+    Float b = n.x * vx + n.y * vy;
+    Float s = sqrt(b * b + (vx * vx + vy * vy) * (n.z * n.z));
+    return h.z * h.z / max(Float(1) - (n.x * h.x + n.y * h.y) + s, kTiny);
+}
+
+// K11 Eq 3 inverted exactly: q = p - (1-k) d, |q| = k.
+FN LobePoint deform_linear_point(vec3 n, vec3 h) {
+    Float m = deform_rim_fraction(n, h);
+    LobePoint q;
+    q.x = h.x - m * n.x;
+    q.y = h.y - m * n.y;
+    q.z = sqrt(max(m * (Float(2) - m), Float(0)));
+    q.s2 = q.x * q.x + q.y * q.y;
+    q.weight = choose(h.z > Float(0), Float(1), Float(0));
+    return q;
+}
+
+// K11 Eq 5: q = p - sqrt(1-k) d, which is not the inverse of Eq 4; outside the disk D = 0.
+FN LobePoint deform_smooth_point(vec3 n, vec3 h) {
+    Float r = sqrt(deform_rim_fraction(n, h));
+    Float d2 = n.x * n.x + n.y * n.y;
+    Float z2 = h.z * h.z + r * (Float(2) * (n.x * h.x + n.y * h.y) - r * d2);
+    LobePoint q;
+    q.x = h.x - r * n.x;
+    q.y = h.y - r * n.y;
+    q.z = sqrt(max(z2, Float(0)));
+    q.s2 = q.x * q.x + q.y * q.y;
+    q.weight = choose(h.z > Float(0) && z2 > Float(0), Float(1), Float(0));
+    return q;
+}
+
+// Where the unperturbed D is evaluated for half vector h (unit).
+FN LobePoint perturb_point(Perturbation p, vec3 h) {
+    LobePoint q;
+    if (p.method == kMethodDeformLinear) {
+        q = deform_linear_point(p.n, h);
+    } else if (p.method == kMethodDeformSmooth) {
+        q = deform_smooth_point(p.n, h);
+        q.weight = q.weight * p.conserve;
+    } else {
+        q.x = dot(p.frame.t, h);
+        q.y = dot(p.frame.b, h);
+        q.z = dot(p.frame.n, h);
+        q.s2 = p.stretch * (q.x * q.x + q.y * q.y);
+        if (p.method == kMethodNormalMap) {
+            vec3 c = cross(p.n, h);
+            q.s2 = dot(c, c);
+        }
+        q.weight = choose(q.z > Float(0), Float(1), Float(0));
+        q.z = max(q.z, Float(0));
+    }
+    return q;
+}
+
+// The direction that shadowing sees. Not unit for normal-map and rotate-approx: only the ratios
+// x/z and y/z enter.
+FN vec3 perturb_direction(Perturbation p, vec3 w) {
+    return frame_to_local(p.frame, w);
+}

@@ -1,0 +1,34 @@
+// The dialect's words for GLSL 3.30 and ES 3.00; prelude.hpp says the same words for C++.
+// The #version line and `precision highp float;` come from the program that assembles a stage.
+#define Float float
+#define Bool bool
+#define FN
+#define OUT(T) out T
+
+float choose(bool condition, float a, float b) { return condition ? a : b; }
+vec3 choose(bool condition, vec3 a, vec3 b) { return condition ? a : b; }
+
+// ln(1 - x), x <= 1/2: -2 atanh(x / (2 - x)) by its series; 7 terms are good to 3e-8 relative.
+float log1m(float x) {
+    float y = x / (2.0 - x);
+    float w = y * y;
+    float series =
+        1.0 +
+        w * (1.0 / 3.0 +
+             w * (1.0 / 5.0 + w * (1.0 / 7.0 + w * (1.0 / 9.0 + w * (1.0 / 11.0 + w / 13.0)))));
+    return -2.0 * y * series;
+}
+
+// Abramowitz & Stegun 7.1.26, absolute error 1.5e-7 for x >= 0 (only used there).
+float erfc(float x) {
+    float t = 1.0 / (1.0 + 0.3275911 * x);
+    return t *
+           (0.254829592 +
+            t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429)))) *
+           exp(-x * x);
+}
+
+// Nodes of the Ward normaliser: see mdf_ward.glsl.
+const int kWardNodes = 4;
+// Steps of deform_smooth_forward: see sample.glsl.
+const int kDeformRootSteps = 8;

@@ -1,0 +1,178 @@
+// Sampling half vectors of a perturbed lobe, with the exact density per solid angle, and directions
+// of a BRDF by reflection. Uniform numbers in [0, 1).
+//
+// Every method but normal-map is a map of the base half vector m: the sample is its image and the
+// density the base density times dw_m/dw_h. normal-map is no such map (D reads azimuth about n and
+// elevation about n~), so it is covered by a mixture whose density is exact all the same.
+
+// Density of lobe_base_sample per solid angle.
+FN Float lobe_base_pdf(Lobe lobe, LobePoint q) {
+    if (lobe.mdf == kMdfWard) { return q.weight * mdf_ward_pdf(lobe.p0, lobe.p1, q); }
+    return lobe.projected_norm * lobe_shape(lobe, q) * q.z;
+}
+
+FN vec3 lobe_base_sample(Lobe lobe, vec2 xi) {
+    vec3 m = vec3(Float(0), Float(0), Float(1));
+    if (lobe.mdf == kMdfAshikhminShirley) {
+        m = mdf_ashikhmin_shirley_sample(lobe.p0, lobe.p1, xi);
+    } else if (lobe.mdf == kMdfWard) {
+        m = mdf_ward_sample(lobe.p0, lobe.p1, xi);
+    } else if (lobe.mdf == kMdfBeckmann) {
+        m = mdf_beckmann_sample(lobe.p0, lobe.p1, xi);
+    } else {
+        m = mdf_ggx_sample(lobe.p0, lobe.p1, xi);
+    }
+    return m;
+}
+
+// What rotate-approx really draws: the exact rotation of a lobe whose alphas are 1/s as large
+// (Ashikhmin-Shirley: of the lobe itself), s^2 = 1 - n~y^2. docs/papers.md, K12 Eq 11.
+FN Lobe lobe_for_sampling(Lobe lobe, Perturbation p) {
+    if (p.method == kMethodRotateApprox && lobe.mdf != kMdfAshikhminShirley) {
+        Float widen = sqrt(p.stretch);
+        // 1e3: a lobe that wide is flat; reached only within 0.001 rad of n~ = +-e_y.
+        return lobe_make(lobe.mdf, min(lobe.p0 * widen, Float(1e3)),
+                         min(lobe.p1 * widen, Float(1e3)));
+    }
+    return lobe;
+}
+
+FN Frame frame_for_sampling(Perturbation p) {
+    if (p.method == kMethodRotateApprox) { return frame_keep_bitangent(p.n); }
+    return p.frame;
+}
+
+FN LobePoint lobe_point_of(vec3 m) {
+    LobePoint q;
+    q.x = m.x;
+    q.y = m.y;
+    q.z = max(m.z, Float(0));
+    q.s2 = m.x * m.x + m.y * m.y;
+    q.weight = choose(m.z > Float(0), Float(1), Float(0));
+    return q;
+}
+
+FN vec3 disk_to_sphere(Float x, Float y) {
+    return vec3(x, y, sqrt(max(Float(1) - x * x - y * y, Float(0))));
+}
+
+// K11 Eq 3: p = q + (1 - |q|) d, with 1 - |q| = z^2/(1 + |q|).
+FN vec3 deform_linear_forward(vec3 n, vec3 m) {
+    Float rim = m.z * m.z / (Float(1) + sqrt(m.x * m.x + m.y * m.y));
+    return disk_to_sphere(m.x + rim * n.x, m.y + rim * n.y);
+}
+
+// The map of which K11 Eq 5 is the inverse: p = q + r d with |q + (r - r^2) d| = 1 - r^2, one root
+// in [0, 1]. Newton steps kept inside a shrinking bracket.
+FN vec3 deform_smooth_forward(vec3 n, vec3 m) {
+    Float low = Float(0);
+    Float high = Float(1);
+    Float r = sqrt(m.z * m.z / (Float(1) + sqrt(m.x * m.x + m.y * m.y)));
+    for (int i = 0; i < kDeformRootSteps; ++i) {
+        Float x = m.x + (r - r * r) * n.x;
+        Float y = m.y + (r - r * r) * n.y;
+        Float radius = sqrt(max(x * x + y * y, kTiny));
+        Float f = radius - (Float(1) - r * r);
+        Float slope = (Float(1) - Float(2) * r) * (x * n.x + y * n.y) / radius + Float(2) * r;
+        low = choose(f < Float(0), r, low);
+        high = choose(f < Float(0), high, r);
+        Float newton = r - f / choose(abs(slope) > kTiny, slope, kTiny);
+        r = choose(newton > low && newton < high, newton, Float(0.5) * (low + high));
+    }
+    return disk_to_sphere(m.x + r * n.x, m.y + r * n.y);
+}
+
+// |dq/dp| of the two deformations at h: 1/(1 - d.e), and 1 + d.e/(2 sqrt(1-k) (1 - d.e)).
+FN Float deform_jacobian(int method, vec3 n, vec3 h) {
+    LobePoint q = deform_linear_point(n, h);
+    Float k = sqrt(max(q.s2, kTiny));
+    Float de = (n.x * q.x + n.y * q.y) / k;
+    // 1e-6: |d| -> 1, a tilt of 90 degrees.
+    Float low = max(Float(1) - de, Float(1e-6));
+    if (method == kMethodDeformLinear) { return Float(1) / low; }
+    Float root = sqrt(max(deform_rim_fraction(n, h), kTiny));
+    return max(Float(1) + de / (Float(2) * root * low), Float(0));
+}
+
+// The image of base half vector m under a method (not for normal-map, which has none).
+FN vec3 perturb_forward(Perturbation p, vec3 m) {
+    vec3 h = m;
+    if (p.method == kMethodDeformLinear) {
+        h = deform_linear_forward(p.n, m);
+    } else if (p.method == kMethodDeformSmooth) {
+        h = deform_smooth_forward(p.n, m);
+    } else {
+        h = frame_to_outer(frame_for_sampling(p), m);
+    }
+    return h;
+}
+
+// Shares of the normal-map mixture: the lobe where it was, a round lobe about n~ as wide as the
+// wider axis, and the cosine hemisphere about n~, which bounds the weight D cos/pdf by 10 pi max D.
+const Float kMixtureBase = Float(0.5);
+const Float kMixtureRound = Float(0.4);
+const Float kMixtureCosine = Float(0.1);
+
+FN Lobe lobe_rounded(Lobe lobe) {
+    Float wide = max(lobe.p0, lobe.p1);
+    if (lobe.mdf == kMdfAshikhminShirley) { wide = min(lobe.p0, lobe.p1); }
+    return lobe_make(lobe.mdf, wide, wide);
+}
+
+FN Float normal_map_mixture_pdf(Lobe lobe, vec3 n, vec3 h) {
+    Frame f = frame_shortest_arc(n);
+    LobePoint about_n = lobe_point_of(frame_to_local(f, h));
+    return kMixtureBase * lobe_base_pdf(lobe, lobe_point_of(h)) +
+           kMixtureRound * lobe_base_pdf(lobe_rounded(lobe), about_n) +
+           kMixtureCosine * about_n.z / kPi;
+}
+
+FN vec3 normal_map_mixture_sample(Lobe lobe, vec3 n, vec2 xi, Float select) {
+    Frame f = frame_shortest_arc(n);
+    if (select < kMixtureBase) { return lobe_base_sample(lobe, xi); }
+    if (select < kMixtureBase + kMixtureRound) {
+        return frame_to_outer(f, lobe_base_sample(lobe_rounded(lobe), xi));
+    }
+    Float s = sqrt(xi.y);
+    Float psi = Float(2) * kPi * xi.x;
+    return frame_to_outer(f, vec3(s * cos(psi), s * sin(psi), sqrt(max(Float(1) - xi.y, Float(0)))));
+}
+
+// A half vector; `select` chooses the part of the normal-map mixture.
+FN vec3 lobe_sample(Lobe lobe, Perturbation p, vec2 xi, Float select) {
+    if (p.method == kMethodNormalMap) {
+        return normal_map_mixture_sample(lobe, p.n, xi, select);
+    }
+    return perturb_forward(p, lobe_base_sample(lobe_for_sampling(lobe, p), xi));
+}
+
+// Its density per solid angle.
+FN Float lobe_pdf(Lobe lobe, Perturbation p, vec3 h) {
+    Float pdf = Float(0);
+    if (p.method == kMethodNormalMap) {
+        pdf = normal_map_mixture_pdf(lobe, p.n, h);
+    } else if (p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth) {
+        LobePoint q = perturb_point(p, h);
+        q.weight = choose(q.weight > Float(0), Float(1), Float(0));  // a density, not an energy
+        pdf = lobe_base_pdf(lobe, q) * deform_jacobian(p.method, p.n, h) * h.z /
+              max(q.z, Float(1e-7));
+    } else {
+        vec3 m = frame_to_local(frame_for_sampling(p), h);
+        pdf = lobe_base_pdf(lobe_for_sampling(lobe, p), lobe_point_of(m));
+    }
+    return pdf;
+}
+
+// wi by reflection of wo about a sampled half vector, and its density; pdf 0: throw the sample away.
+FN vec3 brdf_sample(Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select, OUT(Float) pdf) {
+    vec3 h = lobe_sample(lobe, p, xi, select);
+    Float wo_h = dot(wo, h);
+    pdf = choose(wo_h > Float(0), lobe_pdf(lobe, p, h) / max(Float(4) * wo_h, kTiny), Float(0));
+    return reflect_about(wo, h);
+}
+
+FN Float brdf_pdf(Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
+    vec3 sum = wi + wo;
+    vec3 h = sum * (Float(1) / sqrt(max(dot(sum, sum), kTiny)));
+    return lobe_pdf(lobe, p, h) / max(Float(4) * dot(wo, h), kTiny);
+}

@@ -1,0 +1,38 @@
+// Files written whole or not at all, and read with limits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burnish {
+
+// Whole file (or pipe). Throws Error "<path>: expected a readable file, found <reason>"; missing
+// files, directories, devices and files over `limit_bytes` included.
+std::vector<std::byte> read_file(const std::filesystem::path& path,
+                                 std::uintmax_t limit_bytes = std::uintmax_t{4} << 30);
+std::string read_text_file(const std::filesystem::path& path,
+                           std::uintmax_t limit_bytes = std::uintmax_t{1} << 30);
+
+// Calls `write(temporary path in the same folder, same extension)`, flushes it to disk and renames
+// it over `path` (over the file a symbolic link points to), keeping the old file's permissions.
+// When `write` or the flush throws, or the disk is full, the temporary is removed and the old file
+// is left as it was. `write` itself must notice its short writes. Devices and pipes (/dev/full,
+// /dev/stdout) receive a copy of the temporary, every write checked.
+void write_file_whole(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path&)>& write);
+
+// The same for contents that are in memory already, every write checked: prefer these.
+void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+// Throws Error when `path` cannot be written (missing or read-only folder, read-only file, a
+// directory of that name), before hours of work. Leaves nothing behind.
+void require_writable(const std::filesystem::path& path);
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+// The picture formats we read, told by their content, and what can be known to be wrong with a file
+// before a decoder sees it. The decoders are large, old and trusting: some fill a truncated picture
+// with grey, some allocate what a header of 40 bytes asks for. So the containers are walked here
+// first: complete to the end marker, sizes sane, no more pixels than the bytes can stand for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace burnish {
+
+enum class ImageFormat { png, jpeg, tiff, exr, hdr };
+
+// Bytes of the start of a file that are enough to tell its format.
+inline constexpr std::size_t kImageHeadBytes = 16;
+
+inline constexpr std::int64_t kMaxImageSide = 32768;
+inline constexpr std::uint64_t kMaxImageBytes = std::uint64_t{4} << 30;  // decoded
+
+std::optional<ImageFormat> image_format_of(std::span<const std::byte> head);
+std::string_view format_name(ImageFormat format);    // "PNG", "OpenEXR" ...
+const char* oiio_format_name(ImageFormat format);    // what OpenImageIO calls its plug-in
+
+// Throws Error "<name>: expected a PNG, JPEG, TIFF, OpenEXR or Radiance HDR image, found <what>".
+ImageFormat require_image_format(std::span<const std::byte> head, const std::string& name);
+
+// Throws Error when the file is truncated, its declared size is out of bounds, or it is of a kind
+// that is not supported (BigTIFF, deep OpenEXR). What it accepts may still be refused on decoding.
+void check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
+                           const std::string& name);
+
+// Throws Error unless 1 <= side <= kMaxImageSide.
+void check_image_size(std::int64_t width, std::int64_t height, const std::string& name);
+
+}  // namespace burnish

@@ -1,0 +1,301 @@
+// check_image_structure: one walk a container. Offsets are 64-bit and files at most 4 GiB, so sums
+// of an offset and a 32-bit length from the file cannot overflow.
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "burnish/error.hpp"
+#include "core/image_format.hpp"
+
+namespace burnish {
+namespace {
+
+// Deflate cannot do better than 1032 to 1; the rest is room for headers.
+constexpr std::uint64_t kMaxDeflateRatio = 1040;
+
+// A Huffman-coded JPEG spends at least one bit on the DC term of 64 pixels: 512 a byte.
+constexpr std::uint64_t kMaxJpegPixelsPerByte = 1024;
+
+// Encoders write up to about ten progressive scans; each costs a pass over the whole picture.
+constexpr int kMaxJpegScans = 64;
+
+constexpr std::uint64_t kMaxHdrHeaderBytes = std::uint64_t{1} << 20;
+constexpr int kMaxExrParts = 64;
+
+// Numbers at offsets of a file; reading past the end is an error of the file.
+class Cursor {
+  public:
+    Cursor(std::span<const std::byte> bytes, const std::string& name, ImageFormat format)
+        : bytes_(bytes), name_(name), format_(format) {}
+
+    std::uint64_t size() const { return bytes_.size(); }
+    const std::string& name() const { return name_; }
+    const std::byte* data() const { return bytes_.data(); }
+
+    [[noreturn]] void fail(std::string_view found) const {
+        throw Error(name_, "", fmt::format("a readable {} image", format_name(format_)), found);
+    }
+    [[noreturn]] void truncated() const {
+        fail(fmt::format("a file cut short ({} bytes)", size()));
+    }
+    void require(std::uint64_t offset, std::uint64_t length) const {
+        if (offset > size() || length > size() - offset) truncated();
+    }
+
+    unsigned u8(std::uint64_t offset) const {
+        require(offset, 1);
+        return std::to_integer<unsigned>(bytes_[static_cast<std::size_t>(offset)]);
+    }
+    unsigned u16(std::uint64_t offset, bool big) const {
+        const unsigned a = u8(offset), b = u8(offset + 1);
+        return big ? a << 8 | b : b << 8 | a;
+    }
+    std::uint32_t u32(std::uint64_t offset, bool big) const {
+        const std::uint32_t a = u16(offset, big), b = u16(offset + 2, big);
+        return big ? a << 16 | b : b << 16 | a;
+    }
+    std::string_view text(std::uint64_t offset, std::uint64_t length) const {
+        require(offset, length);
+        return {reinterpret_cast<const char*>(bytes_.data()) + offset,
+                static_cast<std::size_t>(length)};
+    }
+    // The text up to the next `end`, at most `limit` characters of it.
+    std::string_view text_until(std::uint64_t offset, char end, std::uint64_t limit) const {
+        require(offset, 1);
+        const std::uint64_t window = std::min(limit + 1, size() - offset);
+        const std::string_view all = text(offset, window);
+        const std::size_t length = all.find(end);
+        if (length == std::string_view::npos) {
+            if (window <= limit) truncated();
+            fail("a broken header");
+        }
+        return all.substr(0, length);
+    }
+
+  private:
+    std::span<const std::byte> bytes_;
+    const std::string& name_;
+    ImageFormat format_;
+};
+
+// ---- PNG: chunks from IHDR to IEND --------------------------------------------------------------
+
+void check_png(const Cursor& file) {
+    constexpr std::uint64_t kSignatureBytes = 8, kChunkOverhead = 12, kHeaderBytes = 13;
+    std::uint64_t data_bytes = 0;
+    for (std::uint64_t at = kSignatureBytes;;) {
+        const std::uint64_t length = file.u32(at, true);
+        file.require(at, length + kChunkOverhead);
+        const std::string_view type = file.text(at + 4, 4);
+        const bool first = at == kSignatureBytes;
+        if (first != (type == "IHDR") || (first && length != kHeaderBytes)) {
+            file.fail("a broken header");
+        }
+        if (type == "IDAT") data_bytes += length;
+        if (type == "IEND") break;
+        at += length + kChunkOverhead;
+    }
+    const std::uint64_t header = kSignatureBytes + 8;
+    const std::uint64_t width = file.u32(header, true), height = file.u32(header + 4, true);
+    check_image_size(static_cast<std::int64_t>(width), static_cast<std::int64_t>(height),
+                     file.name());
+    const std::uint64_t depth = file.u8(header + 8);
+    constexpr unsigned kColorTypes = 7;
+    constexpr std::uint64_t kSamples[kColorTypes] = {1, 0, 3, 1, 2, 0, 4};
+    const unsigned type = file.u8(header + 9);
+    if (type >= kColorTypes || kSamples[type] == 0) file.fail("a broken header");
+    const std::uint64_t raw_bytes = height * (width * kSamples[type] * depth / 8);
+    if (raw_bytes / kMaxDeflateRatio > data_bytes) {
+        file.fail(fmt::format("{} bytes of data for {} x {} pixels", data_bytes, width, height));
+    }
+}
+
+// ---- JPEG: markers from SOI to EOI --------------------------------------------------------------
+
+bool is_frame_header(unsigned marker) {
+    return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+}
+
+// The offset behind the next marker at or after `at`, and its code. Stuffed zeros, restart markers
+// and stray bytes are passed over, which makes this the end of a scan's data too.
+std::pair<std::uint64_t, unsigned> next_jpeg_marker(const Cursor& file, std::uint64_t at) {
+    for (;;) {
+        file.require(at, 2);
+        const void* found =
+            std::memchr(file.data() + at, 0xFF, static_cast<std::size_t>(file.size() - at));
+        if (found == nullptr) file.truncated();
+        at = static_cast<std::uint64_t>(static_cast<const std::byte*>(found) - file.data()) + 1;
+        const unsigned code = file.u8(at);
+        const bool restart = code >= 0xD0 && code <= 0xD7;
+        if (code != 0x00 && code != 0xFF && code != 0x01 && !restart) return {at + 1, code};
+    }
+}
+
+void check_jpeg(const Cursor& file) {
+    constexpr unsigned kEnd = 0xD9, kStart = 0xD8, kScan = 0xDA;
+    int scans = 0;
+    bool sized = false;
+    for (std::uint64_t at = 2;;) {
+        const auto [segment, marker] = next_jpeg_marker(file, at);
+        if (marker == kEnd) break;
+        if (marker == kStart) file.fail("a second picture inside the first");
+        const unsigned length = file.u16(segment, true);
+        if (length < 2) file.fail("a broken segment");
+        file.require(segment, length);
+        if (is_frame_header(marker)) {
+            const unsigned height = file.u16(segment + 3, true);
+            const unsigned width = file.u16(segment + 5, true);
+            check_image_size(width, height, file.name());
+            if (std::uint64_t{width} * height / kMaxJpegPixelsPerByte > file.size()) {
+                file.fail(fmt::format("{} bytes for {} x {} pixels", file.size(), width, height));
+            }
+            sized = true;
+        }
+        if (marker == kScan && ++scans > kMaxJpegScans) file.fail("too many scans");
+        at = segment + length;
+    }
+    if (!sized || scans == 0) file.fail("no picture in it");
+}
+
+// ---- TIFF: the first directory ------------------------------------------------------------------
+
+void check_tiff(const Cursor& file) {
+    constexpr unsigned kWidth = 256, kHeight = 257, kTileWidth = 322, kTileHeight = 323;
+    constexpr unsigned kShort = 3, kEntryBytes = 12;
+    const bool big = file.u8(0) == 'M';
+    const std::uint64_t directory = file.u32(4, big);
+    const unsigned entries = file.u16(directory, big);
+    file.require(directory + 2, std::uint64_t{entries} * kEntryBytes);
+    std::int64_t width = 0, height = 0, tile_width = 1, tile_height = 1;
+    for (unsigned i = 0; i < entries; ++i) {
+        const std::uint64_t entry = directory + 2 + std::uint64_t{i} * kEntryBytes;
+        const unsigned tag = file.u16(entry, big);
+        const bool is_short = file.u16(entry + 2, big) == kShort;
+        const std::int64_t value =
+            is_short ? std::int64_t{file.u16(entry + 8, big)} : file.u32(entry + 8, big);
+        if (tag == kWidth) width = value;
+        if (tag == kHeight) height = value;
+        if (tag == kTileWidth) tile_width = value;
+        if (tag == kTileHeight) tile_height = value;
+    }
+    check_image_size(width, height, file.name());
+    check_image_size(tile_width, tile_height, file.name());
+}
+
+// ---- OpenEXR: the headers of all parts ----------------------------------------------------------
+
+// What one header must say; unset when the attribute is missing.
+struct ExrHeader {
+    bool has_window = false;
+    bool empty = true;
+};
+
+void check_exr_attribute(const Cursor& file, std::string_view name, std::uint64_t value,
+                         std::uint64_t length, ExrHeader& header) {
+    const auto i32 = [&](std::uint64_t offset) {
+        return std::int64_t{static_cast<std::int32_t>(file.u32(value + offset, false))};
+    };
+    if (name == "dataWindow" || name == "displayWindow") {
+        if (length != 16) file.fail("a broken header");
+        check_image_size(i32(8) - i32(0) + 1, i32(12) - i32(4) + 1, file.name());
+        // Positions far out overflow the offsets that decoders compute from them.
+        constexpr std::int64_t kFarthest = 1 << 24;
+        for (const std::uint64_t corner : {0U, 4U, 8U, 12U}) {
+            if (std::abs(i32(corner)) > kFarthest) file.fail("a window out of bounds");
+        }
+        header.has_window = header.has_window || name == "dataWindow";
+    } else if (name == "tiles" && length >= 8) {
+        check_image_size(file.u32(value, false), file.u32(value + 4, false), file.name());
+    } else if (name == "chunkCount" && length == 4) {
+        // Each chunk has an 8-byte entry in the offset table.
+        const std::uint64_t chunks = file.u32(value, false);
+        if (chunks > file.size() / 8) file.truncated();
+    }
+}
+
+// Walks one header and returns the offset behind its end.
+std::uint64_t check_exr_header(const Cursor& file, std::uint64_t at, ExrHeader& header) {
+    constexpr std::uint64_t kLongestName = 255;
+    for (;;) {
+        const std::string_view name = file.text_until(at, '\0', kLongestName);
+        at += name.size() + 1;
+        if (name.empty()) return at;
+        header.empty = false;
+        const std::string_view type = file.text_until(at, '\0', kLongestName);
+        at += type.size() + 1;
+        const std::uint64_t length = file.u32(at, false);
+        at += 4;
+        file.require(at, length);
+        check_exr_attribute(file, name, at, length, header);
+        at += length;
+    }
+}
+
+void check_exr(const Cursor& file) {
+    constexpr std::uint32_t kVersionMask = 0xFF, kDeep = 0x800, kMultiPart = 0x1000;
+    const std::uint32_t version = file.u32(4, false);
+    if ((version & kVersionMask) != 2) file.fail("another version of the format");
+    if ((version & kDeep) != 0) file.fail("a deep image");
+    std::uint64_t at = 8;
+    for (int part = 0;; ++part) {
+        if (part == kMaxExrParts) file.fail("too many parts");
+        ExrHeader header;
+        at = check_exr_header(file, at, header);
+        if (header.empty && part > 0) break;
+        if (!header.has_window) file.fail("a header without a data window");
+        if ((version & kMultiPart) == 0) break;
+    }
+}
+
+// ---- Radiance HDR: the resolution line ----------------------------------------------------------
+
+// A decimal number after `word`; what is behind it is left in `line`.
+std::int64_t take_side(const Cursor& file, std::string_view& line, std::string_view word) {
+    const auto wrong = [&file, whole = line] {
+        throw Error(file.name(), "resolution line", "\"-Y height +X width\"", shown(whole));
+    };
+    if (!line.starts_with(word)) wrong();
+    line.remove_prefix(word.size());
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    std::int64_t value = 0;
+    std::size_t digits = 0;
+    for (; digits < line.size() && line[digits] >= '0' && line[digits] <= '9'; ++digits) {
+        value = std::min<std::int64_t>(value * 10 + (line[digits] - '0'), 1LL << 40);
+    }
+    if (digits == 0) wrong();
+    line.remove_prefix(digits);
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    return value;
+}
+
+void check_hdr(const Cursor& file) {
+    std::uint64_t at = 0;
+    std::string_view line;
+    do {
+        if (at > kMaxHdrHeaderBytes) file.fail("a header without an end");
+        line = file.text_until(at, '\n', kMaxHdrHeaderBytes);
+        at += line.size() + 1;
+    } while (!line.empty());
+    std::string_view resolution = file.text_until(at, '\n', kMaxHdrHeaderBytes);
+    const std::int64_t height = take_side(file, resolution, "-Y");
+    const std::int64_t width = take_side(file, resolution, "+X");
+    check_image_size(width, height, file.name());
+}
+
+}  // namespace
+
+void check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
+                           const std::string& name) {
+    const Cursor file(bytes, name, format);
+    switch (format) {
+        case ImageFormat::png: return check_png(file);
+        case ImageFormat::jpeg: return check_jpeg(file);
+        case ImageFormat::tiff: return check_tiff(file);
+        case ImageFormat::exr: return check_exr(file);
+        case ImageFormat::hdr: return check_hdr(file);
+    }
+}
+
+}  // namespace burnish

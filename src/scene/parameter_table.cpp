@@ -1,0 +1,152 @@
+#include <array>
+
+#include "burnish/parameters.hpp"
+#include "burnish/shading_names.hpp"
+
+namespace burnish {
+
+namespace {
+
+using Kind = ParameterKind;
+using Group = ParameterGroup;
+
+// "none" and then conductor_names(), in that order (a test holds them together).
+constexpr std::array<std::string_view, 8> kMetals = {"none",      "gold",  "silver", "copper",
+                                                     "aluminium", "steel", "brass",  "titanium"};
+constexpr std::array<std::string_view, 3> kImageLights = {"off", "importance", "bent-normal"};
+constexpr std::array<std::string_view, 4> kToneMaps = {"linear", "reinhard", "aces",
+                                                       "khronos-neutral"};
+constexpr std::array<std::string_view, 3> kBackgrounds = {"environment", "color", "transparent"};
+
+// Positions and distances: a thousand kilometres leave float coordinates 6 cm apart, enough for
+// any scene that can still be drawn.
+constexpr double kFar = 1e6;
+constexpr double kMaxSeed = 2147483647.0;
+
+// The table while it is written: one call a parameter, in the order of help texts.
+struct Table {
+    Group group = Group::material;
+    std::vector<Parameter> rows;
+
+    using Text = std::string_view;
+    void real(Text name, double low, double high, Text standard, Text unit, Text help) {
+        rows.push_back({name, group, Kind::real, low, high, standard, unit, help, {}});
+    }
+    void integer(Text name, double low, double high, Text standard, Text unit, Text help) {
+        rows.push_back({name, group, Kind::integer, low, high, standard, unit, help, {}});
+    }
+    void boolean(Text name, Text standard, Text help) {
+        rows.push_back({name, group, Kind::boolean, 0, 1, standard, "", help, {}});
+    }
+    void choice(Text name, std::span<const Text> choices, Text standard, Text help) {
+        rows.push_back({name, group, Kind::choice, 0, 0, standard, "", help, choices});
+    }
+    void color(Text name, double high, Text standard, Text help) {
+        rows.push_back({name, group, Kind::color, 0, high, standard, "", help, {}});
+    }
+    void position(Text name, Text help) {
+        rows.push_back({name, group, Kind::vector, -kFar, kFar, "", "m", help, {}});
+    }
+    void text(Text name, Text help) {
+        rows.push_back({name, group, Kind::text, 0, 0, "", "", help, {}});
+    }
+};
+
+void add_material(Table& t) {
+    t.group = Group::material;
+    t.choice("mdf", mdf_names(), "ggx", "microfacet distribution of the specular lobe");
+    t.choice("brdf", brdf_names(), "microfacet", "reflection model");
+    t.choice("method", method_names(), "follow-grain",
+             "what a normal map does to the anisotropic lobe");
+    t.boolean("conserve", "false", "energy-conserving form of the deform methods");
+    t.real("alpha_x", 0.001, 1.5, "", "", "roughness along the tangent; alone it sets both");
+    t.real("alpha_y", 0.001, 1.5, "", "", "roughness across the tangent; alone it sets both");
+    t.real("e_x", 0, 100000, "", "",
+           "Ashikhmin-Shirley exponent along the tangent, alpha = sqrt(2 / (e + 2))");
+    t.real("e_y", 0, 100000, "", "", "Ashikhmin-Shirley exponent across the tangent");
+    t.real("roughness", 0, 1, "", "", "perceptual roughness of glTF, alpha = roughness^2");
+    t.real("anisotropy", 0, 1, "", "",
+           "strength of KHR_materials_anisotropy: stretch along the tangent");
+    t.real("anisotropy_rotation", -360, 360, "", "deg",
+           "turn of the lobe, counter-clockwise from the tangent");
+    t.real("metallic", 0, 1, "", "", "0 dielectric, 1 metal");
+    t.color("base_color", 1, "",
+            "diffuse colour, or reflectance of a metal: r,g,b linear or #rrggbb");
+    t.choice("metal", kMetals, "", "measured metal with exact Fresnel instead of base_color");
+    t.real("f0", 0, 1, "", "",
+           "normal reflectance of a dielectric (0.04 is a refractive index of 1.5)");
+    t.text("normal_map", "normal map: a picture, builtin:bumps, or none");
+    t.real("normal_scale", 0, 16, "", "", "strength of the normal map (1 as stored)");
+    t.boolean("flip_green", "", "the normal map has +y down (DirectX)");
+    t.real("uv_scale", 0.01, 1000, "", "", "repeats of the normal map across the texture square");
+    t.boolean("double_sided", "", "show back faces too");
+}
+
+void add_render(Table& t) {
+    t.group = Group::render;
+    t.integer("width", 1, 16384, "1280", "px", "picture width");
+    t.integer("height", 1, 16384, "720", "px", "picture height");
+    t.integer("samples", 1, 65536, "64", "", "jittered samples a pixel");
+    t.choice("image_light", kImageLights, "importance", "how the environment lights the surface");
+    t.integer("image_light_samples", 1, 1024, "16", "",
+              "environment samples for each sample of a pixel");
+    t.real("exposure", -20, 20, "0", "EV", "brightness, in powers of two");
+    t.choice("tone_map", kToneMaps, "khronos-neutral", "how radiance becomes display colour");
+    t.choice("background", kBackgrounds, "environment", "what is behind the model");
+    t.color("background_color", 1e6, "0.05,0.05,0.05",
+            "for background color: r,g,b linear or #rrggbb");
+    t.real("background_blur", 0, 1, "0", "", "blur of the environment as background");
+    t.integer("seed", 0, kMaxSeed, "0", "", "seed of all random choices");
+}
+
+void add_camera(Table& t) {
+    t.group = Group::camera;
+    t.real("camera_azimuth", -360, 360, "30", "deg",
+           "around the model: 0 looks along -z, 90 from +x");
+    t.real("camera_elevation", -90, 90, "20", "deg", "above the horizon");
+    t.real("camera_distance", 1e-4, kFar, "", "m",
+           "from the target (default: the scene fills the view)");
+    t.real("camera_fov", 1, 170, "30", "deg", "vertical field of view");
+    t.position("camera_position", "x,y,z of the eye instead of azimuth, elevation and distance");
+    t.position("camera_target", "x,y,z looked at (default: the middle of the scene)");
+    t.integer("camera_index", 0, 65535, "", "", "use this camera of the file");
+}
+
+void add_lights_and_mesh(Table& t) {
+    t.group = Group::environment;
+    t.real("environment_rotation", -360, 360, "0", "deg", "turn of the environment about +y");
+    t.real("environment_intensity", 0, 1e6, "1", "", "factor on the environment's radiance");
+    t.group = Group::light;
+    t.real("light_intensity", 0, 1e6, "0", "lux",
+           "one more directional light (3 lights a white surface to about 1)");
+    t.real("light_azimuth", -360, 360, "-40", "deg",
+           "where that light stands, counted as camera_azimuth");
+    t.real("light_elevation", -90, 90, "50", "deg", "its height above the horizon");
+    t.color("light_color", 1, "1,1,1", "its colour: r,g,b linear or #rrggbb");
+    t.group = Group::mesh;
+    t.integer("triangles", 0, 4000000, "0", "", "wished size of a built-in mesh (0: its default)");
+}
+
+std::vector<Parameter> make_table() {
+    Table table;
+    add_material(table);
+    add_render(table);
+    add_camera(table);
+    add_lights_and_mesh(table);
+    return table.rows;
+}
+
+}  // namespace
+
+std::span<const Parameter> parameter_table() {
+    static const std::vector<Parameter> table = make_table();
+    return table;
+}
+
+const Parameter* find_parameter(std::string_view name) {
+    for (const Parameter& parameter : parameter_table())
+        if (parameter.name == name) return &parameter;
+    return nullptr;
+}
+
+}  // namespace burnish

@@ -1,0 +1,22 @@
+// The maths of shading/ in double precision: namespace burnish::f64.
+#pragma once
+
+#include "shading/prelude.hpp"
+
+namespace burnish::f64 {
+
+using namespace dialect;  // NOLINT: the dialect's words are meant to be here
+using Float = double;
+using Bool = bool;
+using vec2 = Vec2<Float>;
+using vec3 = Vec3<Float>;
+
+// Enough for the Ward normaliser and the root of K11 Eq 5 to reach rounding error.
+inline constexpr int kWardNodes = 24;
+inline constexpr int kDeformRootSteps = 60;
+
+#include "shading/prelude_begin.hpp"
+#include "shading/all.hpp"
+#include "shading/prelude_end.hpp"
+
+}  // namespace burnish::f64

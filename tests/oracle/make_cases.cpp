@@ -1,0 +1,265 @@
+#include "make_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace burnish::oracle {
+
+namespace {
+
+constexpr long double kPi = std::numbers::pi_v<long double>;
+
+// std::mt19937_64 is the same everywhere; the standard's distributions are not, hence these.
+class Random {
+  public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+
+    long double unit() { return static_cast<long double>(engine_() >> 11) * 0x1p-53L; }  // [0, 1)
+    long double range(long double a, long double b) { return a + (b - a) * unit(); }
+    long double log_range(long double a, long double b) { return a * powl(b / a, unit()); }
+    bool chance(long double p) { return unit() < p; }
+    template <std::size_t N>
+    long double pick(const std::array<long double, N>& values) {
+        return values[static_cast<std::size_t>(engine_() % N)];
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+long double as_double(long double a) { return static_cast<long double>(static_cast<double>(a)); }
+Vec3 as_double(Vec3 v) { return {as_double(v.x), as_double(v.y), as_double(v.z)}; }
+
+Vec3 random_direction(Random& random) {
+    const long double z = random.range(-1, 1);
+    const long double phi = random.range(0, 2 * kPi);
+    const long double s = sqrtl(1 - z * z);
+    return {s * cosl(phi), s * sinl(phi), z};
+}
+
+long double random_azimuth(Random& random) {
+    constexpr std::array<long double, 4> kAxes{0, 90, 180, 270};
+    return random.chance(0.2L) ? random.pick(kAxes) : random.range(0, 360);
+}
+
+// tilted(), but exact on the axes, where cos(90 degrees) should be 0 and not 1e-20.
+Vec3 tilted_clean(long double tilt_deg, long double azimuth_deg) {
+    Vec3 v = tilted(tilt_deg, azimuth_deg);
+    if (fabsl(v.x) < 1e-17L * fabsl(v.y)) v.x = 0;
+    if (fabsl(v.y) < 1e-17L * fabsl(v.x)) v.y = 0;
+    return v;
+}
+
+// A direction with h_z = 1e-3 .. 1e-9.
+Vec3 grazing_direction(Random& random) {
+    const long double z = powl(10, -floorl(random.range(3, 10)));
+    Vec3 v = tilted_clean(90, random_azimuth(random));
+    v.z = 0;
+    v = sqrtl(1 - z * z) * v;
+    v.z = z;
+    return v;
+}
+
+// Exponents or alphas: the ends of the range, equal ones, and anything in between.
+std::array<long double, 2> random_lobe(Random& random, bool exponents) {
+    constexpr std::array<long double, 6> kExponents{0, 1, 10, 200, 1000, 10000};
+    constexpr std::array<long double, 5> kAlphas{0.01L, 0.1L, 0.3L, 0.5L, 1};
+    std::array<long double, 2> p{};
+    for (long double& value : p) {
+        const bool listed = random.chance(0.2L);
+        if (exponents) {
+            value = listed ? random.pick(kExponents) : random.log_range(0.1L, 10000);
+        } else {
+            value = listed ? random.pick(kAlphas) : random.log_range(0.01L, 1);
+        }
+        value = as_double(value);
+    }
+    if (random.chance(0.1L)) p[1] = p[0];
+    return p;
+}
+
+// A half vector of the unperturbed lobe: slopes Gaussian, of the widths that p0 and p1 stand for.
+Vec3 sample_lobe(Random& random, bool exponents, long double p0, long double p1) {
+    const long double alpha_x = exponents ? sqrtl(2 / (p0 + 2)) : p0;
+    const long double alpha_y = exponents ? sqrtl(2 / (p1 + 2)) : p1;
+    const long double r = random.range(0.3L, 2) * sqrtl(-logl(1 - random.unit()));
+    const long double phi = random.range(0, 2 * kPi);
+    return normalize({alpha_x * r * cosl(phi), alpha_y * r * sinl(phi), 1});
+}
+
+// Carries v, near the pole, to where the perturbed lobe has it, roughly: the right rotation for
+// the rotations, K11 Eq 3-4 for the deformations, somewhere between n and n~ otherwise.
+Vec3 carry(Random& random, const MdfCase& c, Vec3 n, Vec3 v) {
+    if (c.method == "none") return v;
+    if (c.method == "normal-map") return normalize(v + random.range(0, 2) * n);
+    if (c.method == "deform-linear" || c.method == "deform-smooth") {
+        const long double left = 1 - sqrtl(v.x * v.x + v.y * v.y);
+        const long double f = c.method == "deform-linear" ? left : sqrtl(left);
+        const Vec3 p{v.x + f * n.x, v.y + f * n.y, 0};
+        const long double z2 = 1 - dot(p, p);
+        return z2 > 0 ? Vec3{p.x, p.y, sqrtl(z2)} : v;
+    }
+    // R v from the columns R^T x, R^T y, R^T z of the map, which is its own inverse's transpose.
+    const auto column = [&](Vec3 axis) {
+        return dot(mdf_transform(c.mdf, c.p0, c.p1, c.method, n, axis).v, v);
+    };
+    return normalize({column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})});
+}
+
+// One of 24 half vectors near the perturbed lobe, with probability in proportion to D^power.
+Vec3 half_vector_by_weight(Random& random, const MdfCase& c, Vec3 n, long double power) {
+    constexpr int kCandidates = 24;
+    const bool exponents = c.mdf == "ashikhmin-shirley";
+    Vec3 chosen = n;
+    long double total = 0;
+    for (int k = 0; k < kCandidates; ++k) {
+        Vec3 h = carry(random, c, n, sample_lobe(random, exponents, c.p0, c.p1));
+        if (power < 1 && random.chance(0.5L)) h = normalize(h + 0.3L * random_direction(random));
+        const long double d = mdf_eval(c.mdf, c.p0, c.p1, c.method, n, h).D;
+        const long double weight = d > 0 ? powl(d, power) : 0;
+        total += weight;
+        if (weight > 0 && random.unit() * total < weight) chosen = h;
+    }
+    return chosen;
+}
+
+Vec3 random_normal(Random& random) {
+    const long double u = random.unit();
+    if (u < 0.08L) return {0, 0, 1};
+    if (u < 0.18L) return tilted_clean(85, random_azimuth(random));
+    if (u < 0.28L) return tilted_clean(random.log_range(1e-7L, 1), random_azimuth(random));
+    return tilted_clean(random.range(0, 85), random_azimuth(random));
+}
+
+void choose_half_vector(Random& random, MdfCase& c) {
+    const long double u = random.unit();
+    if (u < 0.54L) {
+        c.kind = "alive";
+        c.h = half_vector_by_weight(random, c, c.n, 1);
+    } else if (u < 0.66L) {
+        c.kind = "flank";
+        c.h = half_vector_by_weight(random, c, c.n, 0.1L);
+    } else if (u < 0.77L) {
+        c.kind = "far";
+        c.h = random_direction(random);
+        if (random.chance(0.7L)) c.h.z = fabsl(c.h.z);
+    } else if (u < 0.82L) {
+        c.kind = "pole";
+        c.h = {0, 0, 1};
+    } else if (u < 0.88L) {
+        c.kind = "peak";
+        c.h = c.n;
+    } else if (u < 0.97L) {
+        c.kind = "grazing";
+        c.h = grazing_direction(random);
+    } else {
+        c.kind = "below";
+        c.h = random_direction(random);
+        c.h.z = -fabsl(c.h.z) - 1e-3L;
+        c.h = normalize(c.h);
+    }
+}
+
+Vec3 rescaled(Random& random, Vec3 v) {
+    return random.chance(0.15L) ? random.log_range(0.01L, 100) * v : v;
+}
+
+}  // namespace
+
+std::vector<MdfCase> mdf_cases(unsigned seed, std::size_t n) {
+    const std::vector<std::string>& mdfs = mdf_names();
+    const std::vector<std::string>& methods = method_names();
+    Random random(seed);
+    std::vector<MdfCase> cases;
+    cases.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        MdfCase c;
+        c.mdf = mdfs[k % mdfs.size()];
+        c.method = methods[k / mdfs.size() % methods.size()];
+        const auto p = random_lobe(random, c.mdf == "ashikhmin-shirley");
+        c.p0 = p[0];
+        c.p1 = p[1];
+        c.n = as_double(random_normal(random));
+        choose_half_vector(random, c);
+        c.n = as_double(rescaled(random, c.n));
+        c.h = as_double(rescaled(random, c.h));
+        cases.push_back(c);
+    }
+    return cases;
+}
+
+namespace {
+
+std::array<long double, 5> random_brdf(Random& random, const std::string& brdf) {
+    constexpr std::array<long double, 3> kEnds{0, 0.04L, 1};
+    const auto lobe = random_lobe(random, brdf == "ashikhmin-shirley");
+    const long double share =
+        as_double(random.chance(0.2L) ? random.pick(kEnds) : random.range(0, 1));
+    if (brdf == "ward-gmd") return {share, lobe[0], lobe[1], 0, 0};
+    return {lobe[0], lobe[1], share, 0, 0};
+}
+
+// o = 2 (h.i) h - i for an h of the lobe; the mirror direction if the surface hides all the tries.
+Vec3 reflect_in_lobe(Random& random, const BrdfCase& c) {
+    const std::size_t first = c.brdf == "ward-gmd" ? 1 : 0;
+    for (int k = 0; k < 16; ++k) {
+        const Vec3 h = sample_lobe(random, c.brdf == "ashikhmin-shirley", c.p[first],
+                                   c.p[first + 1]);
+        const Vec3 o = 2 * dot(h, c.i) * h - c.i;
+        if (o.z > 0) return o;
+    }
+    return {-c.i.x, -c.i.y, c.i.z};
+}
+
+void choose_directions(Random& random, BrdfCase& c) {
+    c.i = as_double(tilted_clean(random.range(0, 89.9L), random_azimuth(random)));
+    if (random.chance(0.05L)) c.i = {0, 0, 1};
+    const long double u = random.unit();
+    if (u < 0.55L) {
+        c.kind = "alive";
+        c.o = reflect_in_lobe(random, c);
+    } else if (u < 0.7L) {
+        c.kind = "far";
+        c.o = random_direction(random);
+        c.o.z = fabsl(c.o.z);
+    } else if (u < 0.77L) {
+        c.kind = "mirror";
+        c.o = {-c.i.x, -c.i.y, c.i.z};
+    } else if (u < 0.83L) {
+        c.kind = "retro";
+        c.o = c.i;
+    } else if (u < 0.95L) {
+        c.kind = "grazing";
+        if (random.chance(0.3L)) c.i = as_double(grazing_direction(random));
+        c.o = grazing_direction(random);
+    } else {
+        c.kind = "below";
+        c.o = random_direction(random);
+        c.o.z = -fabsl(c.o.z) - 1e-3L;
+        c.o = normalize(c.o);
+        if (random.chance(0.5L)) std::swap(c.i, c.o);
+    }
+}
+
+}  // namespace
+
+std::vector<BrdfCase> brdf_cases(unsigned seed, std::size_t n) {
+    const std::vector<std::string>& brdfs = brdf_names();
+    Random random(seed);
+    std::vector<BrdfCase> cases;
+    cases.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        BrdfCase c;
+        c.brdf = brdfs[k % brdfs.size()];
+        c.p = random_brdf(random, c.brdf);
+        choose_directions(random, c);
+        c.i = as_double(rescaled(random, c.i));
+        c.o = as_double(rescaled(random, c.o));
+        cases.push_back(c);
+    }
+    return cases;
+}
+
+}  // namespace burnish::oracle
