@@ -11,13 +11,14 @@ FN int brdf_mdf(int brdf, int mdf) {
 // `lobe` is of brdf_mdf. 0 where wi or wo is below the perturbed horizon.
 FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     vec3 sum = wi + wo;
-    vec3 h = sum * (Float(1) / sqrt(max(dot(sum, sum), kTiny)));
+    Float sum_length = sqrt(max(dot(sum, sum), kTiny));
+    vec3 h = sum * (Float(1) / sum_length);
     Float cos_i = dot(p.n, wi);
     Float cos_o = dot(p.n, wo);
-    // 1e-7: half the angle resolution of single precision; keeps 1/cos finite.
-    Float low_i = max(cos_i, Float(1e-7));
-    Float low_o = max(cos_o, Float(1e-7));
-    Float wi_h = max(dot(wi, h), Float(1e-7));
+    // 1e-12: below any cosine that is not rounding, and D / (4 cos cos) stays finite in float.
+    Float low_i = max(cos_i, Float(1e-12));
+    Float low_o = max(cos_o, Float(1e-12));
+    Float wi_h = max(Float(0.5) * sum_length, Float(1e-12));  // exactly wi.h, without cancellation
     LobePoint q = perturb_point(p, h);
     Float shape = lobe_shape(lobe, q);
     Float f = Float(0);

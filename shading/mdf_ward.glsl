@@ -9,7 +9,8 @@ FN Float mdf_ward_shape(Float alpha_x, Float alpha_y, LobePoint q) {
 
 // 1 / Int shape (n.h) dw. With u = 1 - z and m(psi) = alpha_x^2 cos^2 psi + alpha_y^2 sin^2 psi the
 // integral is pi alpha_x alpha_y (1 - (alpha_x^2 + alpha_y^2)/4 + mean_psi(m exp(-2/m))/2); the mean
-// by Gauss-Chebyshev nodes, the rest exact. Bounds on the nodes: docs/correctness.md.
+// by n Gauss-Chebyshev nodes, the rest exact. Relative error, worst case 100:1: n = 4 2e-5, 8 8e-8,
+// 24 3e-14 for alpha <= 1; 8 3e-5, 24 1e-9, 48 4e-14 for alpha <= 2.
 FN Float mdf_ward_projected_norm(Float alpha_x, Float alpha_y) {
     Float xx = alpha_x * alpha_x;
     Float yy = alpha_y * alpha_y;

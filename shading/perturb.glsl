@@ -75,13 +75,17 @@ FN Perturbation perturb_make(int method, vec3 n, Bool grooves_along_x, Bool cons
 }
 
 // 1 - k of the deformations at p = (h.x, h.y), k = |C'p| / |C'R|: hz^2 / (1 - d.p + S), exact near
-// the rim, where the ray and circle subtract (docs/papers.md, K11 Eq 3).
+// the rim, where the ray and circle subtract (docs/papers.md, K11 Eq 3). With v = p - d and b = d.v
+// the denominator is n~z^2 + (S - b), and S - b is written without cancellation for either sign.
 FN Float deform_rim_fraction(vec3 n, vec3 h) {
     Float vx = h.x - n.x;
     Float vy = h.y - n.y;
+    Float v2 = vx * vx + vy * vy;
+    Float n2 = n.z * n.z;
     Float b = n.x * vx + n.y * vy;
-    Float s = sqrt(b * b + (vx * vx + vy * vy) * (n.z * n.z));
-    return h.z * h.z / max(Float(1) - (n.x * h.x + n.y * h.y) + s, kTiny);
+    Float s = sqrt(b * b + v2 * n2);
+    Float s_minus_b = choose(b > Float(0), v2 * n2 / max(s + b, kTiny), s - b);
+    return h.z * h.z / max(n2 + s_minus_b, kTiny);
 }
 
 // K11 Eq 3 inverted exactly: q = p - (1-k) d, |q| = k.

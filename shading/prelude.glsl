@@ -28,7 +28,7 @@ float erfc(float x) {
            exp(-x * x);
 }
 
-// Nodes of the Ward normaliser: see mdf_ward.glsl.
+// Nodes of the Ward normaliser: 2e-5 relative to alpha = 1 (mdf_ward.glsl).
 const int kWardNodes = 4;
 // Steps of deform_smooth_forward: see sample.glsl.
 const int kDeformRootSteps = 8;

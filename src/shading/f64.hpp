@@ -12,7 +12,7 @@ using vec2 = Vec2<Float>;
 using vec3 = Vec3<Float>;
 
 // Enough for the Ward normaliser and the root of K11 Eq 5 to reach rounding error.
-inline constexpr int kWardNodes = 24;
+inline constexpr int kWardNodes = 48;
 inline constexpr int kDeformRootSteps = 60;
 
 #include "shading/prelude_begin.hpp"

@@ -29,8 +29,12 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-long double as_double(long double a) { return static_cast<long double>(static_cast<double>(a)); }
-Vec3 as_double(Vec3 v) { return {as_double(v.x), as_double(v.y), as_double(v.z)}; }
+long double as_double(long double a) {
+    return static_cast<long double>(static_cast<double>(a));
+}
+Vec3 as_double(Vec3 v) {
+    return {as_double(v.x), as_double(v.y), as_double(v.z)};
+}
 
 Vec3 random_direction(Random& random) {
     const long double z = random.range(-1, 1);
@@ -80,11 +84,12 @@ std::array<long double, 2> random_lobe(Random& random, bool exponents) {
     return p;
 }
 
-// A half vector of the unperturbed lobe: slopes Gaussian, of the widths that p0 and p1 stand for.
-Vec3 sample_lobe(Random& random, bool exponents, long double p0, long double p1) {
+// A half vector of the unperturbed lobe: slopes Gaussian, `spread` times as wide as p0 and p1 say.
+Vec3 sample_lobe(Random& random, bool exponents, long double p0, long double p1,
+                 long double spread) {
     const long double alpha_x = exponents ? sqrtl(2 / (p0 + 2)) : p0;
     const long double alpha_y = exponents ? sqrtl(2 / (p1 + 2)) : p1;
-    const long double r = random.range(0.3L, 2) * sqrtl(-logl(1 - random.unit()));
+    const long double r = random.range(0.3L, 2) * spread * sqrtl(-logl(1 - random.unit()));
     const long double phi = random.range(0, 2 * kPi);
     return normalize({alpha_x * r * cosl(phi), alpha_y * r * sinl(phi), 1});
 }
@@ -108,17 +113,18 @@ Vec3 carry(Random& random, const MdfCase& c, Vec3 n, Vec3 v) {
     return normalize({column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})});
 }
 
-// One of 24 half vectors near the perturbed lobe, with probability in proportion to D^power.
-Vec3 half_vector_by_weight(Random& random, const MdfCase& c, Vec3 n, long double power) {
+// One of 24 half vectors in and about the perturbed lobe: with probability in proportion to D, or,
+// on the flank, any at which D is not zero.
+Vec3 half_vector_in_lobe(Random& random, const MdfCase& c, Vec3 n, bool flank) {
     constexpr int kCandidates = 24;
     const bool exponents = c.mdf == "ashikhmin-shirley";
     Vec3 chosen = n;
     long double total = 0;
     for (int k = 0; k < kCandidates; ++k) {
-        Vec3 h = carry(random, c, n, sample_lobe(random, exponents, c.p0, c.p1));
-        if (power < 1 && random.chance(0.5L)) h = normalize(h + 0.3L * random_direction(random));
+        const Vec3 v = sample_lobe(random, exponents, c.p0, c.p1, flank ? 2.5L : 1);
+        const Vec3 h = carry(random, c, n, v);
         const long double d = mdf_eval(c.mdf, c.p0, c.p1, c.method, n, h).D;
-        const long double weight = d > 0 ? powl(d, power) : 0;
+        const long double weight = flank && d > 0 ? 1 : d;
         total += weight;
         if (weight > 0 && random.unit() * total < weight) chosen = h;
     }
@@ -137,10 +143,10 @@ void choose_half_vector(Random& random, MdfCase& c) {
     const long double u = random.unit();
     if (u < 0.54L) {
         c.kind = "alive";
-        c.h = half_vector_by_weight(random, c, c.n, 1);
+        c.h = half_vector_in_lobe(random, c, c.n, false);
     } else if (u < 0.66L) {
         c.kind = "flank";
-        c.h = half_vector_by_weight(random, c, c.n, 0.1L);
+        c.h = half_vector_in_lobe(random, c, c.n, true);
     } else if (u < 0.77L) {
         c.kind = "far";
         c.h = random_direction(random);
@@ -205,8 +211,8 @@ std::array<long double, 5> random_brdf(Random& random, const std::string& brdf) 
 Vec3 reflect_in_lobe(Random& random, const BrdfCase& c) {
     const std::size_t first = c.brdf == "ward-gmd" ? 1 : 0;
     for (int k = 0; k < 16; ++k) {
-        const Vec3 h = sample_lobe(random, c.brdf == "ashikhmin-shirley", c.p[first],
-                                   c.p[first + 1]);
+        const Vec3 h =
+            sample_lobe(random, c.brdf == "ashikhmin-shirley", c.p[first], c.p[first + 1], 1);
         const Vec3 o = 2 * dot(h, c.i) * h - c.i;
         if (o.z > 0) return o;
     }

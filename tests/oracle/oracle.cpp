@@ -16,7 +16,9 @@ constexpr Vec3 kX{1, 0, 0};
 constexpr Vec3 kY{0, 1, 0};
 constexpr Vec3 kZ{0, 0, 1};
 
-long double sqr(long double a) { return a * a; }
+long double sqr(long double a) {
+    return a * a;
+}
 
 [[noreturn]] void unknown(const char* what, const std::string& name) {
     throw std::invalid_argument(std::string("oracle: unknown ") + what + " '" + name + "'");
@@ -26,14 +28,24 @@ long double sqr(long double a) { return a * a; }
 
 // ---------------------------------------------------------------- vectors
 
-Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 operator*(long double s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
-long double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vec3 operator+(Vec3 a, Vec3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Vec3 operator-(Vec3 a, Vec3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Vec3 operator*(long double s, Vec3 v) {
+    return {s * v.x, s * v.y, s * v.z};
+}
+long double dot(Vec3 a, Vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-long double length(Vec3 v) { return sqrtl(dot(v, v)); }
+long double length(Vec3 v) {
+    return sqrtl(dot(v, v));
+}
 Vec3 normalize(Vec3 v) {
     const long double l = length(v);
     return {v.x / l, v.y / l, v.z / l};
@@ -51,9 +63,9 @@ const std::vector<std::string>& mdf_names() {
 }
 
 const std::vector<std::string>& method_names() {
-    static const std::vector<std::string> names{
-        "none",       "normal-map",   "gram-schmidt",  "rotate-exact", "rotate-approx",
-        "rotate-arc", "follow-grain", "deform-linear", "deform-smooth"};
+    static const std::vector<std::string> names{"none",         "normal-map",    "gram-schmidt",
+                                                "rotate-exact", "rotate-approx", "rotate-arc",
+                                                "follow-grain", "deform-linear", "deform-smooth"};
     return names;
 }
 
@@ -83,7 +95,9 @@ struct Frame {
 };
 
 // K12 Eq 5-6: R^T h, the coordinates of h along the carried axes.
-Vec3 coordinates(const Frame& f, Vec3 h) { return {dot(f.u, h), dot(f.v, h), dot(f.w, h)}; }
+Vec3 coordinates(const Frame& f, Vec3 h) {
+    return {dot(f.u, h), dot(f.v, h), dot(f.w, h)};
+}
 
 // K12 Eq 4.
 Frame frame_rotate_exact(Vec3 n) {
@@ -93,7 +107,7 @@ Frame frame_rotate_exact(Vec3 n) {
 }
 
 // K12 Eq 9 without its misprints: the two cross products that it names, not normalised
-// (docs/papers.md section 1: v' and the sign of row 2).
+// (docs/papers.md: v' and the sign of row 2).
 Frame frame_rotate_approx(Vec3 n) {
     const Vec3 u = cross(kY, n);
     return {u, cross(n, u), n};
@@ -216,7 +230,7 @@ long double lobe(const std::string& mdf, long double p0, long double p1, Vec3 v)
         return sqrtl((p0 + 1) * (p1 + 1)) / (2 * kPi) * ashikhmin_shirley_shape(p0, p1, v);
     }
     const long double r2 = sqr(v.x / p0) + sqr(v.y / p1);
-    // K12 Eq 3, the squares put back (docs/papers.md section 1).
+    // K12 Eq 3, the squares put back (docs/papers.md).
     if (mdf == "ward") return expl(-2 * r2 / (1 + v.z));
     if (mdf == "beckmann") return expl(-r2 / sqr(v.z)) / (kPi * p0 * p1 * sqr(sqr(v.z)));
     if (mdf == "ggx") return 1 / (kPi * p0 * p1 * sqr(r2 + sqr(v.z)));
@@ -279,7 +293,7 @@ MdfValue mdf_eval(const std::string& mdf, long double p0, long double p1, const 
     if (method == "deform-smooth") {
         const Vec3 n = normalize(n_in);
         const long double d2 = sqr(n.x) + sqr(n.y);
-        // docs/papers.md section 2, normaliser 3.
+        // docs/papers.md, normaliser 3.
         value.D_conserving *= (4 - d2) / (4 - 2 * d2);
     }
     return value;
@@ -317,7 +331,7 @@ long double mdf_wobble(const std::string& mdf, long double p0, long double p1,
 namespace {
 
 long double schlick(long double f0, long double cosine) {
-    return f0 + (1 - f0) * powl(1 - cosine, 5);
+    return f0 + (1 - f0) * powl(std::max(1 - cosine, 0.0L), 5);  // rounding: cosine may exceed 1
 }
 
 // Smith's Lambda. slope^2 = (ax^2 wx^2 + ay^2 wy^2) / wz^2 is the variance-like slope seen from w.
@@ -510,9 +524,8 @@ long double integrate_lobe(const std::string& mdf, long double p0, long double p
 long double smith_G1_exact(const std::string& mdf, long double p0, long double p1, Vec3 w_in) {
     const Vec3 w = normalize(w_in);
     if (w.z <= 0) return 0;
-    const long double seen = integrate_lobe(mdf, p0, p1, w, [&](Vec3 h) {
-        return std::max(dot(w, h), 0.0L) * lobe(mdf, p0, p1, h);
-    });
+    const long double seen = integrate_lobe(
+        mdf, p0, p1, w, [&](Vec3 h) { return std::max(dot(w, h), 0.0L) * lobe(mdf, p0, p1, h); });
     return w.z / (seen * projected_scale(mdf, p0, p1));
 }
 

@@ -83,7 +83,8 @@ long double deform_ratio(Vec3 n, Vec3 h);
 // The largest change of D when one coordinate of the unit vectors n~ or h moves by +-eps (both are
 // renormalised afterwards). No implementation of rounding unit u can promise less than some small
 // multiple of the value for eps = u, so that this is what a test should add to its tolerance; it is
-// large next to the edges where D jumps (n~.h = 0, h = n for normal-map, |q| = 1 for deform-smooth).
+// large next to the edges where D jumps (n~.h = 0, h = n for normal-map, |q| = 1 for
+// deform-smooth).
 long double mdf_wobble(const std::string& mdf, long double p0, long double p1,
                        const std::string& method, Vec3 n, Vec3 h, long double eps);
 
