@@ -1,5 +1,5 @@
 // The texts in the order in which they build on each other: the one list, read by the C++ faces
-// (src/shading/f32.hpp, f64.hpp) and by cmake/embed_shaders.cmake for GLSL. No include guard.
+// (include/burnish/f32.hpp, f64.hpp) and by cmake/embed_shaders.cmake for GLSL. No include guard.
 #include "shading/names.glsl"
 #include "shading/frame.glsl"
 #include "shading/perturb.glsl"

@@ -17,9 +17,12 @@ struct Image {
 
     Image() = default;
     Image(int width_, int height_, int channels_, float value = 0.0f)
-        : width(width_), height(height_), channels(channels_),
+        : width(width_),
+          height(height_),
+          channels(channels_),
           pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
-                     static_cast<std::size_t>(channels_), value) {}
+                     static_cast<std::size_t>(channels_),
+                 value) {}
 
     bool empty() const { return pixels.empty(); }
     float* at(int x, int y) { return pixels.data() + offset(x, y); }
@@ -28,7 +31,8 @@ struct Image {
   private:
     std::size_t offset(int x, int y) const {
         return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                static_cast<std::size_t>(x)) * static_cast<std::size_t>(channels);
+                static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(channels);
     }
 };
 

@@ -19,7 +19,7 @@ struct Mesh {
     std::vector<glm::vec4> tangents;  // xyz along increasing u, w = +-1: bitangent = w cross(n, t)
     std::vector<glm::vec2> texcoord0;
     std::vector<glm::vec2> texcoord1;
-    std::vector<glm::vec4> colors;  // linear RGBA
+    std::vector<glm::vec4> colors;       // linear RGBA
     std::vector<std::uint32_t> indices;  // 3 a triangle
 };
 

@@ -12,7 +12,9 @@ bool is_control(char c) {
     return byte < 0x20 || byte == 0x7F;
 }
 
-bool is_utf8_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+bool is_utf8_continuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
 
 std::string with_controls_as_spaces(std::string text) {
     for (char& c : text) {

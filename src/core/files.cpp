@@ -1,6 +1,7 @@
 #include "core/files.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,8 +12,6 @@
 #include <random>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "burnish/error.hpp"
 
 namespace burnish {
@@ -22,15 +21,23 @@ namespace fs = std::filesystem;
 
 std::string reason_of(int error_number) {
     switch (error_number) {
-        case ENOENT: return "no such file or folder";
+        case ENOENT:
+            return "no such file or folder";
         case EACCES:
-        case EPERM: return "no permission";
-        case EISDIR: return "a folder";
-        case ENOSPC: return "no space left on the device";
-        case EDQUOT: return "the disk quota is used up";
-        case EFBIG: return "the file size limit is reached";
-        case EROFS: return "a read-only file system";
-        default: return std::generic_category().message(error_number);
+        case EPERM:
+            return "no permission";
+        case EISDIR:
+            return "a folder";
+        case ENOSPC:
+            return "no space left on the device";
+        case EDQUOT:
+            return "the disk quota is used up";
+        case EFBIG:
+            return "the file size limit is reached";
+        case EROFS:
+            return "a read-only file system";
+        default:
+            return std::generic_category().message(error_number);
     }
 }
 
@@ -124,10 +131,11 @@ class Temporary {
         constexpr int kAttempts = 100;
         std::random_device random;
         for (int attempt = 0; attempt < kAttempts; ++attempt) {
-            name_ = folder / fmt::format(".burnish-{:08x}{:08x}{}", random(), random(),
-                                         extension.string());
-            const Descriptor file(::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                                         S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH));
+            name_ = folder /
+                    fmt::format(".burnish-{:08x}{:08x}{}", random(), random(), extension.string());
+            const Descriptor file(
+                ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                       S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH));
             if (file) return;
             if (errno == EEXIST) continue;
             if (errno == ENOENT || errno == ENOTDIR) {
@@ -235,6 +243,14 @@ std::vector<std::byte> read_file(const fs::path& path, std::uintmax_t limit_byte
     return bytes;
 }
 
+std::vector<std::byte> read_file_head(const fs::path& path, std::size_t count) {
+    struct stat status {};
+    const Descriptor file = open_for_reading(path, status);
+    std::vector<std::byte> bytes(count);
+    bytes.resize(read_up_to(file, bytes.data(), bytes.size(), path));
+    return bytes;
+}
+
 std::string read_text_file(const fs::path& path, std::uintmax_t limit_bytes) {
     const std::vector<std::byte> bytes = read_file(path, limit_bytes);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -242,7 +258,9 @@ std::string read_text_file(const fs::path& path, std::uintmax_t limit_bytes) {
 
 void write_file_whole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
     if (takes_a_stream(path)) {
-        const Temporary temporary(fs::temp_directory_path(), path.extension(), path);
+        std::error_code error;
+        const fs::path folder = fs::temp_directory_path(error);
+        const Temporary temporary(error ? "/tmp" : folder, path.extension(), path);
         write(temporary.name());
         stream_bytes(path, read_file(temporary.name()));
         return;

@@ -19,6 +19,10 @@ std::vector<std::byte> read_file(const std::filesystem::path& path,
 std::string read_text_file(const std::filesystem::path& path,
                            std::uintmax_t limit_bytes = std::uintmax_t{1} << 30);
 
+// The first `count` bytes, fewer when the file is shorter: enough to tell what it is before it is
+// read. Throws like read_file.
+std::vector<std::byte> read_file_head(const std::filesystem::path& path, std::size_t count);
+
 // Calls `write(temporary path in the same folder, same extension)`, flushes it to disk and renames
 // it over `path` (over the file a symbolic link points to), keeping the old file's permissions.
 // When `write` or the flush throws, or the disk is full, the temporary is removed and the old file

@@ -1,9 +1,9 @@
 #include "core/image_format.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
 
 #include "burnish/error.hpp"
 
@@ -64,22 +64,32 @@ std::optional<ImageFormat> image_format_of(std::span<const std::byte> head) {
 
 std::string_view format_name(ImageFormat format) {
     switch (format) {
-        case ImageFormat::png: return "PNG";
-        case ImageFormat::jpeg: return "JPEG";
-        case ImageFormat::tiff: return "TIFF";
-        case ImageFormat::exr: return "OpenEXR";
-        case ImageFormat::hdr: return "Radiance HDR";
+        case ImageFormat::png:
+            return "PNG";
+        case ImageFormat::jpeg:
+            return "JPEG";
+        case ImageFormat::tiff:
+            return "TIFF";
+        case ImageFormat::exr:
+            return "OpenEXR";
+        case ImageFormat::hdr:
+            return "Radiance HDR";
     }
     return "";
 }
 
 const char* oiio_format_name(ImageFormat format) {
     switch (format) {
-        case ImageFormat::png: return "png";
-        case ImageFormat::jpeg: return "jpeg";
-        case ImageFormat::tiff: return "tiff";
-        case ImageFormat::exr: return "openexr";
-        case ImageFormat::hdr: return "hdr";
+        case ImageFormat::png:
+            return "png";
+        case ImageFormat::jpeg:
+            return "jpeg";
+        case ImageFormat::tiff:
+            return "tiff";
+        case ImageFormat::exr:
+            return "openexr";
+        case ImageFormat::hdr:
+            return "hdr";
     }
     return "";
 }

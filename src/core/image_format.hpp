@@ -22,8 +22,8 @@ inline constexpr std::int64_t kMaxImageSide = 32768;
 inline constexpr std::uint64_t kMaxImageBytes = std::uint64_t{4} << 30;  // decoded
 
 std::optional<ImageFormat> image_format_of(std::span<const std::byte> head);
-std::string_view format_name(ImageFormat format);    // "PNG", "OpenEXR" ...
-const char* oiio_format_name(ImageFormat format);    // what OpenImageIO calls its plug-in
+std::string_view format_name(ImageFormat format);  // "PNG", "OpenEXR" ...
+const char* oiio_format_name(ImageFormat format);  // what OpenImageIO calls its plug-in
 
 // Throws Error "<name>: expected a PNG, JPEG, TIFF, OpenEXR or Radiance HDR image, found <what>".
 ImageFormat require_image_format(std::span<const std::byte> head, const std::string& name);

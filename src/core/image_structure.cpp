@@ -1,19 +1,17 @@
-// check_image_structure: one walk a container. Offsets are 64-bit and files at most 4 GiB, so sums
-// of an offset and a 32-bit length from the file cannot overflow.
+// check_image_structure: one walk a container; PNG has a file of its own.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "burnish/error.hpp"
+#include "core/byte_cursor.hpp"
 #include "core/image_format.hpp"
+#include "core/png_chunks.hpp"
 
 namespace burnish {
 namespace {
-
-// Deflate cannot do better than 1032 to 1; the rest is room for headers.
-constexpr std::uint64_t kMaxDeflateRatio = 1040;
 
 // A Huffman-coded JPEG spends at least one bit on the DC term of 64 pixels: 512 a byte.
 constexpr std::uint64_t kMaxJpegPixelsPerByte = 1024;
@@ -24,94 +22,6 @@ constexpr int kMaxJpegScans = 64;
 constexpr std::uint64_t kMaxHdrHeaderBytes = std::uint64_t{1} << 20;
 constexpr int kMaxExrParts = 64;
 
-// Numbers at offsets of a file; reading past the end is an error of the file.
-class Cursor {
-  public:
-    Cursor(std::span<const std::byte> bytes, const std::string& name, ImageFormat format)
-        : bytes_(bytes), name_(name), format_(format) {}
-
-    std::uint64_t size() const { return bytes_.size(); }
-    const std::string& name() const { return name_; }
-    const std::byte* data() const { return bytes_.data(); }
-
-    [[noreturn]] void fail(std::string_view found) const {
-        throw Error(name_, "", fmt::format("a readable {} image", format_name(format_)), found);
-    }
-    [[noreturn]] void truncated() const {
-        fail(fmt::format("a file cut short ({} bytes)", size()));
-    }
-    void require(std::uint64_t offset, std::uint64_t length) const {
-        if (offset > size() || length > size() - offset) truncated();
-    }
-
-    unsigned u8(std::uint64_t offset) const {
-        require(offset, 1);
-        return std::to_integer<unsigned>(bytes_[static_cast<std::size_t>(offset)]);
-    }
-    unsigned u16(std::uint64_t offset, bool big) const {
-        const unsigned a = u8(offset), b = u8(offset + 1);
-        return big ? a << 8 | b : b << 8 | a;
-    }
-    std::uint32_t u32(std::uint64_t offset, bool big) const {
-        const std::uint32_t a = u16(offset, big), b = u16(offset + 2, big);
-        return big ? a << 16 | b : b << 16 | a;
-    }
-    std::string_view text(std::uint64_t offset, std::uint64_t length) const {
-        require(offset, length);
-        return {reinterpret_cast<const char*>(bytes_.data()) + offset,
-                static_cast<std::size_t>(length)};
-    }
-    // The text up to the next `end`, at most `limit` characters of it.
-    std::string_view text_until(std::uint64_t offset, char end, std::uint64_t limit) const {
-        require(offset, 1);
-        const std::uint64_t window = std::min(limit + 1, size() - offset);
-        const std::string_view all = text(offset, window);
-        const std::size_t length = all.find(end);
-        if (length == std::string_view::npos) {
-            if (window <= limit) truncated();
-            fail("a broken header");
-        }
-        return all.substr(0, length);
-    }
-
-  private:
-    std::span<const std::byte> bytes_;
-    const std::string& name_;
-    ImageFormat format_;
-};
-
-// ---- PNG: chunks from IHDR to IEND --------------------------------------------------------------
-
-void check_png(const Cursor& file) {
-    constexpr std::uint64_t kSignatureBytes = 8, kChunkOverhead = 12, kHeaderBytes = 13;
-    std::uint64_t data_bytes = 0;
-    for (std::uint64_t at = kSignatureBytes;;) {
-        const std::uint64_t length = file.u32(at, true);
-        file.require(at, length + kChunkOverhead);
-        const std::string_view type = file.text(at + 4, 4);
-        const bool first = at == kSignatureBytes;
-        if (first != (type == "IHDR") || (first && length != kHeaderBytes)) {
-            file.fail("a broken header");
-        }
-        if (type == "IDAT") data_bytes += length;
-        if (type == "IEND") break;
-        at += length + kChunkOverhead;
-    }
-    const std::uint64_t header = kSignatureBytes + 8;
-    const std::uint64_t width = file.u32(header, true), height = file.u32(header + 4, true);
-    check_image_size(static_cast<std::int64_t>(width), static_cast<std::int64_t>(height),
-                     file.name());
-    const std::uint64_t depth = file.u8(header + 8);
-    constexpr unsigned kColorTypes = 7;
-    constexpr std::uint64_t kSamples[kColorTypes] = {1, 0, 3, 1, 2, 0, 4};
-    const unsigned type = file.u8(header + 9);
-    if (type >= kColorTypes || kSamples[type] == 0) file.fail("a broken header");
-    const std::uint64_t raw_bytes = height * (width * kSamples[type] * depth / 8);
-    if (raw_bytes / kMaxDeflateRatio > data_bytes) {
-        file.fail(fmt::format("{} bytes of data for {} x {} pixels", data_bytes, width, height));
-    }
-}
-
 // ---- JPEG: markers from SOI to EOI --------------------------------------------------------------
 
 bool is_frame_header(unsigned marker) {
@@ -120,7 +30,7 @@ bool is_frame_header(unsigned marker) {
 
 // The offset behind the next marker at or after `at`, and its code. Stuffed zeros, restart markers
 // and stray bytes are passed over, which makes this the end of a scan's data too.
-std::pair<std::uint64_t, unsigned> next_jpeg_marker(const Cursor& file, std::uint64_t at) {
+std::pair<std::uint64_t, unsigned> next_jpeg_marker(const ByteCursor& file, std::uint64_t at) {
     for (;;) {
         file.require(at, 2);
         const void* found =
@@ -133,7 +43,7 @@ std::pair<std::uint64_t, unsigned> next_jpeg_marker(const Cursor& file, std::uin
     }
 }
 
-void check_jpeg(const Cursor& file) {
+void check_jpeg(const ByteCursor& file) {
     constexpr unsigned kEnd = 0xD9, kStart = 0xD8, kScan = 0xDA;
     int scans = 0;
     bool sized = false;
@@ -161,7 +71,7 @@ void check_jpeg(const Cursor& file) {
 
 // ---- TIFF: the first directory ------------------------------------------------------------------
 
-void check_tiff(const Cursor& file) {
+void check_tiff(const ByteCursor& file) {
     constexpr unsigned kWidth = 256, kHeight = 257, kTileWidth = 322, kTileHeight = 323;
     constexpr unsigned kShort = 3, kEntryBytes = 12;
     const bool big = file.u8(0) == 'M';
@@ -192,7 +102,7 @@ struct ExrHeader {
     bool empty = true;
 };
 
-void check_exr_attribute(const Cursor& file, std::string_view name, std::uint64_t value,
+void check_exr_attribute(const ByteCursor& file, std::string_view name, std::uint64_t value,
                          std::uint64_t length, ExrHeader& header) {
     const auto i32 = [&](std::uint64_t offset) {
         return std::int64_t{static_cast<std::int32_t>(file.u32(value + offset, false))};
@@ -216,7 +126,7 @@ void check_exr_attribute(const Cursor& file, std::string_view name, std::uint64_
 }
 
 // Walks one header and returns the offset behind its end.
-std::uint64_t check_exr_header(const Cursor& file, std::uint64_t at, ExrHeader& header) {
+std::uint64_t check_exr_header(const ByteCursor& file, std::uint64_t at, ExrHeader& header) {
     constexpr std::uint64_t kLongestName = 255;
     for (;;) {
         const std::string_view name = file.text_until(at, '\0', kLongestName);
@@ -233,7 +143,7 @@ std::uint64_t check_exr_header(const Cursor& file, std::uint64_t at, ExrHeader& 
     }
 }
 
-void check_exr(const Cursor& file) {
+void check_exr(const ByteCursor& file) {
     constexpr std::uint32_t kVersionMask = 0xFF, kDeep = 0x800, kMultiPart = 0x1000;
     const std::uint32_t version = file.u32(4, false);
     if ((version & kVersionMask) != 2) file.fail("another version of the format");
@@ -252,7 +162,7 @@ void check_exr(const Cursor& file) {
 // ---- Radiance HDR: the resolution line ----------------------------------------------------------
 
 // A decimal number after `word`; what is behind it is left in `line`.
-std::int64_t take_side(const Cursor& file, std::string_view& line, std::string_view word) {
+std::int64_t take_side(const ByteCursor& file, std::string_view& line, std::string_view word) {
     const auto wrong = [&file, whole = line] {
         throw Error(file.name(), "resolution line", "\"-Y height +X width\"", shown(whole));
     };
@@ -270,7 +180,7 @@ std::int64_t take_side(const Cursor& file, std::string_view& line, std::string_v
     return value;
 }
 
-void check_hdr(const Cursor& file) {
+void check_hdr(const ByteCursor& file) {
     std::uint64_t at = 0;
     std::string_view line;
     do {
@@ -288,13 +198,18 @@ void check_hdr(const Cursor& file) {
 
 void check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
                            const std::string& name) {
-    const Cursor file(bytes, name, format);
+    const ByteCursor file(bytes, name, format);
     switch (format) {
-        case ImageFormat::png: return check_png(file);
-        case ImageFormat::jpeg: return check_jpeg(file);
-        case ImageFormat::tiff: return check_tiff(file);
-        case ImageFormat::exr: return check_exr(file);
-        case ImageFormat::hdr: return check_hdr(file);
+        case ImageFormat::png:
+            return check_png(file);
+        case ImageFormat::jpeg:
+            return check_jpeg(file);
+        case ImageFormat::tiff:
+            return check_tiff(file);
+        case ImageFormat::exr:
+            return check_exr(file);
+        case ImageFormat::hdr:
+            return check_hdr(file);
     }
 }
 

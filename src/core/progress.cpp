@@ -20,10 +20,16 @@ void Progress::step(std::string_view stage, double done) const {
     report_(stage, done > 0.0 ? (done < 1.0 ? done : 1.0) : 0.0);
 }
 
-void request_interrupt() noexcept { interrupt_flag.store(true, std::memory_order_relaxed); }
+void request_interrupt() noexcept {
+    interrupt_flag.store(true, std::memory_order_relaxed);
+}
 
-bool interrupt_requested() noexcept { return interrupt_flag.load(std::memory_order_relaxed); }
+bool interrupt_requested() noexcept {
+    return interrupt_flag.load(std::memory_order_relaxed);
+}
 
-void clear_interrupt() noexcept { interrupt_flag.store(false, std::memory_order_relaxed); }
+void clear_interrupt() noexcept {
+    interrupt_flag.store(false, std::memory_order_relaxed);
+}
 
 }  // namespace burnish

@@ -79,8 +79,8 @@ BumpField make_field(const BumpOptions& options) {
     BumpField field;
     field.cells = std::max(1, static_cast<int>(std::lround(std::sqrt(options.count))));
     const int n = field.cells;
-    // Beyond 0.7 of a cell two neighbours may come so close that both vanish.
-    const double jitter = 0.7 * options.irregularity;
+    // Beyond half a cell two neighbours may come so close that both shrink to specks.
+    const double jitter = 0.5 * options.irregularity;
     for (int i = 0; i < n * n; ++i) {
         const auto index = 3u * static_cast<std::uint32_t>(i);
         // Every other row is shifted by half a cell, where the rows close up again.
@@ -99,12 +99,15 @@ HeightAndSlope evaluate(const BumpField& field, double steepest, double x, doubl
     const int n = field.cells;
     const int column = static_cast<int>(x * n), row = static_cast<int>(y * n);
     for (int j = 0; j < 9; ++j) {
-        const int c = (column + j % 3 - 1 + n) % n, r = (row + j / 3 - 1 + n) % n;
-        const Bump& bump = field.bumps[static_cast<std::size_t>(r * n + c)];
-        const double dx = wrapped(x - bump.x), dy = wrapped(y - bump.y);
-        const double distance = std::hypot(dx, dy);
-        const double q = distance / bump.radius;
-        if (q >= 1.0) continue;
+        const int c = column + j % 3 - 1, r = row + j / 3 - 1;
+        // A cell beyond the tile is the one that comes around, moved by a whole tile.
+        const int tile_x = c < 0 ? -1 : c >= n ? 1 : 0, tile_y = r < 0 ? -1 : r >= n ? 1 : 0;
+        const int cell = (r - tile_y * n) * n + c - tile_x * n;
+        const Bump& bump = field.bumps[static_cast<std::size_t>(cell)];
+        const double dx = x - bump.x - tile_x, dy = y - bump.y - tile_y;
+        const double squared = dx * dx + dy * dy;
+        if (squared >= bump.radius * bump.radius) continue;
+        const double q = std::sqrt(squared) / bump.radius;
         const double amount = bump.sign * steepest;
         // The slope over the distance, so that the centre needs no division by zero.
         const double falling = -amount * kSlopeScale * (1.0 - q * q * q * q) / bump.radius;

@@ -15,7 +15,7 @@ namespace burnish {
 
 // glTF 2.0 (.gltf, .glb), OBJ (.obj, with its .mtl) by content and extension, or "builtin:sphere",
 // "builtin:plane", "builtin:cylinder", "builtin:torus", "builtin:drape".
-Scene load_model(const std::string& path_or_builtin);
+Scene load_model(const std::string& path_or_builtin, int triangles = 0);
 Scene load_gltf(const std::filesystem::path& path);
 Scene load_obj(const std::filesystem::path& path);
 bool is_builtin(std::string_view name);
@@ -39,5 +39,9 @@ bool is_scene_file(const std::filesystem::path& path);  // JSON with "format": "
 
 // Puts the material parameters that are set in `values` onto every material of the scene.
 void apply_material_parameters(Scene& scene, const ParameterValues& values);
+
+// Adds the one directional light that light_intensity, light_azimuth, light_elevation and
+// light_color describe, when its intensity is not 0.
+void apply_light_parameters(Scene& scene, const ParameterValues& values);
 
 }  // namespace burnish

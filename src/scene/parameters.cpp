@@ -58,7 +58,7 @@ std::optional<bool> parse_boolean(std::string_view text) {
 }
 
 std::optional<glm::vec3> parse_triple(std::string_view text) {
-    glm::vec3 value;
+    glm::vec3 value(0.0f);
     for (int i = 0; i < 3; ++i) {
         const std::size_t comma = text.find(',');
         if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "burnish/shading_names.hpp"
-#include "shading/f32.hpp"
-#include "shading/f64.hpp"
+#include "burnish/f32.hpp"
+#include "burnish/f64.hpp"
 
 namespace burnish::test {
 

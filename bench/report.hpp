@@ -1,0 +1,32 @@
+// What the benchmark says: rows of work, budget and what was reached.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace burnish::bench {
+
+struct Row {
+    std::string work;
+    double budget = 0;   // at most; 0: reported only
+    double reached = 0;
+    double spread = 0;   // half the distance between the quartiles
+    std::string unit;    // "x" for a ratio, "s" ...
+};
+
+struct Report {
+    std::string device;
+    std::vector<Row> rows;
+};
+
+double median(std::vector<double> values);
+double half_quartile_distance(std::vector<double> values);
+
+// Budget and reached side by side, as Markdown with machine and date; also what is printed.
+std::string to_markdown(const Report& report);
+
+void measure_frames(Report& report);
+void measure_loading(Report& report);
+void measure_first_picture(Report& report);
+
+}  // namespace burnish::bench

@@ -1,0 +1,9 @@
+// Sum so far plus one more frame.
+uniform sampler2D u_sum;
+uniform sampler2D u_latest;
+layout(location = 0) out vec4 o_sum;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    o_sum = texelFetch(u_sum, pixel, 0) + texelFetch(u_latest, pixel, 0);
+}

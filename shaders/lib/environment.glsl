@@ -1,0 +1,28 @@
+// Light from everywhere: a cube map of radiance with mips, and one of irradiance.
+
+uniform samplerCube u_environment;
+uniform samplerCube u_irradiance;      // irradiance / pi
+uniform vec2 u_environment_turn;       // (cos, sin) of the rotation about +y
+uniform float u_environment_scale;     // stored values times this are radiance
+uniform float u_environment_face;      // texels a side of a face
+uniform float u_environment_last_lod;
+
+// From the world into the turned environment.
+vec3 environment_direction(vec3 w) {
+    vec2 r = u_environment_turn;
+    return vec3(r.x * w.x - r.y * w.z, w.y, r.y * w.x + r.x * w.z);
+}
+
+vec3 environment_radiance(vec3 w, float lod) {
+    return textureLod(u_environment, environment_direction(w), lod).rgb * u_environment_scale;
+}
+
+vec3 environment_irradiance(vec3 n) {
+    return texture(u_irradiance, environment_direction(n)).rgb * u_environment_scale;
+}
+
+// The mip whose texels cover `solid_angle`; a texel of the finest covers 4 pi / (6 face^2) on average.
+float environment_lod(float solid_angle) {
+    float texels = solid_angle * (6.0 / (4.0 * kPi)) * u_environment_face * u_environment_face;
+    return clamp(0.5 * log2(max(texels, 1.0)), 0.0, u_environment_last_lod);
+}

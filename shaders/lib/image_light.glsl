@@ -1,0 +1,67 @@
+// The specular term under the environment. IMAGE_LIGHT: 0 off, 1 importance sampling of the perturbed
+// lobe, 2 the bent reflection vector of today's engines.
+#if IMAGE_LIGHT == 1
+
+uniform int u_image_samples;
+uniform uint u_frame;          // sub-pixel sample in progress
+uniform float u_total_samples; // image samples of all frames
+uniform uint u_seed;
+
+// Integral of f F cos L over wi by brdf_sample. The points of frame k are k N .. (k+1) N - 1 of one
+// sequence, so that frames together are as even as one frame of all of them. Filtered importance
+// sampling (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample stands for the solid angle
+// 1/(total pdf) and reads the mip of that size; as the total grows, mip 0 and the exact integral.
+// No light comes from inside: wi below the geometric horizon counts as black.
+vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
+    Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < u_image_samples; ++i) {
+        uint index = u_frame * uint(u_image_samples) + uint(i);
+        float pdf;
+        vec3 wi = brdf_sample(m.lobe, p, wo, point_of(index, rotation), select_of(index, rotation),
+                              pdf);
+        float cos_i = dot(p.n, wi);
+        bool counts = pdf > 0.0 && wi.z > 0.0 && cos_i > 0.0;
+        float weight = brdf_eval(BRDF, m.lobe, p, wi, wo) * cos_i / max(pdf, kTiny);
+        float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
+        vec3 radiance = environment_radiance(from_axes(a, wi), lod);
+        float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
+        vec3 term = specular_fresnel(m, cos_h) * radiance * weight;
+        sum += counts ? finite_radiance(term) : vec3(0.0);
+    }
+    return sum / float(u_image_samples);
+}
+
+#elif IMAGE_LIGHT == 2
+
+// Lazarov's split-sum table as fitted by Karis ("Physically Based Shading on Mobile", 2014).
+vec3 split_sum(vec3 f0, float roughness, float cos_o) {
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float a = min(r.x * r.x, exp2(-9.28 * cos_o)) * r.x + r.y;
+    vec2 ab = vec2(-1.04, 1.04) * a + r.zw;
+    return max(f0 * ab.x + ab.y, vec3(0.0));
+}
+
+// What Filament, three.js and the Khronos sample renderer do: the perturbed normal is bent towards
+// the one perpendicular to the grooves of the unperturbed frame, and one mip is read along its
+// reflection. For comparison only.
+vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
+    float alpha_x = lobe_alpha_x(m.lobe);
+    float alpha_y = lobe_alpha_y(m.lobe);
+    float narrow = min(alpha_x, alpha_y);
+    float roughness = sqrt(narrow);
+    float strength = sqrt(clamp((max(alpha_x, alpha_y) - narrow) / max(1.0 - narrow, 1e-3), 0.0, 1.0));
+    vec3 groove = m.grooves_along_x ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+    vec3 across = wo - groove * dot(groove, wo);
+    across = across * inversesqrt(max(dot(across, across), kTiny));
+    float keep = 1.0 - strength * (1.0 - roughness);
+    keep = keep * keep;
+    vec3 bent = normalize(mix(across, p.n, keep * keep));
+    vec3 wi = reflect(-wo, bent);
+    // The lobe of reflected directions peaks at 1 / (4 pi alpha^2) a steradian.
+    float lod = environment_lod(4.0 * kPi * narrow);
+    vec3 radiance = environment_radiance(from_axes(a, wi), lod);
+    return radiance * split_sum(specular_fresnel(m, 1.0), roughness, max(dot(p.n, wo), 0.0));
+}
+
+#endif

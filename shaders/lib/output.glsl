@@ -1,0 +1,9 @@
+// What may be written: finite, not negative, and within what half floats hold.
+
+float finite_radiance(float v) {
+    return isnan(v) ? 0.0 : clamp(v, 0.0, 65504.0);
+}
+
+vec3 finite_radiance(vec3 v) {
+    return vec3(finite_radiance(v.x), finite_radiance(v.y), finite_radiance(v.z));
+}

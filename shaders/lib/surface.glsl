@@ -1,0 +1,63 @@
+// A point of a surface as rasterisation gives it, and its axes.
+
+struct Surface {
+    vec3 position;  // world space
+    vec3 normal;    // interpolated, not unit
+    vec4 tangent;   // interpolated; w: sign of the bitangent, mirrored transforms counted in
+    vec4 uv;        // set 0 in xy, set 1 in zw; one transformed set in xy unless UV_PER_TEXTURE
+    vec4 uv_dx;     // derivatives of uv.xy: along x in xy, along y in zw (TEXTURE_GRADIENTS only)
+    vec4 color;     // vertex colour
+    bool front;
+    uvec2 pixel;    // in the whole picture, whatever the tile
+};
+
+struct Axes {
+    vec3 x;
+    vec3 y;
+    vec3 z;
+};
+
+uniform vec4 u_eye;  // xyz: eye position, w = 1; orthographic: towards the viewer, w = 0
+
+vec3 direction_to_eye(vec3 position) {
+    return normalize(u_eye.xyz - position * u_eye.w);
+}
+
+// Unit tangent, bitangent and geometric normal. A back face shows the sheet from behind: the whole
+// frame is turned over, so that a dent is a bump there.
+Axes surface_axes(Surface s, vec3 wo) {
+    float side = s.front ? 1.0 : -1.0;
+    Axes a;
+    // kTiny: a zero normal (three normals that cancel) becomes the zero vector, bent to wo below.
+    a.z = s.normal * (side * inversesqrt(max(dot(s.normal, s.normal), kTiny)));
+    // An interpolated normal may look away from the eye at silhouettes, where no model is defined:
+    // bend it until wo is above the horizon. 1e-4 is below a tenth of a pixel's turn on any sphere.
+    float below = max(1e-4 - dot(a.z, wo), 0.0);
+    a.z = normalize(a.z + wo * below);
+    vec3 t = s.tangent.xyz * side;
+    t = t - a.z * dot(a.z, t);
+    // A tangent along the normal has no direction left: any perpendicular one does.
+    vec3 helper = abs(a.z.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+    vec3 spare = helper - a.z * dot(a.z, helper);
+    t = dot(t, t) > 1e-12 * dot(s.tangent.xyz, s.tangent.xyz) ? t : spare;
+    a.x = normalize(t);
+    a.y = cross(a.z, a.x) * (s.tangent.w * side < 0.0 ? -1.0 : 1.0);
+    return a;
+}
+
+// The axes turned counter-clockwise about z by the angle of `direction` (unit).
+Axes turned(Axes a, vec2 direction) {
+    Axes r;
+    r.x = a.x * direction.x + a.y * direction.y;
+    r.y = a.y * direction.x - a.x * direction.y;
+    r.z = a.z;
+    return r;
+}
+
+vec3 to_axes(Axes a, vec3 w) {
+    return vec3(dot(a.x, w), dot(a.y, w), dot(a.z, w));
+}
+
+vec3 from_axes(Axes a, vec3 v) {
+    return a.x * v.x + a.y * v.y + a.z * v.z;
+}

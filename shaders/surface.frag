@@ -1,0 +1,47 @@
+// Forward shading: one invocation a fragment.
+#include "shading"
+#include "shaders/lib/random.glsl"
+#include "shaders/lib/output.glsl"
+#include "shaders/lib/surface.glsl"
+#include "shaders/lib/material.glsl"
+#include "shaders/lib/lights.glsl"
+#include "shaders/lib/environment.glsl"
+#include "shaders/lib/image_light.glsl"
+#include "shaders/lib/shade.glsl"
+
+in vec3 v_position;
+in vec3 v_normal;
+in vec4 v_tangent;
+#ifdef UV_PER_TEXTURE
+in vec4 v_uv;
+#else
+in vec2 v_uv;
+#endif
+#ifdef VERTEX_COLOR
+in vec4 v_color;
+#endif
+
+uniform ivec2 u_tile_origin;
+
+layout(location = 0) out vec4 o_radiance;
+
+void main() {
+    Surface s;
+    s.position = v_position;
+    s.normal = v_normal;
+    s.tangent = v_tangent;
+#ifdef UV_PER_TEXTURE
+    s.uv = v_uv;
+#else
+    s.uv = vec4(v_uv, v_uv);
+#endif
+    s.uv_dx = vec4(0.0);
+#ifdef VERTEX_COLOR
+    s.color = v_color;
+#else
+    s.color = vec4(1.0);
+#endif
+    s.front = gl_FrontFacing;
+    s.pixel = uvec2(ivec2(gl_FragCoord.xy) + u_tile_origin);
+    o_radiance = shade(s);
+}

@@ -1,0 +1,48 @@
+// Vertices of a surface in world space, for surface.frag.
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec4 a_tangent;
+layout(location = 3) in vec2 a_texcoord0;
+layout(location = 4) in vec2 a_texcoord1;
+layout(location = 5) in vec4 a_color;
+
+uniform mat4 u_clip_from_world;
+uniform mat4 u_world_from_local;
+uniform mat3 u_normal_from_local;  // inverse transpose
+uniform float u_mirror;            // -1 when the transform turns space inside out
+uniform vec3 u_uv_row_s;           // the one texture transform in use
+uniform vec3 u_uv_row_t;
+uniform float u_uv_from_set;
+
+out vec3 v_position;
+out vec3 v_normal;
+out vec4 v_tangent;
+#ifdef UV_PER_TEXTURE
+out vec4 v_uv;
+#else
+out vec2 v_uv;
+#endif
+#ifdef VERTEX_COLOR
+out vec4 v_color;
+#endif
+
+void main() {
+    vec4 world = u_world_from_local * vec4(a_position, 1.0);
+    v_position = world.xyz;
+    // A zero normal or tangent stays zero: surface_axes knows what to do.
+    v_normal = u_normal_from_local * a_normal;
+    v_normal *= inversesqrt(max(dot(v_normal, v_normal), 1e-30));
+    vec3 tangent = mat3(u_world_from_local) * a_tangent.xyz;
+    tangent *= inversesqrt(max(dot(tangent, tangent), 1e-30));
+    v_tangent = vec4(tangent, a_tangent.w * u_mirror);
+#ifdef UV_PER_TEXTURE
+    v_uv = vec4(a_texcoord0, a_texcoord1);
+#else
+    vec3 uv = vec3(u_uv_from_set < 0.5 ? a_texcoord0 : a_texcoord1, 1.0);
+    v_uv = vec2(dot(u_uv_row_s, uv), dot(u_uv_row_t, uv));
+#endif
+#ifdef VERTEX_COLOR
+    v_color = a_color;
+#endif
+    gl_Position = u_clip_from_world * world;
+}

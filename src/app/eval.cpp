@@ -1,0 +1,161 @@
+#include "app/eval.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "app/csv_columns.hpp"
+#include "shading/brdf_models.hpp"
+#include "shading/mdf.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr std::array<std::string_view, 2> kPrecisionNames = {"f32", "f64"};
+constexpr std::string_view kMicrofacet = "microfacet";
+
+// ---- what both tables read and write ------------------------------------------------------------
+
+template <typename Float>
+Float shape_parameter(const CsvRow& row, std::size_t column, const ShapeParameter& parameter) {
+    const auto expected = [&] {
+        return fmt::format("{} from {} to {}", parameter.name, parameter.low, parameter.high);
+    };
+    if (row.text(column).empty()) row.fail(column, expected(), "nothing");
+    const auto value = row.number<Float>(column, "a finite number");
+    if (value < static_cast<Float>(parameter.low) || value > static_cast<Float>(parameter.high)) {
+        row.fail(column, expected(), std::string(row.text(column)));
+    }
+    return value;
+}
+
+// From three columns, made unit.
+template <typename Float>
+Direction<Float> direction(const CsvRow& row, std::size_t first_column) {
+    constexpr std::string_view kExpected = "a finite number";
+    Direction<Float> v{row.number<Float>(first_column, kExpected),
+                       row.number<Float>(first_column + 1, kExpected),
+                       row.number<Float>(first_column + 2, kExpected)};
+    if (!make_unit(v)) row.fail(first_column, "the first component of a direction", "a zero vector");
+    return v;
+}
+
+// The shortest digits that read back as the same number.
+template <typename Float>
+void append_value(const CsvRow& row, std::size_t column, Float value, std::string& line) {
+    if (!std::isfinite(value)) {
+        row.fail(column, fmt::format("a value that f{} can hold", 8 * sizeof(Float)), "a larger one");
+    }
+    std::array<char, 32> digits;  // the longest double takes 24
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    line.append(",").append(digits.data(), end);
+}
+
+// ---- mdf ----------------------------------------------------------------------------------------
+
+namespace mdf_column {
+enum : std::size_t { mdf, p0, p1, method, nx, ny, nz, hx, hy, hz };
+}
+
+constexpr std::array<std::string_view, 10> kMdfReads = {"mdf", "p0", "p1", "method", "nx",
+                                                        "ny",  "nz", "hx", "hy",     "hz"};
+constexpr std::array<std::string_view, 3> kMdfAdds = {"D", "D_proj", "D_conserving"};
+
+template <typename Float>
+void append_mdf_values(const CsvRow& row, std::string& line) {
+    namespace column = mdf_column;
+    const auto mdf = static_cast<Mdf>(row.choice(column::mdf, mdf_names()));
+    const auto method = static_cast<Method>(row.choice(column::method, method_names()));
+    const auto parameters = mdf_parameters(mdf);
+    const auto p0 = shape_parameter<Float>(row, column::p0, parameters[0]);
+    const auto p1 = shape_parameter<Float>(row, column::p1, parameters[1]);
+    const auto n = direction<Float>(row, column::nx);
+    const auto h = direction<Float>(row, column::hx);
+    if (!(n.z > Float(0))) {
+        row.fail(column::nz, "a normal of the upper hemisphere, nz > 0",
+                 std::string(row.text(column::nz)));
+    }
+    const MdfValues<Float> values = mdf_values(mdf, p0, p1, method, n, h);
+    append_value(row, column::mdf, values.D, line);
+    append_value(row, column::mdf, values.D_proj, line);
+    append_value(row, column::mdf, values.D_conserving, line);
+}
+
+// ---- brdf ---------------------------------------------------------------------------------------
+
+namespace brdf_column {
+enum : std::size_t { brdf, ix, iy, iz, ox, oy, oz, p0, p1, p2, p3, p4, mdf, smith };
+}
+static_assert(brdf_column::p4 - brdf_column::p0 + 1 == kMostBrdfParameters);
+
+constexpr std::array<std::string_view, 7> kBrdfReads = {"brdf", "ix", "iy", "iz",
+                                                        "ox",   "oy", "oz"};
+constexpr std::array<std::string_view, 7> kBrdfMayRead = {"p0", "p1",  "p2",   "p3",
+                                                          "p4", "mdf", "smith"};
+constexpr std::array<std::string_view, 1> kBrdfAdds = {"f"};
+
+const BrdfModel& brdf_model(const CsvRow& row) {
+    namespace column = brdf_column;
+    const std::size_t named = row.choice(column::brdf, brdf_table_names());
+    if (named < brdf_models().size()) return brdf_models()[named];
+    const auto mdf = static_cast<Mdf>(row.choice(column::mdf, mdf_names()));
+    const auto smith = row.text(column::smith).empty()
+                           ? Smith::correlated
+                           : static_cast<Smith>(row.choice(column::smith, smith_names()));
+    return microfacet_model(mdf, smith);
+}
+
+template <typename Float>
+BrdfFunction<Float> function_of(const BrdfModel& model) {
+    if constexpr (std::is_same_v<Float, float>) return model.value_f32;
+    if constexpr (std::is_same_v<Float, double>) return model.value_f64;
+}
+
+template <typename Float>
+void append_brdf_value(const CsvRow& row, std::string& line) {
+    namespace column = brdf_column;
+    const BrdfModel& model = brdf_model(row);
+    std::array<Float, kMostBrdfParameters> p{};
+    for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+        p[i] = shape_parameter<Float>(row, column::p0 + i, model.parameters[i]);
+    }
+    const auto wi = direction<Float>(row, column::ix);
+    const auto wo = direction<Float>(row, column::ox);
+    append_value(row, column::brdf, function_of<Float>(model)(p, wi, wo), line);
+}
+
+}  // namespace
+
+std::span<const std::string_view> precision_names() {
+    return kPrecisionNames;
+}
+
+std::span<const std::string_view> brdf_table_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all;
+        for (const BrdfModel& model : brdf_models()) all.push_back(model.name);
+        all.push_back(kMicrofacet);
+        return all;
+    }();
+    return names;
+}
+
+void eval_mdf_table(const EvalRequest& request, const Progress& progress) {
+    const bool single = request.precision == Precision::f32;
+    const CsvTask task{kMdfReads, {}, kMdfAdds,
+                       single ? append_mdf_values<float> : append_mdf_values<double>};
+    add_csv_columns(request.input, request.output, task, progress);
+}
+
+void eval_brdf_table(const EvalRequest& request, const Progress& progress) {
+    const bool single = request.precision == Precision::f32;
+    const CsvTask task{kBrdfReads, kBrdfMayRead, kBrdfAdds,
+                       single ? append_brdf_value<float> : append_brdf_value<double>};
+    add_csv_columns(request.input, request.output, task, progress);
+}
+
+}  // namespace burnish

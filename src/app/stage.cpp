@@ -1,0 +1,188 @@
+#include "app/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "burnish/error.hpp"
+#include "scene/load.hpp"
+
+namespace burnish {
+
+namespace {
+
+constexpr double kDefaultLightIntensity = 3.14159265;  // lights a white plate head-on to 1
+
+// +y up; azimuth 0 is +z, 90 degrees is +x (docs/conventions.md).
+glm::vec3 direction_at(double azimuth_deg, double elevation_deg) {
+    const double azimuth = glm::radians(azimuth_deg);
+    const double elevation = glm::radians(elevation_deg);
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+            std::cos(azimuth) * std::cos(elevation)};
+}
+
+std::vector<double> parse_numbers(std::string_view text, std::string_view whole) {
+    std::vector<double> numbers;
+    while (true) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const std::string_view part = text.substr(0, comma);
+        double value = 0;
+        const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
+        if (status != std::errc{} || end != part.data() + part.size() || !std::isfinite(value)) {
+            throw UsageError("--light", "", "AZIMUTH,ELEVATION[,INTENSITY] or "
+                             "point:X,Y,Z[,INTENSITY]", shown(whole));
+        }
+        numbers.push_back(value);
+        if (comma == text.size()) return numbers;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+double light_intensity(const std::vector<double>& numbers, std::size_t place) {
+    if (numbers.size() <= place) return kDefaultLightIntensity;
+    const double intensity = numbers[place];
+    if (intensity < 0 || intensity > 1e6)
+        throw UsageError("--light", "intensity", "a number from 0 to 1000000",
+                         fmt::format("{}", intensity));
+    return intensity;
+}
+
+void require_count(const std::vector<double>& numbers, std::size_t least, std::string_view word) {
+    if (numbers.size() == least || numbers.size() == least + 1) return;
+    throw UsageError("--light", "", fmt::format("{} or {} numbers", least, least + 1), shown(word));
+}
+
+bool any_set(const ParameterValues& values, std::initializer_list<std::string_view> names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return values.is_set(name); });
+}
+
+// Far enough for the sphere around the scene to fit the narrower of the two fields of view.
+double framing_distance(double radius, double yfov, double aspect) {
+    const double half = std::min(yfov / 2, std::atan(std::tan(yfov / 2) * aspect));
+    return 1.02 * radius / std::sin(half);
+}
+
+gpu::RenderOptions render_options(const ParameterValues& values) {
+    gpu::RenderOptions options;
+    options.width = values.integer("width");
+    options.height = values.integer("height");
+    options.samples = values.integer("samples");
+    options.image_light = static_cast<gpu::ImageLight>(values.choice("image_light"));
+    options.image_light_samples = values.integer("image_light_samples");
+    options.environment_intensity = static_cast<float>(values.real("environment_intensity"));
+    options.environment_rotation =
+        static_cast<float>(glm::radians(values.real("environment_rotation")));
+    options.background = static_cast<gpu::BackgroundKind>(values.choice("background"));
+    options.background_color = values.vec3("background_color");
+    options.background_blur = static_cast<float>(values.real("background_blur"));
+    options.seed = static_cast<unsigned>(values.integer("seed"));
+    return options;
+}
+
+}  // namespace
+
+Light parse_light(std::string_view word) {
+    constexpr std::string_view kPoint = "point:";
+    Light light;
+    if (word.starts_with(kPoint)) {
+        const std::vector<double> n = parse_numbers(word.substr(kPoint.size()), word);
+        require_count(n, 3, word);
+        light.type = LightType::point;
+        light.position = {n[0], n[1], n[2]};
+        light.intensity = static_cast<float>(light_intensity(n, 3));
+    } else {
+        const std::vector<double> n = parse_numbers(word, word);
+        require_count(n, 2, word);
+        light.type = LightType::directional;
+        light.direction = -direction_at(n[0], n[1]);
+        light.intensity = static_cast<float>(light_intensity(n, 2));
+    }
+    return light;
+}
+
+Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect) {
+    if (values.is_set("camera_index")) {
+        const int index = values.integer("camera_index");
+        if (index >= static_cast<int>(scene.cameras.size()))
+            throw UsageError("--camera-index", "",
+                             fmt::format("less than the file's {} cameras", scene.cameras.size()),
+                             std::to_string(index));
+        return scene.cameras[static_cast<std::size_t>(index)];
+    }
+    const bool asked = any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance",
+                                        "camera_fov", "camera_position", "camera_target"});
+    if (!asked && !scene.cameras.empty()) return scene.cameras.front();
+
+    Camera camera;
+    const Bounds bounds = bounds_of(scene);
+    camera.yfov = static_cast<float>(glm::radians(values.real("camera_fov")));
+    camera.target = values.is_set("camera_target") ? values.vec3("camera_target") : bounds.center();
+    if (values.is_set("camera_position")) {
+        camera.position = values.vec3("camera_position");
+    } else {
+        const double radius = std::max(static_cast<double>(bounds.radius()), 1e-6);
+        const double distance = values.is_set("camera_distance")
+                                    ? values.real("camera_distance")
+                                    : framing_distance(radius, camera.yfov, aspect);
+        camera.position = camera.target + static_cast<float>(distance) *
+                                              direction_at(values.real("camera_azimuth"),
+                                                           values.real("camera_elevation"));
+    }
+    const glm::vec3 view = camera.target - camera.position;
+    if (glm::dot(view, view) == 0.0f)
+        throw UsageError("--camera-position", "", "a place other than the target", "the target");
+    // Looking straight up or down, +y is no up: -z is, as on a map.
+    if (glm::length(glm::cross(glm::normalize(view), camera.up)) < 1e-4f)
+        camera.up = {0.0f, 0.0f, view.y > 0 ? 1.0f : -1.0f};
+    return camera;
+}
+
+Camera turned(const Camera& camera, double angle_rad) {
+    const auto c = static_cast<float>(std::cos(angle_rad));
+    const auto s = static_cast<float>(std::sin(angle_rad));
+    const auto turn = [&](glm::vec3 v) {
+        return glm::vec3{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+    };
+    Camera result = camera;
+    result.position = camera.target + turn(camera.position - camera.target);
+    result.up = turn(camera.up);
+    return result;
+}
+
+Stage set_stage(const StageRequest& request) {
+    Stage stage;
+    std::string environment = request.environment;
+    if (!is_builtin(request.input) && is_scene_file(request.input)) {
+        SceneFile file = load_scene_file(request.input);
+        stage.scene = std::move(file.scene);
+        stage.values = std::move(file.values);
+        if (environment.empty()) environment = file.environment;
+        stage.values.merge(request.values);
+    } else {
+        stage.values = request.values;
+        stage.scene = load_model(request.input, stage.values.integer("triangles"));
+    }
+    apply_material_parameters(stage.scene, stage.values);
+    if (stage.scene.instances.empty())
+        throw Error(request.input, "", "something to draw", "no triangles");
+    if (!request.lights.empty()) {
+        stage.scene.lights.clear();
+        for (const std::string& word : request.lights)
+            if (word != "none") stage.scene.lights.push_back(parse_light(word));
+    }
+    if (environment != "none")
+        stage.environment = load_environment(environment.empty() ? "builtin:studio" : environment);
+    stage.options = render_options(stage.values);
+    stage.camera = place_camera(stage.scene, stage.values,
+                                static_cast<double>(stage.options.width) / stage.options.height);
+    stage.exposure_ev = stage.values.real("exposure");
+    stage.tone_map = static_cast<ToneMap>(stage.values.choice("tone_map"));
+    return stage;
+}
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+// burnish brdf: reflection models.
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/eval_command.hpp"
+#include "cli/usage.hpp"
+
+namespace burnish::cli {
+namespace {
+
+constexpr const char* kColumns = R"(
+Reads the columns
+  brdf          the model, one of            p0       p1       p2
+                  ashikhmin-shirley (2000)   e_x      e_y      F0
+                  ward-gmd                   ks       alpha_x  alpha_y
+                  ggx, ggx-separable         alpha_x  alpha_y  F0
+                  beckmann                   alpha_x  alpha_y  F0
+                  microfacet                 those of its mdf, F0
+  p0 .. p4      its parameters: e from 0 to 1000000, alpha from 0.001 to 1.5, ks and F0 from 0
+                to 1; what a model does not use may be empty, and a column that none uses absent
+  ix, iy, iz    towards the light
+  ox, oy, oz    towards the eye
+  mdf           for microfacet only: ashikhmin-shirley, ward, beckmann or ggx
+  smith         for microfacet only, may be absent: correlated (default) or separable
+with directions in tangent space: x tangent, y bitangent, z normal. Adds
+  f             specular reflectance per steradian, without the cosine; 0 below the horizon.
+                Fresnel is Schlick's F0 + (1 - F0) (1 - i.h)^5 wherever F0 is a parameter
+)";
+
+}  // namespace
+
+void add_brdf_command(CLI::App& parent, Session& session) {
+    CLI::App* brdf = parent.add_subcommand("brdf", "Reflection models");
+    require_command(*brdf);
+    add_eval_command(*brdf, session, "Evaluate a model for every row of a table", kColumns,
+                     eval_brdf_table);
+}
+
+}  // namespace burnish::cli

@@ -1,0 +1,18 @@
+// The commands of the program. Each lives in its own cmd_<verb>.cpp, which offers one function: it
+// adds its subcommand to `parent`, with flags, help and a callback that calls app/ and prints.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace burnish::cli {
+
+class Session;
+
+void add_mdf_command(CLI::App& parent, Session& session);
+void add_brdf_command(CLI::App& parent, Session& session);
+void add_info_command(CLI::App& parent, Session& session);
+void add_render_command(CLI::App& parent, Session& session);
+
+}  // namespace burnish::cli

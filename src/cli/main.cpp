@@ -1,0 +1,95 @@
+// burnish: the command line. Parses, calls app/, prints; every failure is one line on standard error.
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string>
+
+#include "app/version.hpp"
+#include "burnish/error.hpp"
+#include "burnish/progress.hpp"
+#include "cli/commands.hpp"
+#include "cli/session.hpp"
+#include "cli/usage.hpp"
+
+namespace burnish::cli {
+namespace {
+
+enum ExitCode { kDone = 0, kFailure = 1, kUsage = 2, kInterrupted = 130 };
+
+void on_interrupt(int) {
+    request_interrupt();
+}
+
+void set_signal(int number, void (*handler)(int), int flags) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = flags;
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, nullptr);
+}
+
+void set_signals() {
+    // Reads and writes that wait are to return; a second Ctrl-C ends the program at once.
+    set_signal(SIGINT, on_interrupt, SA_RESETHAND);
+    set_signal(SIGTERM, on_interrupt, SA_RESETHAND);
+    // A full pipe or a file-size limit is to be seen by the write that meets it.
+    set_signal(SIGPIPE, SIG_IGN, 0);
+    set_signal(SIGXFSZ, SIG_IGN, 0);
+}
+
+void add_commands(CLI::App& app, Session& session) {
+    add_render_command(app, session);
+    add_info_command(app, session);
+    add_mdf_command(app, session);
+    add_brdf_command(app, session);
+}
+
+void run(int argc, const char* const* argv) {
+    Session session(argc, argv);
+    CLI::App app("Renders anisotropic surfaces under fine detail, and evaluates the maths behind.",
+                 "burnish");
+    app.fallthrough();  // --progress may stand after the command too
+    app.set_version_flag("--version", "burnish " + std::string(version()));
+    session.add_options(app);
+    require_command(app);
+    add_commands(app, session);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& request) {  // --help, --version
+        std::ostringstream text;
+        app.exit(request, text, text);
+        print(text.str());
+    } catch (const CLI::ParseError& error) {
+        throw usage_error(app, error);
+    }
+}
+
+int complain(const std::string& line, ExitCode code) {
+    std::fprintf(stderr, "burnish: %s\n", line.c_str());
+    return code;
+}
+
+}  // namespace
+}  // namespace burnish::cli
+
+int main(int argc, char** argv) {
+    using namespace burnish::cli;
+    try {
+        set_signals();
+        run(argc, argv);
+        return kDone;
+    } catch (const burnish::UsageError& error) {
+        return complain(error.what(), kUsage);
+    } catch (const burnish::Interrupted& error) {
+        return complain(error.what(), kInterrupted);
+    } catch (const std::bad_alloc&) {
+        return complain("not enough memory", kFailure);
+    } catch (const std::exception& error) {
+        return complain(burnish::one_line(error.what()), kFailure);
+    }
+}

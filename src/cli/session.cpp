@@ -1,0 +1,66 @@
+#include "cli/session.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "app/output_stream.hpp"
+#include "cli/progress_display.hpp"
+#include "burnish/shading_names.hpp"
+
+namespace burnish::cli {
+namespace {
+
+bool is_plain(char c) {
+    constexpr std::string_view kPlain = "_@%+=:,./-";
+    const bool alphanumeric =
+        (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    return alphanumeric || kPlain.find(c) != std::string_view::npos;
+}
+
+// In single quotes where a POSIX shell would read anything into it.
+std::string shell_quoted(std::string_view word) {
+    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
+    std::string quoted = "'";
+    for (const char c : word) {
+        if (c == '\'') {
+            quoted += "'\\''";
+        } else {
+            quoted += c;
+        }
+    }
+    return quoted + "'";
+}
+
+}  // namespace
+
+Session::Session(int argc, const char* const* argv) {
+    // Without the folder: where the program is installed says nothing about what it made.
+    command_line_ = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "burnish";
+    for (int i = 1; i < argc; ++i) command_line_ += " " + shell_quoted(argv[i]);
+}
+
+Progress Session::progress() const {
+    const auto names = progress_mode_names();
+    const auto mode = static_cast<ProgressMode>(
+        index_of_name(names, progress_mode_, "way to show progress", "--progress"));
+    const auto display = std::make_shared<ProgressDisplay>(mode);
+    return Progress([display](std::string_view stage, double done) { display->show(stage, done); });
+}
+
+void Session::add_options(CLI::App& app) {
+    app.add_option("--progress", progress_mode_,
+                   "how to show progress on standard error: auto (a bar on a terminal, after a "
+                   "second), bar, json (one object a line) or off")
+        ->type_name("MODE");
+}
+
+void print(const std::string& text) {
+    OutputStream output = OutputStream::standard_output();
+    output.write(text);
+    output.finish();
+}
+
+}  // namespace burnish::cli

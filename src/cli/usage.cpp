@@ -1,0 +1,99 @@
+#include "cli/usage.hpp"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "burnish/shading_names.hpp"
+
+namespace burnish::cli {
+namespace {
+
+using Apps = std::vector<const CLI::App*>;
+
+// The program and the commands that were recognised, outermost first.
+Apps recognised(const CLI::App& root) {
+    Apps chain{&root};
+    for (Apps::value_type app = &root; !app->get_subcommands().empty();) {
+        app = app->get_subcommands().front();
+        chain.push_back(app);
+    }
+    return chain;
+}
+
+// "burnish mdf eval"
+std::string path_of(const Apps& chain) {
+    std::string path;
+    for (const CLI::App* app : chain) path += (path.empty() ? "" : " ") + app->get_name();
+    return path;
+}
+
+// "mdf eval: ": what a line starts with, after the program's own name.
+std::string prefix_of(const Apps& chain) {
+    if (chain.size() < 2) return "";
+    return path_of({chain.begin() + 1, chain.end()}) + ": ";
+}
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+std::vector<std::string> flags_of(const Apps& chain) {
+    std::vector<std::string> names;
+    for (const CLI::App* app : chain) {
+        for (const CLI::Option* option : app->get_options()) {
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+std::string unknown_word(const Apps& chain, const std::string& word) {
+    const bool flag = word.size() > 1 && word.front() == '-';
+    const std::vector<std::string> known = flag ? flags_of(chain) : commands_of(*chain.back());
+    if (known.empty()) return prefix_of(chain) + "unexpected argument " + shown(word);
+
+    const std::string written = flag ? word.substr(0, word.find('=')) : word;
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    const std::string nearest(nearest_name(views, written));
+    std::string line = prefix_of(chain) + "unknown " + (flag ? "option " : "command ") + shown(written);
+    if (!nearest.empty()) return line + "; did you mean '" + nearest + "'?";
+    if (flag) return line + "; '" + path_of(chain) + " --help' lists them";
+    return line + "; there are: " + listed(known);
+}
+
+}  // namespace
+
+UsageError usage_error(const CLI::App& root, const CLI::ParseError& error) {
+    const Apps chain = recognised(root);
+    const std::vector<std::string> unknown = root.remaining(true);
+    if (!unknown.empty()) return UsageError(unknown_word(chain, unknown.front()));
+    return UsageError(prefix_of(chain) + one_line(error.what()));
+}
+
+void require_command(CLI::App& app) {
+    app.require_subcommand(0, 1);  // the lower bound is ours to report: CLI11 says it too late
+    app.callback([&app] {
+        if (!app.get_subcommands().empty()) return;
+        Apps chain{&app};
+        for (const CLI::App* parent = app.get_parent(); parent; parent = parent->get_parent()) {
+            chain.insert(chain.begin(), parent);
+        }
+        throw UsageError(prefix_of(chain) + "expected a command, one of: " +
+                         listed(commands_of(app)) + "; '" + path_of(chain) +
+                         " --help' explains them");
+    });
+}
+
+}  // namespace burnish::cli

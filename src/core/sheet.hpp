@@ -1,0 +1,45 @@
+// Pictures of pictures: labelled contact sheets and difference images, for comparing by eye.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/image.hpp"
+
+namespace burnish {
+
+// `image` holds display values (sRGB-encoded, 0..1): grey, RGB or RGBA, which is laid over the
+// background. An empty image leaves its place empty.
+struct SheetCell {
+    Image image;
+    std::string label;  // UTF-8, one line, drawn above the image
+};
+
+struct SheetOptions {
+    int padding_px = 12;  // around and between the cells
+    int font_px = 16;
+    float background = 0.16f;  // display values: neutral and dark, so that it does not sway the eye
+    float text = 0.86f;
+    std::string font = {};  // a file or a name; empty: DejaVu Sans, then whatever the system has
+};
+
+struct Sheet {
+    Image image;          // RGB, display values
+    std::string warning;  // one line when labels could not be drawn (no font), else empty
+};
+
+// Rows may differ in length; columns are as wide as their widest image or label, rows as high as
+// their highest image. Throws Error when the sheet would be larger than an image may be.
+Sheet compose_sheet(const std::vector<std::vector<SheetCell>>& rows,
+                    const SheetOptions& options = {});
+
+// Where and how much `b` differs from `a` (same size; display values): black where they agree,
+// through orange to pale yellow where b is brighter, through blue to pale cyan where it is darker;
+// the full colour is reached at a difference of 1/gain. Of the three channels the one that differs
+// most counts, so that a shift of hue shows too. Alpha is ignored; NaN in either shows magenta.
+Image difference_image(const Image& a, const Image& b, float gain = 4.0f);
+
+// Root mean square difference over the colour channels (alpha ignored); NaN when either holds one.
+double rmse(const Image& a, const Image& b);
+
+}  // namespace burnish

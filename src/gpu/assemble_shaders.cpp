@@ -1,0 +1,116 @@
+// Build step: writes the assembled stages, in both dialects and in the variants that differ in kind,
+// into the folder argv[1] for glslang to check.
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "gpu/shader_source.hpp"
+#include "gpu/surface_variant.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+SurfaceVariant with_everything() {
+    SurfaceVariant v;
+    v.method = Method::follow_grain;
+    v.lobe_from_texture = v.base_color_map = v.metallic_roughness_map = v.normal_map = true;
+    v.occlusion_map = v.emissive_map = v.anisotropy_map = true;
+    v.lights = 16;
+    v.image_light = 1;
+    return v;
+}
+
+// Every method with one lobe, every lobe with one method, every switch at least once each way.
+std::vector<SurfaceVariant> variants() {
+    std::vector<SurfaceVariant> list;
+    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+        SurfaceVariant v;
+        v.method = static_cast<Method>(method);
+        v.normal_map = true;
+        v.conserve = method % 2 == 0;
+        v.lights = 1;
+        v.image_light = 1;
+        list.push_back(v);
+    }
+    for (int brdf = 0; brdf <= static_cast<int>(Brdf::ward_gmd); ++brdf) {
+        for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
+            SurfaceVariant v;
+            v.brdf = static_cast<Brdf>(brdf);
+            v.mdf = static_cast<Mdf>(mdf);
+            v.image_light = mdf % 3;
+            v.lights = mdf;
+            v.conductor = mdf % 2 == 1;
+            list.push_back(v);
+        }
+    }
+    SurfaceVariant v = with_everything();
+    list.push_back(v);
+    v.uv_per_texture = v.vertex_color = v.normal_map_xy = true;
+    v.alpha_mode = AlphaMode::mask;
+    list.push_back(v);
+    v.alpha_mode = AlphaMode::blend;
+    v.image_light = 2;
+    list.push_back(v);
+    return list;
+}
+
+class Writer {
+  public:
+    explicit Writer(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    void write(ShaderDialect dialect, const std::string& defines, const std::string& stage) {
+        const bool es = dialect == ShaderDialect::es300;
+        const std::filesystem::path file =
+            folder_ / ((es ? "es_" : "gl_") + std::to_string(count_++) + "_" + stage);
+        std::ofstream out(file, std::ios::binary);
+        out << assemble_stage(dialect, defines, "shaders/" + stage).text;
+        out.close();
+        if (!out) throw std::runtime_error("cannot write " + file.string());
+    }
+
+  private:
+    std::filesystem::path folder_;
+    int count_ = 0;
+};
+
+void write_all(Writer& writer) {
+    for (const ShaderDialect dialect : {ShaderDialect::gl330, ShaderDialect::es300}) {
+        const bool es = dialect == ShaderDialect::es300;
+        for (const SurfaceVariant& v : variants()) {
+            writer.write(dialect, v.defines(), "surface.frag");
+            writer.write(dialect, v.defines(), "surface.vert");
+            const bool once = !es && v.alpha_mode == AlphaMode::opaque;
+            if (once && !v.uv_per_texture) writer.write(dialect, v.defines(), "resolve.frag");
+        }
+        for (const char* stage :
+             {"fullscreen.vert", "background.frag", "accumulate.frag", "gouraud.frag"}) {
+            writer.write(dialect, "", stage);
+        }
+        writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");
+        writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
+        if (es) continue;  // the visibility pass is for the desktop only
+        writer.write(dialect, "", "visibility.vert");
+        writer.write(dialect, "", "visibility.frag");
+    }
+}
+
+}  // namespace
+}  // namespace burnish::gpu
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: assemble_shaders <folder>\n";
+        return 2;
+    }
+    try {
+        burnish::gpu::Writer writer{argv[1]};
+        burnish::gpu::write_all(writer);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 1;
+    }
+    return 0;
+}

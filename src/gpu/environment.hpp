@@ -1,0 +1,28 @@
+// An environment on the device: a cube map of radiance with all its mips and one of irradiance.
+#pragma once
+
+#include "burnish/scene.hpp"
+#include "gpu/context.hpp"
+#include "gpu/handles.hpp"
+#include "gpu/program.hpp"
+
+namespace burnish::gpu {
+
+class EnvironmentMaps {
+  public:
+    EnvironmentMaps(const Context& context, const Environment& environment);
+
+    // Binds both to their units and sets the uniforms of shaders/lib/environment.glsl.
+    void bind(Program& program, float intensity, float rotation) const;
+    float last_lod() const { return last_lod_; }
+
+  private:
+    GlTexture radiance_;
+    GlTexture irradiance_;
+    Sampler sampler_;
+    float scale_ = 1.0f;  // stored values times this are radiance
+    float face_ = 1.0f;
+    float last_lod_ = 0.0f;
+};
+
+}  // namespace burnish::gpu

@@ -1,0 +1,61 @@
+// Owners of OpenGL names: made on construction, freed on destruction, moved but never copied. The
+// context they were made in must be current.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <utility>
+
+namespace burnish::gpu {
+
+template <typename Kind>
+class Handle {
+  public:
+    Handle() { Kind::create(&name_); }
+    ~Handle() {
+        if (name_ != 0) Kind::destroy(&name_);
+    }
+    Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    Handle& operator=(Handle&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    GLuint get() const { return name_; }
+
+  private:
+    GLuint name_ = 0;
+};
+
+struct BufferKind {
+    static void create(GLuint* name) { glGenBuffers(1, name); }
+    static void destroy(GLuint* name) { glDeleteBuffers(1, name); }
+};
+struct VertexArrayKind {
+    static void create(GLuint* name) { glGenVertexArrays(1, name); }
+    static void destroy(GLuint* name) { glDeleteVertexArrays(1, name); }
+};
+struct TextureKind {
+    static void create(GLuint* name) { glGenTextures(1, name); }
+    static void destroy(GLuint* name) { glDeleteTextures(1, name); }
+};
+struct SamplerKind {
+    static void create(GLuint* name) { glGenSamplers(1, name); }
+    static void destroy(GLuint* name) { glDeleteSamplers(1, name); }
+};
+struct FramebufferKind {
+    static void create(GLuint* name) { glGenFramebuffers(1, name); }
+    static void destroy(GLuint* name) { glDeleteFramebuffers(1, name); }
+};
+
+using Buffer = Handle<BufferKind>;
+using VertexArray = Handle<VertexArrayKind>;
+using GlTexture = Handle<TextureKind>;
+using Sampler = Handle<SamplerKind>;
+using Framebuffer = Handle<FramebufferKind>;
+
+// Throws Error with the name of what was being done when OpenGL has an error pending.
+void check_gl(const char* doing);
+
+}  // namespace burnish::gpu

@@ -1,0 +1,34 @@
+// Which of the many forms of the surface shader a draw needs: everything that is known before a
+// pixel is shaded is a #define, so that branches on it fold away. One program a variant.
+#pragma once
+
+#include <string>
+
+#include "burnish/scene.hpp"
+
+namespace burnish::gpu {
+
+struct SurfaceVariant {
+    Method method = Method::none;
+    Mdf mdf = Mdf::ggx;
+    Brdf brdf = Brdf::microfacet;
+    bool conserve = false;
+    bool conductor = false;
+    bool lobe_from_texture = false;
+    bool base_color_map = false;
+    bool metallic_roughness_map = false;
+    bool normal_map = false;
+    bool normal_map_xy = false;  // two channels: z is what is left of 1
+    bool occlusion_map = false;
+    bool emissive_map = false;
+    bool anisotropy_map = false;
+    bool uv_per_texture = false;
+    bool vertex_color = false;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    int lights = 0;
+    int image_light = 0;  // 0 off, 1 importance, 2 bent normal
+
+    std::string defines() const;  // lines for assemble_stage, and the key of the program
+};
+
+}  // namespace burnish::gpu

@@ -1,0 +1,20 @@
+// Which texture unit holds what, so that binding one thing never disturbs another.
+#pragma once
+
+#include <epoxy/gl.h>
+
+namespace burnish::gpu {
+
+// Textures of a material, in the order of the samplers of shaders/lib/material.glsl.
+inline constexpr GLuint kMaterialUnits = 0;
+inline constexpr int kMaterialTextures = 6;
+inline constexpr GLuint kEnvironmentUnit = 6;
+inline constexpr GLuint kIrradianceUnit = 7;
+inline constexpr GLuint kVisibleUnit = 8;
+inline constexpr GLuint kTrianglesUnit = 9;
+inline constexpr GLuint kVerticesUnit = 10;
+inline constexpr GLuint kSumUnit = 11;
+inline constexpr GLuint kLatestUnit = 12;
+inline constexpr GLuint kScratchUnit = 15;  // uploads
+
+}  // namespace burnish::gpu

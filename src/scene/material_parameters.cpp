@@ -1,0 +1,165 @@
+#include "scene/material_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <glm/trigonometric.hpp>
+
+#include "burnish/error.hpp"
+#include "core/image_io.hpp"
+#include "maps/bumps.hpp"
+#include "scene/load.hpp"
+#include "shading/conductors.hpp"
+
+namespace burnish {
+
+namespace {
+
+constexpr std::string_view kBumps = "builtin:bumps";
+constexpr int kBumpsSize = 1024;
+
+float real_of(const ParameterValues& values, std::string_view name) {
+    return static_cast<float>(values.real(name));
+}
+
+// 16 bits: 8 would show as steps in the highlight of a smooth metal.
+Texture bumps_texture() {
+    const Image map = bump_normal_map(kBumpsSize);
+    Texture texture{std::string(kBumps), map.width,          map.height, 3,
+                    TexelType::u16,      ColorSpace::linear, {}};
+    texture.texels.resize(map.pixels.size() * sizeof(std::uint16_t));
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        const auto code = static_cast<std::uint16_t>(std::lround(map.pixels[i] * 65535.0f));
+        std::memcpy(texture.texels.data() + i * sizeof code, &code, sizeof code);
+    }
+    return texture;
+}
+
+// Index of the normal map in the scene's textures, read when it is not there yet.
+int normal_map_index(Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.textures.size(); ++i)
+        if (scene.textures[i].name == name && scene.textures[i].color_space == ColorSpace::linear)
+            return static_cast<int>(i);
+    if (is_builtin(name) && name != kBumps)
+        throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
+    Texture texture = name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear);
+    if (texture.channels < 3)
+        throw Error(name, "channels", "a normal map with red, green and blue",
+                    std::to_string(texture.channels));
+    texture.name = name;
+    scene.textures.push_back(std::move(texture));
+    return static_cast<int>(scene.textures.size() - 1);
+}
+
+float alpha_from_exponent(double e) {
+    return static_cast<float>(std::sqrt(2.0 / (e + 2.0)));
+}
+
+// The pair that the values name, as alpha or as exponents. One alone sets both, unless the
+// material has a pair already.
+std::optional<glm::vec2> roughness_pair(const Material& material, const ParameterValues& values) {
+    const auto pair_of = [&](std::string_view x, std::string_view y, auto convert) {
+        glm::vec2 pair = material.alpha.value_or(glm::vec2(0.0f));
+        const bool has_x = values.is_set(x), has_y = values.is_set(y);
+        if (has_x) pair.x = convert(values.real(x));
+        if (has_y) pair.y = convert(values.real(y));
+        if (!material.alpha && !has_y) pair.y = pair.x;
+        if (!material.alpha && !has_x) pair.x = pair.y;
+        return pair;
+    };
+    const bool has_alpha = values.is_set("alpha_x") || values.is_set("alpha_y");
+    const bool has_e = values.is_set("e_x") || values.is_set("e_y");
+    if (has_alpha && has_e)
+        throw UsageError("alpha_x, alpha_y and e_x, e_y say the same thing: give one pair only");
+    if (has_alpha)
+        return pair_of("alpha_x", "alpha_y", [](double a) { return static_cast<float>(a); });
+    if (has_e) return pair_of("e_x", "e_y", alpha_from_exponent);
+    return std::nullopt;
+}
+
+void apply_lobe(Material& material, const ParameterValues& values) {
+    if (values.is_set("mdf")) material.mdf = static_cast<Mdf>(values.choice("mdf"));
+    if (values.is_set("brdf")) material.brdf = static_cast<Brdf>(values.choice("brdf"));
+    if (values.is_set("method")) material.method = static_cast<Method>(values.choice("method"));
+    if (values.is_set("conserve")) material.conserve = values.boolean("conserve");
+    if (values.is_set("roughness")) material.roughness = real_of(values, "roughness");
+    if (values.is_set("anisotropy")) material.anisotropy_strength = real_of(values, "anisotropy");
+    if (values.is_set("anisotropy_rotation"))
+        material.anisotropy_rotation = glm::radians(real_of(values, "anisotropy_rotation"));
+    const std::optional<glm::vec2> pair = roughness_pair(material, values);
+    if (pair) {
+        material.alpha = pair;
+    } else if (values.is_set("roughness") || values.is_set("anisotropy")) {
+        material.alpha.reset();  // an earlier pair would hide them
+    }
+}
+
+void apply_color(Material& material, const ParameterValues& values) {
+    if (values.is_set("base_color"))
+        material.base_color = glm::vec4(values.vec3("base_color"), material.base_color.a);
+    if (values.is_set("metallic")) material.metallic = real_of(values, "metallic");
+    if (values.is_set("f0")) material.dielectric_f0 = real_of(values, "f0");
+    if (values.is_set("double_sided")) material.double_sided = values.boolean("double_sided");
+    if (!values.is_set("metal")) return;
+    const std::string metal = values.text("metal");
+    if (metal == "none") {
+        material.conductor.reset();
+        return;
+    }
+    material.conductor = conductor_preset(metal);
+    if (!values.is_set("metallic")) material.metallic = 1.0f;
+}
+
+void apply_normal_map(Material& material, const ParameterValues& values, int texture) {
+    if (values.is_set("normal_map")) {
+        material.normal_texture = TextureUse{};
+        material.normal_texture.texture = texture;
+        if (!values.is_set("normal_scale")) material.normal_scale = 1.0f;
+        if (!values.is_set("flip_green")) material.flip_green = false;
+    }
+    if (values.is_set("normal_scale")) material.normal_scale = real_of(values, "normal_scale");
+    if (values.is_set("flip_green")) material.flip_green = values.boolean("flip_green");
+    if (values.is_set("uv_scale")) {
+        const float s = real_of(values, "uv_scale");
+        const glm::mat3 scale(s, 0.0f, 0.0f, 0.0f, s, 0.0f, 0.0f, 0.0f, 1.0f);
+        material.normal_texture.transform = scale * material.normal_texture.transform;
+    }
+}
+
+void warn_of_missing_coordinates(Scene& scene, std::size_t first, std::size_t end) {
+    for (const Instance& instance : scene.instances) {
+        const auto material = static_cast<std::size_t>(instance.material);
+        if (material < first || material >= end) continue;
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        if (!mesh.texcoord0.empty()) continue;
+        const std::string warning = "mesh " + shown(mesh.name) +
+                                    " has no texture coordinates: the normal map does not show";
+        if (std::find(scene.warnings.begin(), scene.warnings.end(), warning) ==
+            scene.warnings.end())
+            scene.warnings.push_back(warning);
+    }
+}
+
+}  // namespace
+
+void apply_material_parameters(Scene& scene, std::size_t first, std::size_t count,
+                               const ParameterValues& values) {
+    int texture = -1;
+    if (values.is_set("normal_map") && values.text("normal_map") != "none" && count > 0) {
+        texture = normal_map_index(scene, values.text("normal_map"));
+        warn_of_missing_coordinates(scene, first, first + count);
+    }
+    for (std::size_t i = first; i < first + count; ++i) {
+        Material& material = scene.materials[i];
+        apply_lobe(material, values);
+        apply_color(material, values);
+        apply_normal_map(material, values, texture);
+    }
+}
+
+void apply_material_parameters(Scene& scene, const ParameterValues& values) {
+    apply_material_parameters(scene, 0, scene.materials.size(), values);
+}
+
+}  // namespace burnish

@@ -1,0 +1,130 @@
+#include "core/sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "burnish/error.hpp"
+#include "core/image_io.hpp"
+#include "samples.hpp"
+
+namespace burnish::test {
+namespace {
+
+// Pixels of `image` in the box that are brighter than `level`.
+int bright_pixels(const Image& image, int x0, int y0, int x1, int y1, float level) {
+    int count = 0;
+    for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) count += image.at(x, y)[0] > level ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(Sheet, PlacesCellsOnAGrid) {
+    const SheetOptions options{.padding_px = 10, .background = 0.2f};
+    const Sheet sheet = compose_sheet({{{Image(30, 20, 3, 1.0f), ""}, {Image(40, 25, 1, 0.5f), ""}},
+                                       {{Image(), ""}, {Image(12, 8, 3, 0.75f), ""}}},
+                                      options);
+    EXPECT_EQ(sheet.image.width, 10 + 30 + 10 + 40 + 10);
+    EXPECT_EQ(sheet.image.height, 10 + 25 + 10 + 8 + 10);
+    EXPECT_EQ(sheet.image.at(9, 10)[0], 0.2f);
+    EXPECT_EQ(sheet.image.at(10, 10)[0], 1.0f);
+    EXPECT_EQ(sheet.image.at(39, 29)[2], 1.0f);
+    EXPECT_EQ(sheet.image.at(39, 30)[2], 0.2f);
+    EXPECT_EQ(sheet.image.at(50, 34)[1], 0.5f);
+    EXPECT_EQ(sheet.image.at(61, 52)[1], 0.75f);
+    EXPECT_EQ(sheet.image.at(10, 45)[1], 0.2f);  // the empty cell
+    EXPECT_TRUE(sheet.warning.empty());
+}
+
+TEST(Sheet, DrawsLabelsInTheirPlace) {
+    const Sheet sheet = compose_sheet({{{Image(120, 40, 3, 0.0f), "follow-grain"}}});
+    if (!sheet.warning.empty()) GTEST_SKIP() << sheet.warning;
+    const int label_bottom = sheet.image.height - 40 - 12;
+    const int ink = bright_pixels(sheet.image, 0, 12, sheet.image.width, label_bottom, 0.5f);
+    EXPECT_GT(ink, 100);
+    EXPECT_LT(ink, 1500);
+    // Neither the image below nor the border above is written on.
+    EXPECT_EQ(bright_pixels(sheet.image, 12, label_bottom, 132, sheet.image.height - 12, 0.01f), 0);
+    EXPECT_EQ(bright_pixels(sheet.image, 0, 0, sheet.image.width, 12, 0.3f), 0);
+}
+
+TEST(Sheet, WidensColumnsForLongLabels) {
+    const std::string label =
+        "rotate-approx, alpha 0.1 x 0.4, \xc2\xb1"
+        "45\xc2\xb0";
+    const Sheet sheet = compose_sheet({{{Image(16, 16, 3, 0.0f), label}}});
+    if (!sheet.warning.empty()) GTEST_SKIP() << sheet.warning;
+    EXPECT_GT(sheet.image.width, 200);
+    // Nothing is cut off: the border stays clear.
+    EXPECT_EQ(bright_pixels(sheet.image, sheet.image.width - 11, 0, sheet.image.width,
+                            sheet.image.height, 0.3f),
+              0);
+}
+
+TEST(Sheet, WarnsWhenLabelsCannotBeDrawn) {
+    const SheetOptions options{.font = "/no/such/font.ttf"};
+    const Sheet sheet = compose_sheet({{{Image(16, 16, 3, 1.0f), "label"}}}, options);
+    EXPECT_NE(sheet.warning.find("without labels"), std::string::npos) << sheet.warning;
+    EXPECT_EQ(sheet.warning.find('\n'), std::string::npos);
+    EXPECT_GT(sheet.image.width, 16);
+    // No label, no warning.
+    EXPECT_TRUE(compose_sheet({{{Image(16, 16, 3, 1.0f), ""}}}, options).warning.empty());
+}
+
+TEST(Sheet, LaysTransparentImagesOverTheBackground) {
+    Image image(1, 1, 4);
+    image.pixels = {1.0f, 1.0f, 1.0f, 0.25f};
+    const SheetOptions options{.padding_px = 0, .background = 0.2f};
+    EXPECT_FLOAT_EQ(compose_sheet({{{image, ""}}}, options).image.pixels[0], 0.4f);
+}
+
+TEST(Sheet, RefusesAbsurdSizes) {
+    const SheetCell cell{Image(20000, 1, 1), ""};
+    EXPECT_THROW(compose_sheet({{cell, cell}}), Error);
+}
+
+TEST(Difference, IsBlackWhereEqualWarmWhereBrighter) {
+    Image a(3, 1, 3, 0.5f), b = a;
+    b.at(1, 0)[1] = 0.6f;
+    b.at(2, 0)[2] = 0.4f;
+    const Image difference = difference_image(a, b, 4.0f);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(difference.at(0, 0)[c], 0.0f);
+    EXPECT_GT(difference.at(1, 0)[0], 2.0f * difference.at(1, 0)[2]);  // orange
+    EXPECT_GT(difference.at(2, 0)[2], 2.0f * difference.at(2, 0)[0]);  // blue
+}
+
+TEST(Difference, GrowsInLightnessUpToOneOverGain) {
+    float last = -1.0f;
+    for (int step = 0; step <= 10; ++step) {
+        const Image a(1, 1, 1, 0.0f), b(1, 1, 1, 0.025f * static_cast<float>(step));
+        const Image color = difference_image(a, b, 4.0f);
+        const float luma =
+            0.2126f * color.pixels[0] + 0.7152f * color.pixels[1] + 0.0722f * color.pixels[2];
+        EXPECT_GT(luma, last);
+        last = luma;
+    }
+    const Image a(1, 1, 1, 0.0f);
+    EXPECT_EQ(difference_image(a, Image(1, 1, 1, 0.25f), 4.0f).pixels,
+              difference_image(a, Image(1, 1, 1, 0.9f), 4.0f).pixels);
+}
+
+TEST(Difference, ShowsNanInMagenta) {
+    const Image a(1, 1, 3, 0.0f), b(1, 1, 3, std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(difference_image(a, b).pixels, (std::vector<float>{1.0f, 0.0f, 1.0f}));
+}
+
+TEST(Rmse, IsTheRootOfTheMeanSquareOverColours) {
+    Image a(2, 1, 4, 0.0f), b(2, 1, 4, 0.0f);
+    b.at(0, 0)[0] = 3.0f;
+    b.at(1, 0)[2] = 4.0f;
+    b.at(1, 0)[3] = 100.0f;  // alpha
+    EXPECT_DOUBLE_EQ(rmse(a, b), std::sqrt(25.0 / 6.0));
+    EXPECT_EQ(rmse(a, a), 0.0);
+    EXPECT_THROW(rmse(a, Image(1, 2, 4)), Error);
+    EXPECT_THROW(difference_image(a, Image(2, 1, 1)), Error);
+}
+
+}  // namespace
+}  // namespace burnish::test

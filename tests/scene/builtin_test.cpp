@@ -1,0 +1,226 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include "scene/load.hpp"
+#include "support.hpp"
+
+namespace burnish {
+namespace {
+
+using std::numbers::pi;
+
+struct Triangle {
+    std::array<std::size_t, 3> i;
+    glm::vec3 p[3];
+    glm::vec2 uv[3];
+    glm::vec3 cross() const { return glm::cross(p[1] - p[0], p[2] - p[0]); }
+};
+
+std::vector<Triangle> triangles_of(const Mesh& mesh) {
+    std::vector<Triangle> out;
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+        Triangle triangle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            triangle.i[k] = mesh.indices[t + k];
+            triangle.p[k] = mesh.positions.at(triangle.i[k]);
+            triangle.uv[k] = mesh.texcoord0.at(triangle.i[k]);
+        }
+        out.push_back(triangle);
+    }
+    return out;
+}
+
+double area_of(const Mesh& mesh) {
+    double area = 0.0;
+    for (const Triangle& t : triangles_of(mesh))
+        area += 0.5 * static_cast<double>(glm::length(t.cross()));
+    return area;
+}
+
+double volume_of(const Mesh& mesh) {
+    double volume = 0.0;
+    for (const Triangle& t : triangles_of(mesh))
+        volume += static_cast<double>(glm::dot(t.p[0], glm::cross(t.p[1], t.p[2]))) / 6.0;
+    return volume;
+}
+
+class BuiltIn : public testing::TestWithParam<std::string_view> {};
+
+INSTANTIATE_TEST_SUITE_P(Meshes, BuiltIn,
+                         testing::ValuesIn(builtin_names().begin(), builtin_names().end()),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(BuiltIn, AttributesAreWholeUnitAndFinite) {
+    const Mesh mesh = make_builtin_mesh(GetParam());
+    const std::size_t n = mesh.positions.size();
+    ASSERT_EQ(mesh.normals.size(), n);
+    ASSERT_EQ(mesh.tangents.size(), n);
+    ASSERT_EQ(mesh.texcoord0.size(), n);
+    ASSERT_EQ(mesh.indices.size() % 3, 0u);
+    EXPECT_EQ(mesh.name, GetParam());
+    for (const std::uint32_t i : mesh.indices) ASSERT_LT(i, n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const glm::vec3 t(mesh.tangents[i]);
+        ASSERT_LE(glm::length(mesh.positions[i]), 1.1f);
+        ASSERT_NEAR(glm::length(mesh.normals[i]), 1.0f, 1e-5f);
+        ASSERT_NEAR(glm::length(t), 1.0f, 1e-5f);
+        ASSERT_NEAR(glm::dot(t, mesh.normals[i]), 0.0f, 1e-5f);
+        ASSERT_EQ(mesh.tangents[i].w, 1.0f);
+        ASSERT_TRUE(std::isfinite(mesh.texcoord0[i].x) && std::isfinite(mesh.texcoord0[i].y));
+    }
+}
+
+TEST_P(BuiltIn, TrianglesFaceTheWayTheirNormalsDo) {
+    const Mesh mesh = make_builtin_mesh(GetParam());
+    for (const Triangle& t : triangles_of(mesh)) {
+        ASSERT_GT(glm::length(t.cross()), 0.0f) << "a triangle without area";
+        for (const std::size_t i : t.i) ASSERT_GT(glm::dot(t.cross(), mesh.normals[i]), 0.0f);
+    }
+}
+
+// Tangents and bitangents against the derivatives of position by texture coordinates, triangle by
+// triangle: +u along the tangent, and up in the picture, -v, along cross(n, t).
+TEST_P(BuiltIn, TangentsFollowTheTextureCoordinates) {
+    const Mesh mesh = make_builtin_mesh(GetParam());
+    double worst_u = 1.0, worst_v = 1.0;
+    for (const Triangle& t : triangles_of(mesh)) {
+        const glm::vec2 a = t.uv[1] - t.uv[0], b = t.uv[2] - t.uv[0];
+        const float determinant = a.x * b.y - a.y * b.x;
+        ASSERT_NE(determinant, 0.0f);
+        const glm::vec3 p = t.p[1] - t.p[0], q = t.p[2] - t.p[0];
+        const glm::vec3 du = glm::normalize((p * b.y - q * a.y) / determinant);
+        const glm::vec3 dv = glm::normalize((q * a.x - p * b.x) / determinant);
+        for (const std::size_t i : t.i) {
+            const glm::vec3 tangent(mesh.tangents[i]);
+            const glm::vec3 up = glm::cross(mesh.normals[i], tangent) * mesh.tangents[i].w;
+            worst_u = std::min(worst_u, static_cast<double>(glm::dot(du, tangent)));
+            worst_v = std::min(worst_v, static_cast<double>(glm::dot(-dv, up)));
+        }
+    }
+    // A triangle at a pole sees its segment's neighbour tangents turned by half a segment; the
+    // cloth shears, so that warp and weft are not square.
+    EXPECT_GT(worst_u, 0.97);
+    EXPECT_GT(worst_v, GetParam() == "drape" ? 0.3 : 0.97);
+}
+
+TEST_P(BuiltIn, HasAboutTheTrianglesThatWereWished) {
+    for (const int wish : {2000, 20000, 300000}) {
+        const auto count = make_builtin_mesh(GetParam(), wish).indices.size() / 3;
+        EXPECT_NEAR(static_cast<double>(count) / wish, 1.0, 0.05) << wish;
+    }
+    EXPECT_GT(make_builtin_mesh(GetParam(), 1).indices.size(), 0u);
+    EXPECT_THROW(make_builtin_mesh(GetParam(), -1), UsageError);
+    EXPECT_THROW(make_builtin_mesh(GetParam(), 2000000000), UsageError);
+}
+
+TEST(BuiltInSolid, AreasAndVolumesAreThoseOfTheSolids) {
+    const Mesh sphere = make_builtin_mesh("sphere");
+    EXPECT_NEAR(area_of(sphere) / pi, 1.0, 1e-3);
+    EXPECT_NEAR(volume_of(sphere) / (pi / 6.0), 1.0, 1e-3);
+    const Mesh torus = make_builtin_mesh("torus");
+    EXPECT_NEAR(area_of(torus) / (4.0 * pi * pi * 0.35 * 0.15), 1.0, 1e-3);
+    EXPECT_NEAR(volume_of(torus) / (2.0 * pi * pi * 0.35 * 0.15 * 0.15), 1.0, 1e-3);
+    EXPECT_NEAR(area_of(make_builtin_mesh("plane")), 1.0, 1e-6);
+    // The rounded edges take less than 0.2 % of the volume pi r^2 h, r = 1/pi.
+    EXPECT_NEAR(volume_of(make_builtin_mesh("cylinder")) / (0.8 / pi), 0.999, 2e-3);
+}
+
+// Seen as positions only, every edge has two triangles: no gap at the seams, bit for bit.
+TEST(BuiltInSolid, Closed) {
+    for (const std::string_view name : {"sphere", "torus", "cylinder"}) {
+        const Mesh mesh = make_builtin_mesh(name, 5000);
+        std::map<std::tuple<float, float, float>, int> ids;
+        const auto id = [&](const glm::vec3& p) {
+            // The poles' copies differ by the sign of zero, which is one number to a map.
+            return ids.try_emplace({p.x, p.y, p.z}, static_cast<int>(ids.size())).first->second;
+        };
+        std::map<std::pair<int, int>, int> edges;
+        for (const Triangle& t : triangles_of(mesh))
+            for (int k = 0; k < 3; ++k) ++edges[{id(t.p[k]), id(t.p[(k + 1) % 3])}];
+        for (const auto& [edge, count] : edges) {
+            ASSERT_EQ(count, 1) << name;
+            const auto opposite = edges.find({edge.second, edge.first});
+            ASSERT_NE(opposite, edges.end()) << name << ": an open edge";
+        }
+    }
+}
+
+TEST(BuiltInSolid, NoSeamInTheTangents) {
+    for (const std::string_view name : {"sphere", "torus", "cylinder"}) {
+        const Mesh mesh = make_builtin_mesh(name, 5000);
+        std::map<std::tuple<float, float, float>, std::size_t> first;
+        int shared = 0;
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const glm::vec3 p = mesh.positions[i];
+            if (std::hypot(p.x, p.z) < 1e-6f) continue;  // a pole has every direction
+            const auto [found, is_new] = first.try_emplace({p.x, p.y, p.z}, i);
+            if (is_new) continue;
+            ++shared;
+            ASSERT_GT(
+                glm::dot(glm::vec3(mesh.tangents[i]), glm::vec3(mesh.tangents[found->second])),
+                0.999999f);
+            ASSERT_GT(glm::dot(mesh.normals[i], mesh.normals[found->second]), 0.999999f);
+        }
+        EXPECT_GT(shared, 10) << name;
+    }
+}
+
+TEST(Drape, HangsInFoldsAndHardlyStretches) {
+    const Mesh mesh = make_builtin_mesh("drape", 20000);
+    const auto side = static_cast<std::size_t>(std::lround(std::sqrt(mesh.positions.size())));
+    ASSERT_EQ(side * side, mesh.positions.size());
+    const double rest = 1.0 / static_cast<double>(side - 1);
+    double mean = 0.0, longest = 0.0;
+    for (std::size_t row = 0; row < side; ++row) {
+        double length = 0.0;
+        for (std::size_t i = 0; i + 1 < side; ++i) {
+            const double edge = static_cast<double>(
+                glm::length(mesh.positions[row * side + i + 1] - mesh.positions[row * side + i]));
+            longest = std::max(longest, edge / rest);
+            length += edge;
+        }
+        mean += length / static_cast<double>(side);
+    }
+    EXPECT_NEAR(mean, 1.0, 0.05);
+    EXPECT_LT(longest, 1.25);
+    // Folds: the hem's distance from the axis swings in and out.
+    int turns = 0;
+    double last = 0.0, direction = 0.0;
+    for (std::size_t i = 0; i < side; ++i) {
+        const glm::vec3 p = mesh.positions[i];
+        const double distance = static_cast<double>(std::hypot(p.x, p.z));
+        if (i > 0 && (distance - last) * direction < 0.0) ++turns;
+        if (i > 0 && distance != last) direction = distance - last;
+        last = distance;
+    }
+    EXPECT_GE(turns, 3) << "along one of the four hems";
+    // It lies on the plinth and hangs down over its side.
+    float low = 0.0f, high = -1.0f;
+    for (const glm::vec3& p : mesh.positions) {
+        low = std::min(low, p.y);
+        high = std::max(high, p.y);
+    }
+    EXPECT_NEAR(high, 0.0f, 0.01f);
+    EXPECT_LT(low, -0.4f);
+    EXPECT_GT(low, -0.75f);
+}
+
+TEST(BuiltInNames, AreToldFromFiles) {
+    EXPECT_TRUE(is_builtin("builtin:sphere"));
+    EXPECT_FALSE(is_builtin("sphere"));
+    EXPECT_FALSE(is_builtin("./builtin.glb"));
+    EXPECT_NE(test::error_line<UsageError>([] { make_builtin_mesh("tours"); }).find("'torus'"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace burnish
