@@ -63,8 +63,8 @@ class CsvReader {
 // False for a quoted field that is not closed or goes on after its closing quote.
 bool split_csv_record(std::string_view text, std::vector<std::string_view>& fields);
 
-// What a field says: spaces around it and its quotes taken away. Doubled quotes inside stay doubled:
-// no name and no number has one.
+// What a field says: spaces around it and its quotes taken away. Doubled quotes inside stay
+// doubled: no name and no number has one.
 std::string_view csv_content(std::string_view field);
 
 }  // namespace burnish

@@ -111,8 +111,8 @@ void append_row(const CsvRecord& record, const CsvLayout& layout, const CsvTask&
     text += record.end;
 }
 
-void evaluate_rows(std::span<const CsvRecord> records, const CsvLayout& layout,
-                   const CsvTask& task, Chunk& chunk) {
+void evaluate_rows(std::span<const CsvRecord> records, const CsvLayout& layout, const CsvTask& task,
+                   Chunk& chunk) {
     chunk.text.clear();
     try {
         std::vector<std::string_view> fields;
@@ -225,8 +225,8 @@ std::size_t CsvRow::choice(std::size_t column, std::span<const std::string_view>
 
 void CsvRow::fail(std::size_t column, std::string_view expected, std::string_view found) const {
     throw Error(layout_.file,
-                place_of(record_) + ", column " + std::string(layout_.columns[column].name), expected,
-                found);
+                place_of(record_) + ", column " + std::string(layout_.columns[column].name),
+                expected, found);
 }
 
 void add_csv_columns(const std::string& input, const std::string& output, const CsvTask& task,

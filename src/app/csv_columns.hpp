@@ -1,6 +1,6 @@
-// Adding computed columns to a table, row by row, in parallel and in bounded memory. Everything that
-// was in the table stays as it is written and where it is: comments, blank lines, quotes, line ends,
-// columns nobody asked for.
+// Adding computed columns to a table, row by row, in parallel and in bounded memory. Everything
+// that was in the table stays as it is written and where it is: comments, blank lines, quotes, line
+// ends, columns nobody asked for.
 #pragma once
 
 #include <cstddef>
@@ -64,8 +64,8 @@ struct CsvTask {
     std::function<void(const CsvRow& row, std::string& line)> evaluate;
 };
 
-// "-" is the standard input or output; any other output is written whole or not at all and may be the
-// input itself. Of several bad rows the first one is reported.
+// "-" is the standard input or output; any other output is written whole or not at all and may be
+// the input itself. Of several bad rows the first one is reported.
 void add_csv_columns(const std::string& input, const std::string& output, const CsvTask& task,
                      const Progress& progress);
 

@@ -40,7 +40,8 @@ Direction<Float> direction(const CsvRow& row, std::size_t first_column) {
     Direction<Float> v{row.number<Float>(first_column, kExpected),
                        row.number<Float>(first_column + 1, kExpected),
                        row.number<Float>(first_column + 2, kExpected)};
-    if (!make_unit(v)) row.fail(first_column, "the first component of a direction", "a zero vector");
+    if (!make_unit(v))
+        row.fail(first_column, "the first component of a direction", "a zero vector");
     return v;
 }
 
@@ -48,7 +49,8 @@ Direction<Float> direction(const CsvRow& row, std::size_t first_column) {
 template <typename Float>
 void append_value(const CsvRow& row, std::size_t column, Float value, std::string& line) {
     if (!std::isfinite(value)) {
-        row.fail(column, fmt::format("a value that f{} can hold", 8 * sizeof(Float)), "a larger one");
+        row.fail(column, fmt::format("a value that f{} can hold", 8 * sizeof(Float)),
+                 "a larger one");
     }
     std::array<char, 32> digits;  // the longest double takes 24
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
@@ -92,8 +94,7 @@ enum : std::size_t { brdf, ix, iy, iz, ox, oy, oz, p0, p1, p2, p3, p4, mdf, smit
 }
 static_assert(brdf_column::p4 - brdf_column::p0 + 1 == kMostBrdfParameters);
 
-constexpr std::array<std::string_view, 7> kBrdfReads = {"brdf", "ix", "iy", "iz",
-                                                        "ox",   "oy", "oz"};
+constexpr std::array<std::string_view, 7> kBrdfReads = {"brdf", "ix", "iy", "iz", "ox", "oy", "oz"};
 constexpr std::array<std::string_view, 7> kBrdfMayRead = {"p0", "p1",  "p2",   "p3",
                                                           "p4", "mdf", "smith"};
 constexpr std::array<std::string_view, 1> kBrdfAdds = {"f"};
@@ -146,8 +147,8 @@ std::span<const std::string_view> brdf_table_names() {
 
 void eval_mdf_table(const EvalRequest& request, const Progress& progress) {
     const bool single = request.precision == Precision::f32;
-    const CsvTask task{kMdfReads, {}, kMdfAdds,
-                       single ? append_mdf_values<float> : append_mdf_values<double>};
+    const CsvTask task{
+        kMdfReads, {}, kMdfAdds, single ? append_mdf_values<float> : append_mdf_values<double>};
     add_csv_columns(request.input, request.output, task, progress);
 }
 

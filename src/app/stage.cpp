@@ -61,10 +61,27 @@ bool any_set(const ParameterValues& values, std::initializer_list<std::string_vi
                        [&](std::string_view name) { return values.is_set(name); });
 }
 
-// Far enough for the sphere around the scene to fit the narrower of the two fields of view.
-double framing_distance(double radius, double yfov, double aspect) {
-    const double half = std::min(yfov / 2, std::atan(std::tan(yfov / 2) * aspect));
-    return 1.02 * radius / std::sin(half);
+// The least distance from `target` towards `away` (unit) at which every vertex lies within the view,
+// with a little air around it.
+double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, double yfov,
+                        double aspect) {
+    const glm::vec3 up_hint = std::abs(away.y) < 0.999f ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
+    const glm::vec3 right = glm::normalize(glm::cross(up_hint, away));
+    const glm::vec3 up = glm::cross(away, right);
+    constexpr double kAir = 1.06;
+    const double tan_y = std::tan(yfov / 2) / kAir;
+    const double tan_x = tan_y * aspect;
+    double distance = 0;
+    for (const Instance& instance : scene.instances) {
+        for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+            const glm::vec3 v = glm::vec3(instance.transform * glm::vec4(p, 1.0f)) - target;
+            const double depth = glm::dot(v, away);
+            const double reach = std::max(std::abs(glm::dot(v, right)) / tan_x,
+                                          std::abs(glm::dot(v, up)) / tan_y);
+            distance = std::max(distance, depth + reach);
+        }
+    }
+    return std::max(distance, 1e-6);  // a single point still needs a camera somewhere else
 }
 
 gpu::RenderOptions render_options(const ParameterValues& values) {
@@ -125,13 +142,13 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
     if (values.is_set("camera_position")) {
         camera.position = values.vec3("camera_position");
     } else {
-        const double radius = std::max(static_cast<double>(bounds.radius()), 1e-6);
-        const double distance = values.is_set("camera_distance")
-                                    ? values.real("camera_distance")
-                                    : framing_distance(radius, camera.yfov, aspect);
-        camera.position = camera.target + static_cast<float>(distance) *
-                                              direction_at(values.real("camera_azimuth"),
-                                                           values.real("camera_elevation"));
+        const glm::vec3 away =
+            direction_at(values.real("camera_azimuth"), values.real("camera_elevation"));
+        const double distance =
+            values.is_set("camera_distance")
+                ? values.real("camera_distance")
+                : framing_distance(scene, camera.target, away, camera.yfov, aspect);
+        camera.position = camera.target + static_cast<float>(distance) * away;
     }
     const glm::vec3 view = camera.target - camera.position;
     if (glm::dot(view, view) == 0.0f)

@@ -14,7 +14,8 @@ namespace burnish::cli {
 
 class Session;
 
-// Adds the subcommand `eval` to `parent`; `columns` is the part of its help on what it reads and adds.
+// Adds the subcommand `eval` to `parent`; `columns` is the part of its help on what it reads and
+// adds.
 void add_eval_command(CLI::App& parent, Session& session, const std::string& description,
                       const std::string& columns,
                       std::function<void(const EvalRequest&, const Progress&)> evaluate);

@@ -1,4 +1,5 @@
-// burnish: the command line. Parses, calls app/, prints; every failure is one line on standard error.
+// burnish: the command line. Parses, calls app/, prints; every failure is one line on standard
+// error.
 #include <signal.h>
 
 #include <CLI/CLI.hpp>

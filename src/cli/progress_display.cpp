@@ -100,7 +100,8 @@ void ProgressDisplay::draw_bar(const Moment& moment) {
     std::string line = fmt::format("{:<12.24} {:3.0f} % [{:-<{}}]", stage_, 100.0 * moment.done,
                                    std::string(filled, '#'), kBarWidth);
     if (moment.left_s) {
-        line += fmt::format(" {:.3g} %/s, {} left", 100.0 * moment.rate, clock_text(*moment.left_s));
+        line +=
+            fmt::format(" {:.3g} %/s, {} left", 100.0 * moment.rate, clock_text(*moment.left_s));
     } else {
         line += fmt::format(" {}", clock_text(moment.elapsed_s));
     }

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "app/output_stream.hpp"
-#include "cli/progress_display.hpp"
 #include "burnish/shading_names.hpp"
+#include "cli/progress_display.hpp"
 
 namespace burnish::cli {
 namespace {

@@ -1,4 +1,5 @@
-// What every command shares: the flags that come before all others, and the words it was called with.
+// What every command shares: the flags that come before all others, and the words it was called
+// with.
 #pragma once
 
 #include <string>

@@ -67,7 +67,8 @@ std::string unknown_word(const Apps& chain, const std::string& word) {
     const std::string written = flag ? word.substr(0, word.find('=')) : word;
     const std::vector<std::string_view> views(known.begin(), known.end());
     const std::string nearest(nearest_name(views, written));
-    std::string line = prefix_of(chain) + "unknown " + (flag ? "option " : "command ") + shown(written);
+    std::string line =
+        prefix_of(chain) + "unknown " + (flag ? "option " : "command ") + shown(written);
     if (!nearest.empty()) return line + "; did you mean '" + nearest + "'?";
     if (flag) return line + "; '" + path_of(chain) + " --help' lists them";
     return line + "; there are: " + listed(known);
@@ -90,9 +91,9 @@ void require_command(CLI::App& app) {
         for (const CLI::App* parent = app.get_parent(); parent; parent = parent->get_parent()) {
             chain.insert(chain.begin(), parent);
         }
-        throw UsageError(prefix_of(chain) + "expected a command, one of: " +
-                         listed(commands_of(app)) + "; '" + path_of(chain) +
-                         " --help' explains them");
+        throw UsageError(prefix_of(chain) +
+                         "expected a command, one of: " + listed(commands_of(app)) + "; '" +
+                         path_of(chain) + " --help' explains them");
     });
 }
 

@@ -111,6 +111,10 @@ class Reader {
             return input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
                                       spec_.z + 1, 0, channels, type, to);
         }
+        // Nothing to convert: without the copy through a buffer of 64 MiB.
+        if (type == spec_.format && spec_.channelformats.empty() && channels == spec_.nchannels) {
+            return input_->read_native_scanlines(0, 0, begin, end, spec_.z, to);
+        }
         return input_->read_scanlines(0, 0, begin, end, spec_.z, 0, channels, type, to);
     }
 

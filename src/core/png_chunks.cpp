@@ -80,6 +80,11 @@ void check_png(const ByteCursor& file) {
         if (first != (chunk.type == "IHDR") || (first && chunk.length != kHeaderBytes)) {
             file.fail("a broken header");
         }
+        // A capital says that the picture cannot be understood without it.
+        const bool required = chunk.type.front() >= 'A' && chunk.type.front() <= 'Z';
+        if (required && !is_critical(chunk)) {
+            file.fail(fmt::format("an unknown chunk {}", shown(chunk.type)));
+        }
         if (is_critical(chunk) && !checksum_holds(file, chunk)) {
             file.fail(fmt::format("damaged data (checksum of {})", chunk.type));
         }
@@ -87,6 +92,7 @@ void check_png(const ByteCursor& file) {
         if (chunk.type == "IEND") break;
         at += chunk.length + kChunkOverhead;
     }
+    if (data_bytes == 0) file.fail("no picture in it");
     check_header(file, data_bytes);
 }
 

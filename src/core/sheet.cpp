@@ -8,6 +8,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "burnish/error.hpp"
 #include "core/image_format.hpp"
@@ -18,14 +21,21 @@ namespace {
 constexpr const char* kDefaultFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                          "DejaVuSans", "DejaVu Sans", ""};
 
-// The label's place above an image, and its baseline in it, in units of the font size: descenders
-// of Latin text reach 0.25 below the baseline, capitals and accents 1.0 above.
-constexpr double kLabelHeight = 1.6;
-constexpr double kBaseline = 1.15;
+// Lines of a label, in units of the font size: descenders of Latin text reach 0.25 below the
+// baseline, capitals 0.75 above.
+constexpr double kLineHeight = 1.3;
+constexpr double kDescent = 0.4;
+
+// Labels of small images are not wrapped into columns of single words.
+constexpr int kLeastLabelWidth = 8;
+
+using Rows = std::vector<std::vector<SheetCell>>;
+using Lines = std::vector<std::string>;
 
 struct Layout {
-    std::vector<int> column_x, column_width;
-    std::vector<int> row_y, row_height, label_height;
+    std::vector<std::vector<Lines>> labels;  // by row and column
+    std::vector<int> column_x;
+    std::vector<int> image_y;  // by row
     int width = 0;
     int height = 0;
 };
@@ -56,35 +66,99 @@ Font find_font(const SheetOptions& options) {
     return font;
 }
 
+// OpenImageIO 2.4 misreads UTF-8 here (it looks up tables at negative indices), so that only ASCII
+// may reach it.
+std::string as_ascii(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpelt = {{
+        {"\u00d7", "x"},
+        {"\u00b0", " deg"},
+        {"\u00b1", "+-"},
+        {"\u00b2", "^2"},
+        {"\u03b1", "alpha"},
+        {"\u03b8", "theta"},
+        {"\u03c6", "phi"},
+        {"\u2013", "-"},
+        {"\u2014", "-"},
+        {"\u2212", "-"},
+        {"\u2264", "<="},
+        {"\u2265", ">="},
+    }};
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::string_view rest = text.substr(at);
+        const auto* spelt = std::find_if(kSpelt.begin(), kSpelt.end(), [&](const auto& sign) {
+            return rest.starts_with(sign.first);
+        });
+        const auto byte = static_cast<unsigned char>(rest.front());
+        if (spelt != kSpelt.end()) {
+            result += spelt->second;
+            at += spelt->first.size();
+            continue;
+        }
+        // One mark a character: the bytes that continue it are passed over.
+        if (byte < 0x80) result += rest.front();
+        if (byte >= 0xC0) result += '?';
+        ++at;
+    }
+    return one_line(result);
+}
+
 int text_width(const std::string& text, const Font& font, int font_px) {
     if (!font.found || text.empty()) return 0;
     const OIIO::ROI size = OIIO::ImageBufAlgo::text_size(text, font_px, font.name);
     return size.defined() ? std::max(size.xend, 0) : 0;
 }
 
-Layout lay_out(const std::vector<std::vector<SheetCell>>& rows, const SheetOptions& options,
-               const Font& font) {
+// As many words a line as fit into `width`, at least one.
+Lines wrapped(const std::string& label, int width, const Font& font, int font_px) {
+    Lines lines;
+    std::istringstream words(label);
+    for (std::string word; words >> word;) {
+        const std::string longer = lines.empty() ? word : lines.back() + " " + word;
+        if (!lines.empty() && text_width(longer, font, font_px) <= width) {
+            lines.back() = longer;
+        } else {
+            lines.push_back(word);
+        }
+    }
+    return lines;
+}
+
+std::vector<int> widths_of_images(const Rows& rows) {
+    std::vector<int> widths;
+    for (const std::vector<SheetCell>& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()), 0);
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            widths[column] = std::max(widths[column], row[column].image.width);
+        }
+    }
+    return widths;
+}
+
+Layout lay_out(const Rows& rows, const SheetOptions& options, const Font& font) {
     Layout layout;
+    std::vector<int> widths = widths_of_images(rows);
+    const int line_px = static_cast<int>(std::lround(kLineHeight * options.font_px));
     std::int64_t x = options.padding_px, y = options.padding_px;
     for (const std::vector<SheetCell>& row : rows) {
+        std::vector<Lines>& labels = layout.labels.emplace_back();
+        std::size_t lines = 0;
         int height = 0;
-        bool labelled = false;
         for (std::size_t column = 0; column < row.size(); ++column) {
-            if (layout.column_width.size() <= column) layout.column_width.push_back(0);
-            int& width = layout.column_width[column];
-            width = std::max({width, row[column].image.width,
-                              text_width(one_line(row[column].label), font, options.font_px)});
+            const int room = std::max(widths[column], kLeastLabelWidth * options.font_px);
+            labels.push_back(wrapped(as_ascii(row[column].label), room, font, options.font_px));
+            for (const std::string& line : labels.back()) {
+                widths[column] = std::max(widths[column], text_width(line, font, options.font_px));
+            }
+            lines = std::max(lines, labels.back().size());
             height = std::max(height, row[column].image.height);
-            labelled = labelled || !row[column].label.empty();
         }
-        layout.row_y.push_back(static_cast<int>(y));
-        layout.row_height.push_back(height);
-        layout.label_height.push_back(
-            labelled ? static_cast<int>(std::ceil(kLabelHeight * options.font_px)) : 0);
-        y += layout.label_height.back() + height + options.padding_px;
+        y += static_cast<std::int64_t>(lines) * line_px;
+        layout.image_y.push_back(static_cast<int>(y));
+        y += height + options.padding_px;
         check_image_size(1, y, "contact sheet");
     }
-    for (const int width : layout.column_width) {
+    for (const int width : widths) {
         layout.column_x.push_back(static_cast<int>(x));
         x += width + options.padding_px;
         check_image_size(x, 1, "contact sheet");
@@ -92,6 +166,24 @@ Layout lay_out(const std::vector<std::vector<SheetCell>>& rows, const SheetOptio
     layout.width = static_cast<int>(x);
     layout.height = static_cast<int>(y);
     return layout;
+}
+
+// Writes the lines above `image_y`, the last one nearest to it. False when nothing can be drawn.
+bool draw_label(OIIO::ImageBuf& canvas, const Lines& lines, int x, int image_y,
+                const SheetOptions& options, const Font& font) {
+    if (lines.empty()) return true;
+    if (!font.found) return false;
+    const std::array<float, 3> color = {options.text, options.text, options.text};
+    double baseline = image_y - kDescent * options.font_px;
+    bool drawn = true;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        drawn = OIIO::ImageBufAlgo::render_text(canvas, x, static_cast<int>(std::lround(baseline)),
+                                                *line, options.font_px, font.name,
+                                                OIIO::cspan<float>(color)) &&
+                drawn;
+        baseline -= kLineHeight * options.font_px;
+    }
+    return drawn;
 }
 
 void paste(const Image& from, Image& sheet, int left, int top, float background) {
@@ -152,7 +244,7 @@ float largest_difference(const float* a, const float* b, int colors) {
 
 }  // namespace
 
-Sheet compose_sheet(const std::vector<std::vector<SheetCell>>& rows, const SheetOptions& options) {
+Sheet compose_sheet(const Rows& rows, const SheetOptions& options) {
     const Font font = find_font(options);
     const Layout layout = lay_out(rows, options, font);
     check_image_size(layout.width, layout.height, "contact sheet");
@@ -161,22 +253,16 @@ Sheet compose_sheet(const std::vector<std::vector<SheetCell>>& rows, const Sheet
     // The buffer draws into the pixels of the sheet.
     OIIO::ImageBuf canvas(OIIO::ImageSpec(layout.width, layout.height, 3, OIIO::TypeFloat),
                           sheet.image.pixels.data());
-    const std::array<float, 3> color = {options.text, options.text, options.text};
-    bool label_missing = false;
+    bool labelled = true;
     for (std::size_t row = 0; row < rows.size(); ++row) {
         for (std::size_t column = 0; column < rows[row].size(); ++column) {
-            const SheetCell& cell = rows[row][column];
-            const int x = layout.column_x[column], y = layout.row_y[row];
-            paste(cell.image, sheet.image, x, y + layout.label_height[row], options.background);
-            const std::string label = one_line(cell.label);
-            if (label.empty()) continue;
-            const int baseline = y + static_cast<int>(std::lround(kBaseline * options.font_px));
-            label_missing |= !font.found || !OIIO::ImageBufAlgo::render_text(
-                                                canvas, x, baseline, label, options.font_px,
-                                                font.name, OIIO::cspan<float>(color));
+            const int x = layout.column_x[column], y = layout.image_y[row];
+            paste(rows[row][column].image, sheet.image, x, y, options.background);
+            labelled =
+                draw_label(canvas, layout.labels[row][column], x, y, options, font) && labelled;
         }
     }
-    if (label_missing) {
+    if (!labelled) {
         sheet.warning = "contact sheet without labels: no font could be loaded (install " +
                         std::string("fonts-dejavu-core): ") + font.error;
     }

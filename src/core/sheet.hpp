@@ -12,7 +12,7 @@ namespace burnish {
 // background. An empty image leaves its place empty.
 struct SheetCell {
     Image image;
-    std::string label;  // UTF-8, one line, drawn above the image
+    std::string label;  // drawn above the image, wrapped to its width
 };
 
 struct SheetOptions {
@@ -28,8 +28,9 @@ struct Sheet {
     std::string warning;  // one line when labels could not be drawn (no font), else empty
 };
 
-// Rows may differ in length; columns are as wide as their widest image or label, rows as high as
-// their highest image. Throws Error when the sheet would be larger than an image may be.
+// Rows may differ in length; columns are as wide as their widest image (or word of a label), rows
+// as high as their highest image. Labels are ASCII: a few signs are spelt out ("alpha", "x",
+// "deg"), others become "?". Throws Error when the sheet would be larger than an image may be.
 Sheet compose_sheet(const std::vector<std::vector<SheetCell>>& rows,
                     const SheetOptions& options = {});
 

@@ -1,5 +1,5 @@
-// Build step: writes the assembled stages, in both dialects and in the variants that differ in kind,
-// into the folder argv[1] for glslang to check.
+// Build step: writes the assembled stages, in both dialects and in the variants that differ in
+// kind, into the folder argv[1] for glslang to check.
 #include <exception>
 #include <filesystem>
 #include <fstream>

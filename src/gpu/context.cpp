@@ -14,6 +14,8 @@
 namespace burnish::gpu {
 namespace {
 
+constexpr EGLint kRendererName = 0x335F;  // EGL_RENDERER_EXT, newer than epoxy's headers
+
 bool has_client_extension(const char* name) {
     return epoxy_has_egl_extension(EGL_NO_DISPLAY, name);
 }
@@ -52,7 +54,7 @@ DeviceInfo describe_device(EGLDeviceEXT device, int index) {
     const auto has = [&](const char* name) { return extensions.find(name) != std::string::npos; };
     info.software = has("EGL_MESA_device_software");
     if (has("EGL_EXT_device_query_name")) {
-        info.description = device_string(device, EGL_RENDERER_EXT);
+        info.description = device_string(device, kRendererName);
     }
     if (info.description.empty() && has("EGL_EXT_device_drm")) {
         info.description = device_string(device, EGL_DRM_DEVICE_FILE_EXT);
@@ -63,8 +65,8 @@ DeviceInfo describe_device(EGLDeviceEXT device, int index) {
     return info;
 }
 
-// A display is shared by all contexts of its device, and eglTerminate ends it for all of them: it is
-// initialised by the first and terminated by the last.
+// A display is shared by all contexts of its device, and eglTerminate ends it for all of them: it
+// is initialised by the first and terminated by the last.
 class SharedDisplay {
   public:
     explicit SharedDisplay(EGLDisplay display) : display_(display) {
@@ -137,10 +139,13 @@ bool Context::Handles::try_api(bool es) {
     EGLint found = 0;
     if (!eglChooseConfig(d, wanted.data(), &config, 1, &found) || found < 1) return false;
     if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return false;
-    const std::array<EGLint, 7> desktop = {EGL_CONTEXT_MAJOR_VERSION, 3,
-                                           EGL_CONTEXT_MINOR_VERSION, 3,
+    const std::array<EGLint, 7> desktop = {EGL_CONTEXT_MAJOR_VERSION,
+                                           3,
+                                           EGL_CONTEXT_MINOR_VERSION,
+                                           3,
                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                           EGL_NONE};
     const std::array<EGLint, 3> embedded = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
     context = eglCreateContext(d, config, EGL_NO_CONTEXT, es ? embedded.data() : desktop.data());
     if (context == EGL_NO_CONTEXT) return false;
@@ -246,6 +251,8 @@ void Context::make_current() {
     }
 }
 
-bool Context::has_extension(const char* name) const { return epoxy_has_gl_extension(name); }
+bool Context::has_extension(const char* name) const {
+    return epoxy_has_gl_extension(name);
+}
 
 }  // namespace burnish::gpu

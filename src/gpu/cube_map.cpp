@@ -27,7 +27,9 @@ struct LatLong {
     }
 };
 
-float usable(float value) { return std::isfinite(value) && value > 0.0f ? value : 0.0f; }
+float usable(float value) {
+    return std::isfinite(value) && value > 0.0f ? value : 0.0f;
+}
 
 LatLong copy_of(const Image& image) {
     LatLong map;
@@ -49,7 +51,8 @@ LatLong halved(const LatLong& map) {
     LatLong half;
     half.width = map.width / 2;
     half.height = map.height / 2;
-    half.texels.resize(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    half.texels.resize(static_cast<std::size_t>(half.width) *
+                       static_cast<std::size_t>(half.height));
     const double step = kPi / map.height;
     parallel_for(static_cast<std::size_t>(half.height), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
@@ -99,12 +102,24 @@ glm::vec3 cube_direction(int face, double s, double t) {
     const double b = 2 * t - 1;
     glm::dvec3 d(0);
     switch (face) {
-        case 0: d = {1, -b, -a}; break;
-        case 1: d = {-1, -b, a}; break;
-        case 2: d = {a, 1, b}; break;
-        case 3: d = {a, -1, -b}; break;
-        case 4: d = {a, -b, 1}; break;
-        default: d = {-a, -b, -1}; break;
+        case 0:
+            d = {1, -b, -a};
+            break;
+        case 1:
+            d = {-1, -b, a};
+            break;
+        case 2:
+            d = {a, 1, b};
+            break;
+        case 3:
+            d = {a, -1, -b};
+            break;
+        case 4:
+            d = {a, -b, 1};
+            break;
+        default:
+            d = {-a, -b, -1};
+            break;
     }
     return glm::vec3(d / std::sqrt(a * a + b * b + 1));
 }
@@ -127,8 +142,8 @@ CubeMap cube_from_latlong(const Image& latlong, int size) {
     LatLong map = copy_of(latlong);
     while (map.width > 5 * size && map.width % 2 == 0 && map.height % 2 == 0) map = halved(map);
     // At least four samples a texel of the map where the cube is coarsest, the middle of a face.
-    const int samples = std::clamp(
-        static_cast<int>(std::ceil(4.0 * map.width / (kPi * size))), 4, 16);
+    const int samples =
+        std::clamp(static_cast<int>(std::ceil(4.0 * map.width / (kPi * size))), 4, 16);
     CubeMap cube;
     cube.size = size;
     cube.texels.resize(texel_count(size));
@@ -202,8 +217,8 @@ CubeMap cube_irradiance(const CubeMap& radiance, int size) {
         const int row = index / n % n;
         const int column = index % n;
         const auto w = static_cast<float>(cube_texel_solid_angle(n, row, column));
-        sources.push_back({cube_direction(face, (column + 0.5) / n, (row + 0.5) / n),
-                           w * radiance.texels[i], w});
+        sources.push_back(
+            {cube_direction(face, (column + 0.5) / n, (row + 0.5) / n), w * radiance.texels[i], w});
     }
     CubeMap cube;
     cube.size = size;
@@ -211,9 +226,8 @@ CubeMap cube_irradiance(const CubeMap& radiance, int size) {
     parallel_for(cube.texels.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int index = static_cast<int>(i);
-            const glm::vec3 n =
-                cube_direction(index / (size * size), (index % size + 0.5) / size,
-                               (index / size % size + 0.5) / size);
+            const glm::vec3 n = cube_direction(index / (size * size), (index % size + 0.5) / size,
+                                               (index / size % size + 0.5) / size);
             glm::vec3 sum(0.0f);
             float weights = 0.0f;
             for (const Source& source : sources) {

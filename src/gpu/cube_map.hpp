@@ -13,8 +13,8 @@
 namespace burnish::gpu {
 
 struct CubeMap {
-    int size = 0;                  // texels a side
-    std::vector<glm::vec3> texels; // face, row, column
+    int size = 0;                   // texels a side
+    std::vector<glm::vec3> texels;  // face, row, column
 
     const glm::vec3& at(int face, int row, int column) const {
         return texels[(static_cast<std::size_t>(face) * static_cast<std::size_t>(size) +
@@ -34,11 +34,12 @@ double cube_texel_solid_angle(int size, int row, int column);
 // 16 to 512 texels.
 int cube_size_for(int latlong_width);
 
-// Radiance averaged over each texel (NaN and negative values are 0). Its integral over the sphere is
-// that of the lat-long map within 0.5 %, however small the sun.
+// Radiance averaged over each texel (NaN and negative values are 0). Its integral over the sphere
+// is that of the lat-long map within 0.5 %, however small the sun.
 CubeMap cube_from_latlong(const Image& latlong, int size);
 
-// The levels below `base`, each half the size, averages weighted by solid angle; the last has size 1.
+// The levels below `base`, each half the size, averages weighted by solid angle; the last has
+// size 1.
 std::vector<CubeMap> cube_mips(const CubeMap& base);
 
 // Irradiance over pi: the cosine-weighted mean over the hemisphere about each texel, exact for

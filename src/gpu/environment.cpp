@@ -17,11 +17,13 @@ constexpr int kIrradianceSize = 16;
 constexpr int kIrradianceSource = 32;
 
 void upload_level(const CubeMap& cube, int level, float scale) {
-    const auto face_texels = static_cast<std::size_t>(cube.size) * static_cast<std::size_t>(cube.size);
+    const auto face_texels =
+        static_cast<std::size_t>(cube.size) * static_cast<std::size_t>(cube.size);
     std::vector<std::uint64_t> half(face_texels);
     for (int face = 0; face < 6; ++face) {
         for (std::size_t i = 0; i < face_texels; ++i) {
-            const glm::vec3 v = cube.texels[static_cast<std::size_t>(face) * face_texels + i] / scale;
+            const glm::vec3 v =
+                cube.texels[static_cast<std::size_t>(face) * face_texels + i] / scale;
             half[i] = glm::packHalf4x16(glm::vec4(v, 1.0f));
         }
         glTexImage2D(static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), level, GL_RGBA16F,

@@ -24,7 +24,8 @@ std::string with_file(const ShaderStage& stage, const std::string& message) {
     const std::size_t digit = message.find_first_of("0123456789");
     if (digit == std::string::npos) return message;
     std::size_t number = 0;
-    for (std::size_t i = digit; i < message.size() && std::isdigit(message[i]) && number < 1000; ++i) {
+    for (std::size_t i = digit; i < message.size() && std::isdigit(message[i]) && number < 1000;
+         ++i) {
         number = number * 10 + static_cast<std::size_t>(message[i] - '0');
     }
     return number < stage.files.size() ? stage.files[number] + " (file " + message + ")" : message;
@@ -80,7 +81,9 @@ Program::Program(const ShaderStage& vertex, const ShaderStage& fragment) {
                 " do not link: " + first_error(log.data()));
 }
 
-Program::~Program() { glDeleteProgram(program_); }
+Program::~Program() {
+    glDeleteProgram(program_);
+}
 
 GLint Program::location(const char* name) {
     const auto known = locations_.find(std::string_view(name));
@@ -90,12 +93,24 @@ GLint Program::location(const char* name) {
     return found;
 }
 
-void Program::set(const char* name, int value) { glUniform1i(location(name), value); }
-void Program::set(const char* name, unsigned value) { glUniform1ui(location(name), value); }
-void Program::set(const char* name, float value) { glUniform1f(location(name), value); }
-void Program::set(const char* name, glm::vec2 v) { glUniform2f(location(name), v.x, v.y); }
-void Program::set(const char* name, glm::ivec2 v) { glUniform2i(location(name), v.x, v.y); }
-void Program::set(const char* name, glm::vec3 v) { glUniform3f(location(name), v.x, v.y, v.z); }
+void Program::set(const char* name, int value) {
+    glUniform1i(location(name), value);
+}
+void Program::set(const char* name, unsigned value) {
+    glUniform1ui(location(name), value);
+}
+void Program::set(const char* name, float value) {
+    glUniform1f(location(name), value);
+}
+void Program::set(const char* name, glm::vec2 v) {
+    glUniform2f(location(name), v.x, v.y);
+}
+void Program::set(const char* name, glm::ivec2 v) {
+    glUniform2i(location(name), v.x, v.y);
+}
+void Program::set(const char* name, glm::vec3 v) {
+    glUniform3f(location(name), v.x, v.y, v.z);
+}
 void Program::set(const char* name, glm::vec4 v) {
     glUniform4f(location(name), v.x, v.y, v.z, v.w);
 }

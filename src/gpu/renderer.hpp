@@ -1,4 +1,18 @@
 // The real-time renderer: a scene and an environment in, a linear float picture out.
+//
+// What it does, where a choice had to be made:
+// - Pixels are filtered by a triangle of half width 1 pixel, sampled by jittering the whole view.
+// - No light comes from inside: punctual lights and image samples below the geometric
+// (interpolated)
+//   horizon count as black, whatever the perturbed normal says. Where the VIEW is below the
+//   perturbed horizon the specular term is 0 and the diffuse one stays.
+// - The diffuse term is base (1 - metallic) / pi (1 - F(n~.wi)) (1 - F(n.wo)), F Schlick's with the
+//   dielectric F0; under an environment the first factor is its cosine-weighted mean.
+// - Occlusion maps darken the diffuse image light only.
+// - Blended instances are sorted back to front by the middle of their boxes, their triangles are
+// not.
+// - Back faces of double-sided materials have their whole tangent frame turned over: the sheet seen
+//   from behind, where a dent is a bump.
 #pragma once
 
 #include <memory>
@@ -12,10 +26,20 @@ namespace burnish::gpu {
 
 enum class ImageLight {
     off,
-    importance,   // the specular sees the perturbed anisotropic MDF: importance sampled, filtered
-    bent_normal   // what today's engines do (Filament, three.js, glTF sample renderer): comparison
+    importance,  // the specular sees the perturbed anisotropic MDF: importance sampled, filtered
+    bent_normal  // what today's engines do (Filament, three.js, glTF sample renderer): comparison
 };
 enum class BackgroundKind { environment, color, transparent };
+
+// How opaque surfaces are shaded. Small triangles make forward shading pay several times a pixel
+// (hardware shades blocks of 2 x 2, llvmpipe of 4 x 4); the visibility pass finds the triangle of a
+// pixel first and shades once. It needs desktop OpenGL and materials without masks, vertex colours
+// or textures that differ in texture coordinates; what it cannot do is drawn forward.
+enum class SurfacePass {
+    automatic,  // visibility when triangles are smaller than 40 pixels on average
+    forward,
+    visibility
+};
 
 struct RenderOptions {
     int width = 1280;
@@ -26,28 +50,35 @@ struct RenderOptions {
     float environment_intensity = 1.0f;
     float environment_rotation = 0.0f;  // radians about +y
     BackgroundKind background = BackgroundKind::environment;
-    glm::vec3 background_color{0.05f};  // linear
+    glm::vec3 background_color{0.05f};  // linear; also when there is no environment
     float background_blur = 0.0f;       // 0..1
     unsigned seed = 0;
+    int tile_size = 0;  // pixels a side; 0: chosen, so that memory is bounded
+    SurfacePass surface_pass = SurfacePass::automatic;
 };
 
-// Frame-cost variants of the benchmark (K11 Fig 11, K12 Table I).
+// Frame-cost variants of the benchmark (K11 Fig 11, K12 Table I): the full shading, lighting at the
+// vertices only, and the full shading without the normal map.
 enum class ShadingVariant { full, gouraud, anisotropic };
 
+// Destroy it before its context.
 class Renderer {
   public:
-    // Uploads everything. Throws Error when something is too large for the device.
+    // Uploads everything; nothing of `scene` is referred to afterwards. `environment` may be null.
+    // Throws Error when something is broken or too large for the device.
     Renderer(Context& context, const Scene& scene, const Environment* environment);
     ~Renderer();
 
-    // Linear RGBA (alpha = coverage when the background is transparent, else 1). Every pixel finite.
+    // Linear RGBA (alpha = coverage when the background is transparent, else 1; not premultiplied).
+    // Every value is finite and in [0, 65504].
     Image render(const Camera& camera, const RenderOptions& options, const Progress& progress = {});
 
     // Materials may be changed between renders (method, mdf, brdf and factors, not textures).
     void set_materials(const std::vector<Material>& materials);
 
     // For the benchmark: draws `frames` frames into the float target with no read-back, one sample
-    // each, and returns wall seconds for all of them after glFinish.
+    // each, and returns wall seconds for all of them after glFinish. One frame before them warms
+    // up.
     double time_frames(const Camera& camera, const RenderOptions& options, int frames,
                        ShadingVariant variant = ShadingVariant::full);
 

@@ -52,7 +52,8 @@ void append_expanded(ShaderStage& stage, std::string_view name, std::string_view
         } else if (std::ranges::find(stage.files, file) == stage.files.end()) {
             append_expanded(stage, file, text_of(file));
         }
-        stage.text += "#line " + std::to_string(line_number + 1) + " " + std::to_string(number) + "\n";
+        stage.text +=
+            "#line " + std::to_string(line_number + 1) + " " + std::to_string(number) + "\n";
     }
 }
 

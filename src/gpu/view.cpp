@@ -25,8 +25,7 @@ Basis basis_of(const Camera& camera) {
     Basis b;
     b.position = position;
     b.back = back / distance;
-    const glm::dvec3 helper =
-        std::abs(b.back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    const glm::dvec3 helper = std::abs(b.back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
     const glm::dvec3 wished = glm::cross(glm::dvec3(camera.up), b.back);
     // 1e-9: `up` along the view; another one does.
     b.right = glm::length(wished) > 1e-9 ? wished : glm::cross(helper, b.back);
@@ -112,7 +111,8 @@ View make_view(const Camera& camera, const Bounds& bounds, int width, int height
 }
 
 glm::dvec2 pixel_offset(int index) {
-    // R2 sequence (Roberts 2018) from the middle, through the inverse of the triangle's distribution.
+    // R2 sequence (Roberts 2018) from the middle, through the inverse of the triangle's
+    // distribution.
     const auto triangle = [index](double step) {
         const double u = std::fmod(0.5 + step * index, 1.0);
         return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 * (1 - u));

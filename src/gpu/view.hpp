@@ -25,19 +25,21 @@ std::vector<Tile> tiles_of(int width, int height, int side);
 
 struct View {
     glm::mat4 clip_from_world{1.0f};
-    glm::vec4 eye{0.0f};         // position, 1; orthographic: direction to the viewer, 0
-    glm::vec3 ray_center{0.0f};  // of the middle of the tile, and what half its width and height add
+    glm::vec4 eye{0.0f};  // position, 1; orthographic: direction to the viewer, 0
+    glm::vec3 ray_center{
+        0.0f};  // of the middle of the tile, and what half its width and height add
     glm::vec3 ray_x{0.0f};
     glm::vec3 ray_y{0.0f};
 };
 
-// `offset_px`: where in the pixel to look, (0, 0) its middle. `bounds`: what near and far planes of 0
-// are chosen from. Throws Error for a camera that has no view (target = position, no field of view).
+// `offset_px`: where in the pixel to look, (0, 0) its middle. `bounds`: what near and far planes of
+// 0 are chosen from. Throws Error for a camera that has no view (target = position, no field of
+// view).
 View make_view(const Camera& camera, const Bounds& bounds, int width, int height, const Tile& tile,
                glm::dvec2 offset_px);
 
-// Offset of sample `index` under the pixel filter, a triangle of half width 1 pixel: as many samples
-// fall on a place as the filter weighs it. Sample 0 is the middle.
+// Offset of sample `index` under the pixel filter, a triangle of half width 1 pixel: as many
+// samples fall on a place as the filter weighs it. Sample 0 is the middle.
 glm::dvec2 pixel_offset(int index);
 
 }  // namespace burnish::gpu

@@ -73,8 +73,9 @@ int rounded_root(double value, int least) {
 
 // Two texture squares around and one from pole to pole, so that texels are square at the equator.
 Mesh make_sphere(int triangles) {
-    // `rings` rings of 2 `rings` quads, halves at the poles: 4 rings^2 triangles.
-    const int rings = rounded_root((triangles > 0 ? triangles : 102400) / 4.0, 3);
+    // `rings` rings of 2 `rings` quads, half ones at the poles: 4 rings (rings - 1) triangles,
+    // which is (2 rings - 1)^2 - 1.
+    const int rings = (rounded_root((triangles > 0 ? triangles : 101760) + 1.0, 5) + 1) / 2;
     std::vector<ProfilePoint> profile;
     for (int i = 0; i <= rings; ++i) {
         const double v = static_cast<double>(i) / rings;

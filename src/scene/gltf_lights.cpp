@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "burnish/error.hpp"
+#include "scene/model_limits.hpp"
 
 namespace burnish {
 namespace {
+
+// Colour times intensity must stay a float; the sun is 1e5 lux, a lighthouse 1e7 candela.
+constexpr double kBrightest = 1e12;
+constexpr const char* kBrightness = "0 to 1e12";
 
 constexpr double kHalfPi = 1.57079632679489662;
 constexpr double kPi = 3.14159265358979324;
@@ -37,10 +43,12 @@ Light read_light(const tinygltf::Light& from, const std::string& key, const Gltf
     Light light;
     light.type = light_type(from.type, key, report);
     for (std::size_t i = 0; i < from.color.size(); ++i) {
-        check(from.color[i] >= 0.0, key + ".color", "0 or more", from.color[i], report);
+        check(from.color[i] >= 0.0 && from.color[i] <= kBrightest, key + ".color", kBrightness,
+              from.color[i], report);
         light.color[static_cast<int>(i)] = static_cast<float>(from.color[i]);
     }
-    check(from.intensity >= 0.0, key + ".intensity", "0 or more", from.intensity, report);
+    check(from.intensity >= 0.0 && from.intensity <= kBrightest, key + ".intensity", kBrightness,
+          from.intensity, report);
     light.intensity = static_cast<float>(from.intensity);
     check(from.range >= 0.0, key + ".range", "more than 0", from.range, report);
     light.range = static_cast<float>(from.range);
@@ -67,7 +75,8 @@ void read_projection(const tinygltf::Camera& from, const std::string& key, const
         near = from.orthographic.znear;
         far = from.orthographic.zfar;
         const double ymag = std::abs(from.orthographic.ymag);  // some exporters mirror with a sign
-        check(ymag > 0.0, key + ".orthographic.ymag", "a number other than 0", ymag, report);
+        check(ymag > 0.0 && ymag <= kFarthest, key + ".orthographic.ymag",
+              "a number up to 1e9 other than 0", ymag, report);
         camera.ymag = static_cast<float>(ymag);
         check(near >= 0.0, key + ".orthographic.znear", "0 or more", near, report);
         check(far > near, key + ".orthographic.zfar", "more than znear", far, report);
@@ -79,8 +88,9 @@ void read_projection(const tinygltf::Camera& from, const std::string& key, const
         check(near > 0.0, key + ".perspective.znear", "more than 0", near, report);
         check(far == 0.0 || far > near, key + ".perspective.zfar", "more than znear", far, report);
     }
-    camera.near_plane = static_cast<float>(near);
-    camera.far_plane = static_cast<float>(far);
+    // Nothing is farther away than kFarthest, and some files say 1e38.
+    camera.near_plane = static_cast<float>(std::min(near, kFarthest));
+    camera.far_plane = static_cast<float>(std::min(far, 4.0 * kFarthest));
 }
 
 }  // namespace

@@ -7,9 +7,12 @@
 #include <cmath>
 
 #include "burnish/error.hpp"
+#include "scene/model_limits.hpp"
 
 namespace burnish {
 namespace {
+
+constexpr double kTwoPi = 6.28318530717958648;
 
 // Reads one file's materials; `where` is the key of the material at hand.
 class MaterialReader {
@@ -110,6 +113,12 @@ TextureUse MaterialReader::use(int index, int texcoord, const tinygltf::Value* t
     use.texcoord = texcoord;
     if (transform) {
         use.transform = texture_transform(*transform);
+        for (int i = 0; i < 9; ++i) {
+            const float entry = use.transform[i / 3][i % 3];
+            if (std::abs(entry) > kLargestTexcoord)
+                report_.fail(key + ".extensions.KHR_texture_transform", "numbers up to 2^24",
+                             fmt::format("{}", entry));
+        }
         if (transform->Has("texCoord")) use.texcoord = transform->Get("texCoord").GetNumberAsInt();
     }
     if (use.texcoord > 1) {
@@ -144,7 +153,8 @@ void MaterialReader::read_base(const tinygltf::PbrMetallicRoughness& from, Mater
 void MaterialReader::read_anisotropy(const tinygltf::Value& from, Material& to) {
     to.anisotropy_strength = clamped(number(from, "anisotropyStrength", 0.0), 0.0, 1.0,
                                      "extensions.KHR_materials_anisotropy.anisotropyStrength");
-    to.anisotropy_rotation = static_cast<float>(number(from, "anisotropyRotation", 0.0));
+    to.anisotropy_rotation =
+        static_cast<float>(std::remainder(number(from, "anisotropyRotation", 0.0), kTwoPi));
     if (!from.Has("anisotropyTexture")) return;
     const tinygltf::Value& info = from.Get("anisotropyTexture");
     const tinygltf::Value* transform = nullptr;
@@ -188,7 +198,8 @@ Material MaterialReader::read(const tinygltf::Material& from, std::size_t index)
     to.name = from.name.empty() ? where_ : from.name;
     read_base(from.pbrMetallicRoughness, to);
     to.normal_texture = use(from.normalTexture, ColorSpace::linear, "normalTexture");
-    to.normal_scale = static_cast<float>(from.normalTexture.scale);
+    // A hundred turns the gentlest slope of an 8-bit map, 1/127, into 38 degrees: enough.
+    to.normal_scale = clamped(from.normalTexture.scale, -100.0, 100.0, "normalTexture.scale");
     to.occlusion_texture = use(from.occlusionTexture, ColorSpace::linear, "occlusionTexture");
     to.occlusion_strength =
         clamped(from.occlusionTexture.strength, 0.0, 1.0, "occlusionTexture.strength");

@@ -40,8 +40,4 @@ bool is_scene_file(const std::filesystem::path& path);  // JSON with "format": "
 // Puts the material parameters that are set in `values` onto every material of the scene.
 void apply_material_parameters(Scene& scene, const ParameterValues& values);
 
-// Adds the one directional light that light_intensity, light_azimuth, light_elevation and
-// light_color describe, when its intensity is not 0.
-void apply_light_parameters(Scene& scene, const ParameterValues& values);
-
 }  // namespace burnish

@@ -112,17 +112,10 @@ void add_camera(Table& t) {
     t.integer("camera_index", 0, 65535, "", "", "use this camera of the file");
 }
 
-void add_lights_and_mesh(Table& t) {
+void add_environment_and_mesh(Table& t) {
     t.group = Group::environment;
     t.real("environment_rotation", -360, 360, "0", "deg", "turn of the environment about +y");
     t.real("environment_intensity", 0, 1e6, "1", "", "factor on the environment's radiance");
-    t.group = Group::light;
-    t.real("light_intensity", 0, 1e6, "0", "lux",
-           "one more directional light (3 lights a white surface to about 1)");
-    t.real("light_azimuth", -360, 360, "-40", "deg",
-           "where that light stands, counted as camera_azimuth");
-    t.real("light_elevation", -90, 90, "50", "deg", "its height above the horizon");
-    t.color("light_color", 1, "1,1,1", "its colour: r,g,b linear or #rrggbb");
     t.group = Group::mesh;
     t.integer("triangles", 0, 4000000, "0", "", "wished size of a built-in mesh (0: its default)");
 }
@@ -132,7 +125,7 @@ std::vector<Parameter> make_table() {
     add_material(table);
     add_render(table);
     add_camera(table);
-    add_lights_and_mesh(table);
+    add_environment_and_mesh(table);
     return table.rows;
 }
 

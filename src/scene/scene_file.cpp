@@ -101,11 +101,11 @@ glm::vec3 read_color(const JsonPlace& place) {
     if (!place.is_text()) return place.triple(0.0, 1.0);
     ParameterValues parser;
     try {
-        parser.set("light_color", place.text(), place.file() + ": " + place.path());
-    } catch (const UsageError& error) {
-        throw Error(error.what());
+        parser.set("base_color", place.text(), "");
+    } catch (const UsageError&) {
+        place.fail("[r, g, b] from 0 to 1 or \"#rrggbb\"");
     }
-    return parser.vec3("light_color");
+    return parser.vec3("base_color");
 }
 
 glm::vec3 read_direction(const JsonPlace& place) {
@@ -189,9 +189,10 @@ class SceneFileReader {
     SceneFile read() {
         constexpr std::array<std::string_view, 7> kKeys = {
             "format", "version", "objects", "materials", "lights", "environment", "parameters"};
-        root_.require_object(kKeys);
+        root_.require_object();
         if (root_.at("format").text() != kFormat) root_.at("format").fail("burnish-scene");
         if (root_.at("version").value() != 1) root_.at("version").fail("1");
+        root_.require_object(kKeys);
         out_.scene.name = path_.stem().string();
         read_parameter_sets();
         if (root_.has("objects")) {

@@ -69,11 +69,11 @@ glm::vec3 radiance_of(const PlacedBox& box, const glm::vec3& direction) {
     return box.radiance * (covered * (box.rim + (1.0f - box.rim) * falloff));
 }
 
-// A dark room: cool ceiling, a horizon that glows a little behind the model, warm floor.
+// A dark room: cool ceiling, a horizon that glows a little behind the model, neutral floor.
 glm::vec3 room_radiance(const glm::vec3& d) {
     const float up = smooth_step(-0.16f, 0.14f, d.y);
     const glm::vec3 floor =
-        glm::vec3(0.085f, 0.078f, 0.072f) * (0.35f + 0.65f * smooth_step(-0.95f, 0.0f, d.y));
+        glm::vec3(0.082f, 0.080f, 0.079f) * (0.35f + 0.65f * smooth_step(-0.95f, 0.0f, d.y));
     const float glow = std::exp(-7.0f * d.y * d.y) * (0.65f - 0.35f * d.z);
     const glm::vec3 wall =
         glm::vec3(0.045f, 0.049f, 0.056f) + glm::vec3(0.110f, 0.116f, 0.128f) * glow;
@@ -85,13 +85,13 @@ glm::vec3 room_radiance(const glm::vec3& d) {
 // grain; fill: wide and dim; rims: behind, to draw the outline; top: long overhead bank.
 const std::array<SoftBox, 7>& boxes() {
     static const std::array<SoftBox, 7> set = {{
-        {{-0.62f, 0.62f, 0.75f}, 36.0f, 31.0f, 8.0f, 0.15f, 0.18f, {8.4f, 8.0f, 7.4f}, 0.55f},
-        {{1.00f, 0.12f, 0.42f}, 7.0f, 80.0f, 4.0f, 0.6f, 0.35f, {12.0f, 11.7f, 11.3f}, 0.6f},
+        {{-0.62f, 0.62f, 0.75f}, 36.0f, 31.0f, 8.0f, 0.15f, 0.18f, {7.2f, 6.9f, 6.4f}, 0.55f},
+        {{1.00f, 0.12f, 0.42f}, 7.0f, 80.0f, 4.0f, 0.6f, 0.35f, {11.0f, 10.8f, 10.4f}, 0.6f},
         {{-1.00f, 0.00f, -0.10f}, 5.0f, 70.0f, -3.0f, 0.6f, 0.35f, {5.4f, 5.7f, 6.2f}, 0.6f},
         {{0.55f, -0.12f, 1.00f}, 60.0f, 34.0f, 0.0f, 0.4f, 0.9f, {0.50f, 0.50f, 0.51f}, 0.3f},
-        {{0.62f, 0.42f, -0.85f}, 13.0f, 40.0f, -14.0f, 0.3f, 0.25f, {8.0f, 8.5f, 9.4f}, 0.5f},
+        {{0.62f, 0.42f, -0.85f}, 13.0f, 40.0f, -14.0f, 0.3f, 0.25f, {6.8f, 7.2f, 7.9f}, 0.5f},
         {{-0.70f, 0.30f, -0.90f}, 18.0f, 18.0f, 10.0f, 0.3f, 0.4f, {3.0f, 2.8f, 2.5f}, 0.5f},
-        {{0.12f, 1.00f, -0.22f}, 60.0f, 11.0f, 18.0f, 0.3f, 0.35f, {5.0f, 5.0f, 5.1f}, 0.6f},
+        {{0.12f, 1.00f, -0.22f}, 60.0f, 11.0f, 18.0f, 0.3f, 0.35f, {3.8f, 3.8f, 3.9f}, 0.6f},
     }};
     return set;
 }

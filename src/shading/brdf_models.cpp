@@ -46,9 +46,9 @@ using Parameters = std::span<const Float, kMostBrdfParameters>;
 // p: the lobe's two numbers and F0.
 template <typename Float, Brdf brdf, Mdf mdf>
 Float lobe_and_schlick(Parameters<Float> p, Direction<Float> wi, Direction<Float> wo) {
-    const Float value = brdf_eval(static_cast<int>(brdf),
-                                  Maths<Float>::lobe(static_cast<int>(mdf), p[0], p[1]),
-                                  Maths<Float>::unperturbed(), wi, wo);
+    const Float value =
+        brdf_eval(static_cast<int>(brdf), Maths<Float>::lobe(static_cast<int>(mdf), p[0], p[1]),
+                  Maths<Float>::unperturbed(), wi, wo);
     const Float wi_h = length(wi + wo) / Float(2);
     return value * Maths<Float>::schlick(p[2], wi_h);
 }
@@ -58,8 +58,8 @@ template <typename Float>
 Float ward_gmd(Parameters<Float> p, Direction<Float> wi, Direction<Float> wo) {
     const int brdf = static_cast<int>(Brdf::ward_gmd);
     const int mdf = static_cast<int>(Mdf::beckmann);  // brdf_mdf of brdf.glsl
-    return p[0] * brdf_eval(brdf, Maths<Float>::lobe(mdf, p[1], p[2]),
-                            Maths<Float>::unperturbed(), wi, wo);
+    return p[0] * brdf_eval(brdf, Maths<Float>::lobe(mdf, p[1], p[2]), Maths<Float>::unperturbed(),
+                            wi, wo);
 }
 
 template <Brdf brdf, Mdf mdf>

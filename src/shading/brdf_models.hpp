@@ -31,7 +31,8 @@ std::span<const BrdfModel> brdf_models();
 enum class Smith { correlated = 0, separable = 1 };
 std::span<const std::string_view> smith_names();
 
-// `microfacet`: any distribution with its own Smith term. Parameters: those of the distribution, F0.
+// `microfacet`: any distribution with its own Smith term. Parameters: those of the distribution,
+// F0.
 const BrdfModel& microfacet_model(Mdf mdf, Smith smith);
 
 }  // namespace burnish

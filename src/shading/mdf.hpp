@@ -1,5 +1,5 @@
-// The C++ face of the distributions: values by name, in float and in double. Both precisions run the
-// same text (shading/*.glsl); everything here is in the unperturbed tangent space.
+// The C++ face of the distributions: values by name, in float and in double. Both precisions run
+// the same text (shading/*.glsl); everything here is in the unperturbed tangent space.
 #pragma once
 
 #include <span>

@@ -128,7 +128,7 @@ TEST(Png, DamagedDataIsNamed) {
 
 TEST(Png, ChunksOfNoUseAreNotObeyed) {
     // A profile that is none and fails its checksum, a background and an unknown chunk.
-    const Bytes bytes = png_of(
+    Bytes bytes = png_of(
         2, 1, 8, 0, {{"iCCP", "broken"}, {"bKGD", std::string("\0\xff", 2)}, {"abCd", "whatever"}},
         std::string("\0\1\2", 3));
     bytes[find(bytes, "iCCP") + 4] = std::byte{'k'};

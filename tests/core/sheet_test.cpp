@@ -50,17 +50,33 @@ TEST(Sheet, DrawsLabelsInTheirPlace) {
     EXPECT_EQ(bright_pixels(sheet.image, 0, 0, sheet.image.width, 12, 0.3f), 0);
 }
 
-TEST(Sheet, WidensColumnsForLongLabels) {
-    const std::string label =
-        "rotate-approx, alpha 0.1 x 0.4, \xc2\xb1"
-        "45\xc2\xb0";
-    const Sheet sheet = compose_sheet({{{Image(16, 16, 3, 0.0f), label}}});
-    if (!sheet.warning.empty()) GTEST_SKIP() << sheet.warning;
-    EXPECT_GT(sheet.image.width, 200);
-    // Nothing is cut off: the border stays clear.
-    EXPECT_EQ(bright_pixels(sheet.image, sheet.image.width - 11, 0, sheet.image.width,
-                            sheet.image.height, 0.3f),
-              0);
+TEST(Sheet, WrapsLongLabelsAndWidensForLongWords) {
+    const Image image(140, 20, 3, 0.0f);
+    const Sheet one = compose_sheet({{{image, "short"}}});
+    if (!one.warning.empty()) GTEST_SKIP() << one.warning;
+    const Sheet three = compose_sheet({{{image, "many words of a label that need some lines"}}});
+    EXPECT_EQ(three.image.width, one.image.width);
+    EXPECT_GT(three.image.height, one.image.height + 30);
+    const Sheet word = compose_sheet({{{image, "a_single_word_that_is_wider_than_its_picture"}}});
+    EXPECT_GT(word.image.width, one.image.width + 100);
+    EXPECT_EQ(word.image.height, one.image.height);
+    for (const Sheet* sheet : {&three, &word}) {
+        // Nothing is cut off: the borders stay clear.
+        const Image& all = sheet->image;
+        EXPECT_EQ(bright_pixels(all, all.width - 11, 0, all.width, all.height, 0.3f), 0);
+        EXPECT_EQ(bright_pixels(all, 0, 0, all.width, 11, 0.3f), 0);
+    }
+}
+
+TEST(Sheet, SpellsSignsThatTheFontEngineCannotRead) {
+    const Image image(300, 8, 3, 0.0f);
+    const auto same = [&](const std::string& a, const std::string& b) {
+        return compose_sheet({{{image, a}}}).image.pixels ==
+               compose_sheet({{{image, b}}}).image.pixels;
+    };
+    EXPECT_TRUE(same("\u03b1 0.1 \u00d7 0.4, \u00b145\u00b0", "alpha 0.1 x 0.4, +-45 deg"));
+    EXPECT_TRUE(same("K\u00f6ln\n\xff", "K?ln ?"));
+    EXPECT_TRUE(same("", "\x80\x81"));
 }
 
 TEST(Sheet, WarnsWhenLabelsCannotBeDrawn) {

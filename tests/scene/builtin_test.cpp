@@ -57,7 +57,7 @@ class BuiltIn : public testing::TestWithParam<std::string_view> {};
 
 INSTANTIATE_TEST_SUITE_P(Meshes, BuiltIn,
                          testing::ValuesIn(builtin_names().begin(), builtin_names().end()),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& mesh) { return std::string(mesh.param); });
 
 TEST_P(BuiltIn, AttributesAreWholeUnitAndFinite) {
     const Mesh mesh = make_builtin_mesh(GetParam());
@@ -91,7 +91,7 @@ TEST_P(BuiltIn, TrianglesFaceTheWayTheirNormalsDo) {
 // triangle: +u along the tangent, and up in the picture, -v, along cross(n, t).
 TEST_P(BuiltIn, TangentsFollowTheTextureCoordinates) {
     const Mesh mesh = make_builtin_mesh(GetParam());
-    double worst_u = 1.0, worst_v = 1.0;
+    double worst_u = 1.0, worst_v = 1.0, sum_u = 0.0;
     for (const Triangle& t : triangles_of(mesh)) {
         const glm::vec2 a = t.uv[1] - t.uv[0], b = t.uv[2] - t.uv[0];
         const float determinant = a.x * b.y - a.y * b.x;
@@ -102,14 +102,18 @@ TEST_P(BuiltIn, TangentsFollowTheTextureCoordinates) {
         for (const std::size_t i : t.i) {
             const glm::vec3 tangent(mesh.tangents[i]);
             const glm::vec3 up = glm::cross(mesh.normals[i], tangent) * mesh.tangents[i].w;
-            worst_u = std::min(worst_u, static_cast<double>(glm::dot(du, tangent)));
+            const auto along = static_cast<double>(glm::dot(du, tangent));
+            worst_u = std::min(worst_u, along);
+            sum_u += along;
             worst_v = std::min(worst_v, static_cast<double>(glm::dot(-dv, up)));
         }
     }
-    // A triangle at a pole sees its segment's neighbour tangents turned by half a segment; the
-    // cloth shears, so that warp and weft are not square.
-    EXPECT_GT(worst_u, 0.97);
-    EXPECT_GT(worst_v, GetParam() == "drape" ? 0.3 : 0.97);
+    // A triangle at a pole sees its neighbours' tangents turned by half a segment; the cloth has
+    // folds sharper than a triangle, and shears, so that warp and weft are not square.
+    const bool cloth = GetParam() == "drape";
+    EXPECT_GT(sum_u / static_cast<double>(mesh.indices.size()), cloth ? 0.995 : 0.999);
+    EXPECT_GT(worst_u, cloth ? 0.8 : 0.97);
+    EXPECT_GT(worst_v, cloth ? 0.3 : 0.97);
 }
 
 TEST_P(BuiltIn, HasAboutTheTrianglesThatWereWished) {

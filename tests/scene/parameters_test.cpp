@@ -279,22 +279,6 @@ TEST(MaterialParameters, BuiltInBumps) {
     EXPECT_TRUE(scene.warnings.empty());
 }
 
-TEST(LightParameters, TheLightStandsWhereTheCameraWould) {
-    Scene scene;
-    ParameterValues values;
-    apply_light_parameters(scene, values);
-    EXPECT_TRUE(scene.lights.empty());
-    values.set("light_intensity", "3", "");
-    values.set("light_azimuth", "90", "");
-    values.set("light_elevation", "30", "");
-    apply_light_parameters(scene, values);
-    ASSERT_EQ(scene.lights.size(), 1u);
-    // Azimuth 90 is +x; the light travels from there.
-    EXPECT_NEAR(scene.lights[0].direction.x, -std::sqrt(0.75f), 1e-6f);
-    EXPECT_NEAR(scene.lights[0].direction.y, -0.5f, 1e-6f);
-    EXPECT_NEAR(scene.lights[0].direction.z, 0.0f, 1e-6f);
-}
-
 // Linear RGB reflectances at normal incidence as tabulated for artists (Akenine-Moller et al. 2018,
 // Real-Time Rendering, table 9.2), from whole spectra and other measurements, hence the tolerance;
 // stainless steel is a nearly neutral 0.6.

@@ -1,0 +1,135 @@
+#include "gpu/material_state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "burnish/f32.hpp"
+#include "gpu/texture_units.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+// shaders/lib/material.glsl says why.
+constexpr float kLowestAlpha = 1e-3f;
+
+// In the order of the texture units.
+std::array<const TextureUse*, kMaterialTextures> uses_of(const Material& m) {
+    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+            &m.occlusion_texture,  &m.emissive_texture,           &m.anisotropy_texture};
+}
+
+constexpr std::array<const char*, kMaterialTextures> kSamplers = {
+    "u_base_color_map", "u_metallic_roughness_map", "u_normal_map",
+    "u_occlusion_map",  "u_emissive_map",           "u_anisotropy_map"};
+
+// The rows of (u', v', 1) = transform (u, v, 1) that matter.
+glm::vec3 row(const glm::mat3& m, int r) {
+    return {m[0][r], m[1][r], m[2][r]};
+}
+
+const TextureUse* first_use(const Material& material) {
+    for (const TextureUse* use : uses_of(material)) {
+        if (*use) return use;
+    }
+    return nullptr;
+}
+
+bool uses_differ(const Material& material) {
+    const TextureUse* first = first_use(material);
+    for (const TextureUse* use : uses_of(material)) {
+        if (!*use) continue;
+        if (use->texcoord != first->texcoord || use->transform != first->transform) return true;
+    }
+    return false;
+}
+
+f32::Lobe lobe_of(const Material& material) {
+    const int mdf = f32::brdf_mdf(static_cast<int>(material.brdf), static_cast<int>(material.mdf));
+    const glm::vec2 alpha = alpha_of(material);
+    return f32::lobe_from_alpha(mdf, alpha.x, alpha.y);
+}
+
+void set_textures(Program& program, const Material& material, TextureStore& textures) {
+    std::array<glm::vec3, kMaterialTextures> s{}, t{};
+    std::array<float, kMaterialTextures> set{};
+    const auto uses = uses_of(material);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (!*uses[i]) continue;
+        s[i] = row(uses[i]->transform, 0);
+        t[i] = row(uses[i]->transform, 1);
+        set[i] = static_cast<float>(uses[i]->texcoord);
+        const GLuint unit = kMaterialUnits + static_cast<GLuint>(i);
+        textures.bind(unit, *uses[i]);
+        program.set(kSamplers[i], static_cast<int>(unit));
+    }
+    program.set("u_uv_s", std::span<const glm::vec3>(s));
+    program.set("u_uv_t", std::span<const glm::vec3>(t));
+    program.set("u_uv_set", std::span<const float>(set));
+    const TextureUse none;
+    const TextureUse* one = first_use(material);
+    const TextureUse& shared = one == nullptr ? none : *one;
+    program.set("u_uv_row_s", row(shared.transform, 0));
+    program.set("u_uv_row_t", row(shared.transform, 1));
+    program.set("u_uv_from_set", static_cast<float>(shared.texcoord));
+}
+
+}  // namespace
+
+glm::vec2 alpha_of(const Material& m) {
+    if (m.alpha) return glm::max(*m.alpha, glm::vec2(kLowestAlpha));
+    const float alpha = std::max(m.roughness * m.roughness, kLowestAlpha);
+    const float strength = m.anisotropy_strength * m.anisotropy_strength;
+    return {alpha + (1.0f - alpha) * strength, alpha};
+}
+
+SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool vertex_color,
+                          bool with_normal_map) {
+    SurfaceVariant v;
+    v.mdf = m.mdf;
+    v.brdf = m.brdf;
+    v.conductor = m.conductor.has_value();
+    v.base_color_map = static_cast<bool>(m.base_color_texture);
+    v.metallic_roughness_map = static_cast<bool>(m.metallic_roughness_texture);
+    v.normal_map = with_normal_map && m.normal_texture;
+    v.normal_map_xy = v.normal_map && textures.channels(m.normal_texture) == 2;
+    v.occlusion_map = static_cast<bool>(m.occlusion_texture);
+    v.emissive_map = static_cast<bool>(m.emissive_texture);
+    v.anisotropy_map = static_cast<bool>(m.anisotropy_texture);
+    v.lobe_from_texture = !m.alpha && (v.metallic_roughness_map || v.anisotropy_map);
+    v.uv_per_texture = uses_differ(m);
+    v.vertex_color = vertex_color;
+    v.alpha_mode = m.alpha_mode;
+    // Without a perturbed normal all methods are one.
+    v.method = v.normal_map ? m.method : Method::none;
+    v.conserve = m.conserve && v.method == Method::deform_smooth;
+    return v;
+}
+
+void set_material(Program& program, const Material& m, TextureStore& textures, float lod_bias) {
+    const f32::Lobe lobe = lobe_of(m);
+    const Conductor conductor = m.conductor.value_or(Conductor{});
+    program.set("u_base_color", m.base_color);
+    program.set("u_metallic", m.metallic);
+    program.set("u_roughness", m.roughness);
+    program.set("u_anisotropy", m.anisotropy_strength);
+    program.set("u_anisotropy_direction",
+                glm::vec2(std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation)));
+    program.set("u_emissive", m.emissive);
+    program.set("u_occlusion_strength", m.occlusion_strength);
+    program.set("u_normal_scale",
+                glm::vec2(m.normal_scale, m.flip_green ? -m.normal_scale : m.normal_scale));
+    program.set("u_lobe", glm::vec4(lobe.p0, lobe.p1, lobe.paper_norm, lobe.projected_norm));
+    program.set("u_eta", conductor.eta);
+    program.set("u_k", conductor.k);
+    program.set("u_dielectric_f0", m.dielectric_f0);
+    program.set("u_alpha_cutoff", m.alpha_cutoff);
+    program.set("u_lod_bias", lod_bias);
+    program.set("u_gradient_scale", std::exp2(lod_bias));
+    // Phong's exponent from the mean alpha, for the Gouraud variant.
+    const glm::vec2 alpha = alpha_of(m);
+    program.set("u_phong_exponent", std::max(2.0f / (alpha.x * alpha.y) - 2.0f, 1.0f));
+    set_textures(program, m, textures);
+}
+
+}  // namespace burnish::gpu

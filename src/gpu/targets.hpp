@@ -1,0 +1,46 @@
+// What is drawn into: the frame in progress with its depth, the triangle seen at each pixel, and
+// the sum of frames.
+#pragma once
+
+#include <vector>
+
+#include "gpu/context.hpp"
+#include "gpu/handles.hpp"
+#include "gpu/program.hpp"
+
+namespace burnish::gpu {
+
+// A renderable float format was found: RGBA32F, or RGBA16F on a device that has no other. Throws
+// Error on one that has neither.
+struct ColorFormat {
+    GLenum internal;
+    GLenum type;
+};
+ColorFormat probe_color_format(const Context& context);
+
+class Targets {
+  public:
+    Targets(const Context& context, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    void bind_frame() const;       // colour, depth and stencil
+    void bind_visibility() const;  // triangle numbers, the same depth and stencil
+    void bind_visible_texture(Program& program) const;
+
+    void clear_sum();
+    // Adds the frame to the sum; `program` is accumulate.frag's. A viewport must be set.
+    void accumulate(Program& program, GLuint empty_vertex_array);
+    // RGBA of the lower left width x height pixels, bottom row first.
+    std::vector<float> read_sum(int width, int height) const;
+
+  private:
+    int width_, height_;
+    GlTexture frame_, visible_, sum_[2];
+    GlTexture depth_;
+    Framebuffer frame_target_, visibility_target_, sum_target_[2];
+    int current_ = 0;
+};
+
+}  // namespace burnish::gpu

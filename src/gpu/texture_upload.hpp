@@ -1,0 +1,41 @@
+// Material textures on the device: formats, mipmaps and samplers.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "burnish/scene.hpp"
+#include "gpu/context.hpp"
+#include "gpu/handles.hpp"
+
+namespace burnish::gpu {
+
+// What is put in place of texels that are not finite, so that filtering cannot spread them.
+enum class TexelRepair { zero, flat_normal };
+
+class TextureStore {
+  public:
+    // Uploads the textures that a material uses. 8-bit colour is decoded from sRGB by the hardware;
+    // 16 bits stay 16 bits on the desktop; what has no filterable format of its own becomes half
+    // float. Throws Error naming the texture when it is broken or too large for the device.
+    TextureStore(const Context& context, const Scene& scene);
+
+    // `use` must have a texture.
+    void bind(GLuint unit, const TextureUse& use);
+    int channels(const TextureUse& use) const;
+
+  private:
+    GLuint sampler_for(const TextureUse& use);
+
+    struct Uploaded {
+        GlTexture texture;
+        int channels = 0;
+    };
+    std::map<int, Uploaded> textures_;
+    std::map<std::tuple<Wrap, Wrap, bool>, Sampler> samplers_;
+    float anisotropy_ = 1.0f;
+};
+
+}  // namespace burnish::gpu

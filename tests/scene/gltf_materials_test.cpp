@@ -1,0 +1,329 @@
+// Materials, textures, lights, cameras and extensions of glTF files.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "glb_writer.hpp"
+#include "scene/load.hpp"
+#include "support.hpp"
+
+namespace burnish {
+namespace {
+
+using nlohmann::json;
+using test::error_line;
+
+Scene load_bytes(const GlbWriter& writer) {
+    const TemporaryFolder folder;
+    return load_gltf(folder.write("model.glb", writer.glb()));
+}
+
+std::string error_of(const GlbWriter& writer) {
+    return error_line([&] { load_bytes(writer); });
+}
+
+bool warns(const Scene& scene, std::string_view text) {
+    for (const std::string& line : scene.warnings)
+        if (line.find(text) != std::string::npos) return true;
+    return false;
+}
+
+// One square with the given material; texture 0 is a small picture.
+GlbWriter writer_with(const json& material) {
+    GlbWriter writer;
+    writer.add_png(png_gradient(4, 2));
+    GlbPrimitive square = unit_square(1, true);
+    square.material = writer.add_material(material);
+    writer.add_node(writer.add_mesh(square));
+    return writer;
+}
+
+Material material_of(const json& material) {
+    return load_bytes(writer_with(material)).materials.at(0);
+}
+
+TEST(GltfMaterials, DefaultsAreThoseOfTheFormat) {
+    const Material material = material_of(json::object());
+    EXPECT_EQ(material.base_color, glm::vec4(1.0f));
+    EXPECT_EQ(material.metallic, 1.0f);
+    EXPECT_EQ(material.roughness, 1.0f);
+    EXPECT_EQ(material.emissive, glm::vec3(0.0f));
+    EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
+    EXPECT_EQ(material.alpha_cutoff, 0.5f);
+    EXPECT_FALSE(material.double_sided);
+    EXPECT_FALSE(material.base_color_texture);
+    EXPECT_EQ(material.anisotropy_strength, 0.0f);
+    EXPECT_FLOAT_EQ(material.dielectric_f0, 0.04f);
+}
+
+TEST(GltfMaterials, EveryFactorIsRead) {
+    const Material material =
+        material_of({{"name", "brushed"},
+                     {"pbrMetallicRoughness",
+                      {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}},
+                       {"metallicFactor", 0.25},
+                       {"roughnessFactor", 0.75},
+                       {"baseColorTexture", {{"index", 0}}},
+                       {"metallicRoughnessTexture", {{"index", 0}}}}},
+                     {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
+                     {"occlusionTexture", {{"index", 0}, {"strength", 0.7}}},
+                     {"emissiveTexture", {{"index", 0}}},
+                     {"emissiveFactor", {0.5, 0.25, 1}},
+                     {"alphaMode", "MASK"},
+                     {"alphaCutoff", 0.3},
+                     {"doubleSided", true},
+                     {"extensions",
+                      {{"KHR_materials_anisotropy",
+                        {{"anisotropyStrength", 0.6},
+                         {"anisotropyRotation", 1.2},
+                         {"anisotropyTexture", {{"index", 0}}}}},
+                       {"KHR_materials_ior", {{"ior", 1.33}}},
+                       {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}});
+    EXPECT_EQ(material.name, "brushed");
+    EXPECT_EQ(material.base_color, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+    EXPECT_EQ(material.metallic, 0.25f);
+    EXPECT_EQ(material.roughness, 0.75f);
+    EXPECT_EQ(material.normal_scale, 0.5f);
+    EXPECT_EQ(material.occlusion_strength, 0.7f);
+    EXPECT_EQ(material.emissive, glm::vec3(2.0f, 1.0f, 4.0f));
+    EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
+    EXPECT_EQ(material.alpha_cutoff, 0.3f);
+    EXPECT_TRUE(material.double_sided);
+    EXPECT_EQ(material.anisotropy_strength, 0.6f);
+    EXPECT_EQ(material.anisotropy_rotation, 1.2f);
+    EXPECT_NEAR(material.dielectric_f0, 0.0200593f, 1e-6f);  // (0.33 / 2.33)^2
+    for (const TextureUse* use :
+         {&material.base_color_texture, &material.metallic_roughness_texture,
+          &material.normal_texture, &material.occlusion_texture, &material.emissive_texture,
+          &material.anisotropy_texture})
+        EXPECT_TRUE(*use);
+}
+
+TEST(GltfMaterials, APictureIsDecodedOnceForEachWayItIsRead) {
+    const Scene scene = load_bytes(writer_with({{"normalTexture", {{"index", 0}}},
+                                                {"occlusionTexture", {{"index", 0}}},
+                                                {"emissiveTexture", {{"index", 0}}}}));
+    ASSERT_EQ(scene.textures.size(), 2u);
+    const Material& material = scene.materials[0];
+    EXPECT_EQ(material.normal_texture.texture, material.occlusion_texture.texture);
+    const auto& normal = scene.textures[static_cast<std::size_t>(material.normal_texture.texture)];
+    const auto& glow = scene.textures[static_cast<std::size_t>(material.emissive_texture.texture)];
+    EXPECT_EQ(normal.color_space, ColorSpace::linear);
+    EXPECT_EQ(glow.color_space, ColorSpace::srgb);
+    ASSERT_EQ(normal.width, 4);
+    ASSERT_EQ(normal.height, 2);
+    ASSERT_EQ(normal.channels, 3);
+    ASSERT_EQ(normal.texels.size(), 24u);
+    EXPECT_EQ(normal.texels, glow.texels);
+    // Texel (3, 1) of the gradient, row 0 at the top.
+    EXPECT_EQ(std::to_integer<int>(normal.texels[21]), 3);
+    EXPECT_EQ(std::to_integer<int>(normal.texels[22]), 1);
+    EXPECT_EQ(std::to_integer<int>(normal.texels[23]), 4);
+}
+
+TEST(GltfMaterials, Samplers) {
+    GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}}}});
+    writer.root["textures"][0]["sampler"] = 0;
+    writer.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
+    const TextureUse use = load_bytes(writer).materials[0].normal_texture;
+    EXPECT_EQ(use.wrap_s, Wrap::clamp);
+    EXPECT_EQ(use.wrap_t, Wrap::mirror);
+    EXPECT_TRUE(use.nearest);
+    writer.root["samplers"] = {json::object()};
+    EXPECT_EQ(load_bytes(writer).materials[0].normal_texture.wrap_s, Wrap::repeat);
+    writer.root["samplers"] = {{{"wrapS", 1}}};
+    EXPECT_NE(error_of(writer).find("samplers[0].wrapS"), std::string::npos);
+    writer.root["textures"][0]["sampler"] = 4;
+    EXPECT_NE(error_of(writer).find("textures[0].sampler"), std::string::npos);
+}
+
+TEST(GltfMaterials, TextureTransform) {
+    const double turn = std::acos(-1.0) / 2.0;
+    const json transform = {
+        {"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", turn}, {"texCoord", 1}};
+    GlbWriter writer =
+        writer_with({{"normalTexture",
+                      {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}}}});
+    json& primitive = writer.root["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_1"] = primitive["attributes"]["TEXCOORD_0"];
+    const TextureUse use = load_bytes(writer).materials[0].normal_texture;
+    EXPECT_EQ(use.texcoord, 1);
+    // Scaled to (2, 0), then turned counter-clockwise as seen in the picture, whose v runs down:
+    // from u towards -v. Then moved.
+    const glm::vec3 uv = use.transform * glm::vec3(1.0f, 0.0f, 1.0f);
+    EXPECT_NEAR(uv.x, 0.25f, 1e-6f);
+    EXPECT_NEAR(uv.y, 0.5f - 2.0f, 1e-6f);
+    const glm::vec3 v = use.transform * glm::vec3(0.0f, 1.0f, 1.0f);
+    EXPECT_NEAR(v.x, 0.25f + 4.0f, 1e-6f);
+    EXPECT_NEAR(v.y, 0.5f, 1e-6f);
+}
+
+TEST(GltfMaterials, TexturesWithoutCoordinatesAreDropped) {
+    GlbWriter writer = writer_with(
+        {{"normalTexture", {{"index", 0}}},
+         {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}}});
+    Scene scene = load_bytes(writer);  // the square has TEXCOORD_0 alone
+    EXPECT_TRUE(warns(scene, "no TEXCOORD_1: not used: base colour texture"));
+    const auto used = [&] {
+        return scene.materials[static_cast<std::size_t>(scene.instances.at(0).material)];
+    };
+    EXPECT_FALSE(used().base_color_texture);
+    EXPECT_TRUE(used().normal_texture);
+    EXPECT_TRUE(scene.materials[0].base_color_texture);  // the file's own is as it was
+
+    writer.root["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
+    scene = load_bytes(writer);
+    EXPECT_TRUE(warns(scene, "no TEXCOORD_0: not used: normal map"));
+    EXPECT_FALSE(used().normal_texture);
+
+    writer = writer_with({{"normalTexture", {{"index", 0}, {"texCoord", 2}}}});
+    EXPECT_TRUE(warns(load_bytes(writer), "only TEXCOORD_0 and TEXCOORD_1"));
+}
+
+TEST(GltfMaterials, TangentsFollowTheNormalMapsCoordinates) {
+    GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
+    GlbPrimitive square = unit_square(1, false);
+    square.material = 0;
+    for (const glm::vec2 uv : square.texcoord0) square.texcoord1.emplace_back(-uv.x, -uv.y);
+    writer.root["meshes"] = json::array();
+    writer.add_mesh(square);
+    const Scene scene = load_bytes(writer);
+    EXPECT_NEAR(scene.meshes.at(0).tangents[0].x, -1.0f, 1e-6f);
+    EXPECT_EQ(scene.meshes[0].texcoord0, square.texcoord0);
+}
+
+TEST(GltfMaterials, BrokenOnesAreErrors) {
+    const auto broken = [](const json& material) { return error_of(writer_with(material)); };
+    EXPECT_NE(broken({{"normalTexture", {{"index", 1}}}}).find("materials[0].normalTexture.index"),
+              std::string::npos);
+    EXPECT_NE(broken({{"normalTexture", {{"index", "a"}}}}).find("whole number"),
+              std::string::npos);
+    EXPECT_NE(broken({{"normalTexture", json::object()}}).find("nothing"), std::string::npos);
+    EXPECT_NE(broken({{"alphaMode", "SOLID"}}).find("alphaMode"), std::string::npos);
+    EXPECT_NE(broken({{"emissiveFactor", {1, 2}}}).find("3 numbers"), std::string::npos);
+    EXPECT_NE(broken({{"doubleSided", 1}}).find("true or false"), std::string::npos);
+    EXPECT_NE(broken({{"pbrMetallicRoughness", {{"metallicFactor", 1e300}}}}).find("float"),
+              std::string::npos);
+    EXPECT_NE(broken({{"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}}).find("ior"),
+              std::string::npos);
+    const Scene scene =
+        load_bytes(writer_with({{"pbrMetallicRoughness", {{"metallicFactor", 1.5}}}}));
+    EXPECT_EQ(scene.materials[0].metallic, 1.0f);
+    EXPECT_TRUE(warns(scene, "metallicFactor"));
+}
+
+TEST(GltfMaterials, BrokenPicturesAreErrorsThatNameThem) {
+    GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}}}});
+    writer.root["bufferViews"][0]["byteLength"] = 40;  // the PNG's
+    EXPECT_NE(error_of(writer).find("images[0]"), std::string::npos);
+    writer.root["textures"][0]["source"] = 3;
+    EXPECT_NE(error_of(writer).find("textures[0].source"), std::string::npos);
+    writer.root["textures"][0]["source"] = 0;
+    writer.root["images"][0] = {{"uri", "gone.png"}};
+    const std::string line = error_of(writer);
+    EXPECT_NE(line.find("model.glb"), std::string::npos) << line;
+    EXPECT_NE(line.find("gone.png"), std::string::npos) << line;
+    writer.root["images"][0] = {{"uri", "http://example.org/x.png"}};
+    EXPECT_NE(error_of(writer).find("images[0].uri"), std::string::npos);
+    writer.root["images"][0] = json::object();
+    EXPECT_NE(error_of(writer).find("either uri or bufferView"), std::string::npos);
+    writer.root["textures"][0].erase("source");
+    const Scene scene = [&] {
+        writer.root["images"] = json::array();
+        return load_bytes(writer);
+    }();
+    EXPECT_TRUE(warns(scene, "no PNG or JPEG"));
+}
+
+TEST(GltfExtensions, RequiredOnesWeLackAreErrorsOthersWarnings) {
+    GlbWriter writer = writer_with(json::object());
+    writer.root["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_anisotropy",
+                                     "ACME_sparkle", "KHR_xmp_json_ld"};
+    const Scene scene = load_bytes(writer);
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    EXPECT_TRUE(warns(scene, "KHR_materials_clearcoat: the coat layer is not drawn"));
+    EXPECT_TRUE(warns(scene, "ACME_sparkle"));
+    for (const char* name : {"KHR_draco_mesh_compression", "KHR_texture_basisu", "ACME_sparkle"}) {
+        writer.root["extensionsRequired"] = {name};
+        const std::string line = error_of(writer);
+        EXPECT_NE(line.find(name), std::string::npos) << line;
+    }
+    writer.root["extensionsRequired"] = {"KHR_materials_anisotropy"};
+    EXPECT_NO_THROW(load_bytes(writer));
+}
+
+GlbWriter writer_with_light(const json& light, const json& node) {
+    GlbWriter writer = writer_with(json::object());
+    writer.root["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+    json placed = node;
+    placed["extensions"]["KHR_lights_punctual"]["light"] = 0;
+    writer.root["nodes"].push_back(placed);
+    writer.root["scenes"][0]["nodes"].push_back(1);
+    return writer;
+}
+
+TEST(GltfLights, ArePlacedInTheWorld) {
+    const float h = std::sqrt(0.5f);
+    // Turned by -90 degrees about x: what looked along -z looks down.
+    const json node = {
+        {"translation", {1, 2, 3}}, {"rotation", {-h, 0, 0, h}}, {"scale", {5, 5, 5}}};
+    const json light = {{"type", "spot"},
+                        {"color", {1, 0.5, 0.25}},
+                        {"intensity", 40},
+                        {"range", 9},
+                        {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.4}}}};
+    const Scene scene = load_bytes(writer_with_light(light, node));
+    ASSERT_EQ(scene.lights.size(), 1u);
+    const Light& found = scene.lights[0];
+    EXPECT_EQ(found.type, LightType::spot);
+    EXPECT_EQ(found.color, glm::vec3(1.0f, 0.5f, 0.25f));
+    EXPECT_EQ(found.intensity, 40.0f);
+    EXPECT_EQ(found.range, 9.0f);
+    EXPECT_EQ(found.position, glm::vec3(1.0f, 2.0f, 3.0f));
+    EXPECT_NEAR(found.direction.y, -1.0f, 1e-6f);
+    EXPECT_EQ(found.inner_cone, 0.2f);
+    EXPECT_EQ(found.outer_cone, 0.4f);
+    const auto error = [&](const char* key, const json& value) {
+        json other = light;
+        other[key] = value;
+        return error_of(writer_with_light(other, node));
+    };
+    EXPECT_NE(error("type", "area").find("directional, point or spot"), std::string::npos);
+    EXPECT_NE(error("intensity", -1).find("intensity"), std::string::npos);
+    EXPECT_NE(error("intensity", 1e30).find("intensity"), std::string::npos);
+    EXPECT_NE(error("spot", {{"outerConeAngle", 3}}).find("outerConeAngle"), std::string::npos);
+    GlbWriter writer = writer_with_light(light, node);
+    writer.root["extensions"].erase("KHR_lights_punctual");
+    EXPECT_NE(error_of(writer).find("nodes[1]"), std::string::npos);
+}
+
+TEST(GltfCameras, LookAlongMinusZOfTheirNode) {
+    GlbWriter writer = writer_with(json::object());
+    writer.root["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}},
+        {{"type", "orthographic"},
+         {"orthographic", {{"xmag", 2}, {"ymag", 3}, {"znear", 0}, {"zfar", 50}}}}};
+    for (int i = 0; i < 2; ++i) {
+        writer.root["nodes"].push_back({{"camera", i}, {"translation", {0.5, 0.5, 4}}});
+        writer.root["scenes"][0]["nodes"].push_back(i + 1);
+    }
+    const Scene scene = load_bytes(writer);
+    ASSERT_EQ(scene.cameras.size(), 2u);
+    EXPECT_EQ(scene.cameras[0].position, glm::vec3(0.5f, 0.5f, 4.0f));
+    EXPECT_EQ(scene.cameras[0].target, glm::vec3(0.5f, 0.5f, 0.0f));  // the square's centre
+    EXPECT_EQ(scene.cameras[0].up, glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_EQ(scene.cameras[0].yfov, 0.8f);
+    EXPECT_EQ(scene.cameras[0].near_plane, 0.1f);
+    EXPECT_FALSE(scene.cameras[0].orthographic);
+    EXPECT_TRUE(scene.cameras[1].orthographic);
+    EXPECT_EQ(scene.cameras[1].ymag, 3.0f);
+    EXPECT_EQ(scene.cameras[1].far_plane, 50.0f);
+    writer.root["cameras"][0]["perspective"]["yfov"] = 4;
+    EXPECT_NE(error_of(writer).find("cameras[0].perspective.yfov"), std::string::npos);
+    writer.root["cameras"][0].erase("perspective");
+    EXPECT_FALSE(error_of(writer).empty());
+}
+
+}  // namespace
+}  // namespace burnish
