@@ -14,7 +14,7 @@
 namespace burnish {
 
 enum class ParameterKind { real, integer, boolean, choice, color, vector, text };
-enum class ParameterGroup { material, render, camera, light, environment, mesh };
+enum class ParameterGroup { material, render, camera, environment, mesh };
 
 struct Parameter {
     std::string_view name;           // snake_case: scene-file key; the flag is --name with dashes
@@ -36,7 +36,8 @@ const Parameter* find_parameter(std::string_view name);  // nullptr when unknown
 // expected and what was found; an unknown name suggests the nearest.
 class ParameterValues {
   public:
-    // `text`: "0.2", "true", "follow-grain", "1,0.8,0.3" or "#rrggbb" (sRGB) for colours, "x,y,z".
+    // `where` that ends in the parameter's name (a flag, a key path) stands alone in messages; else the
+    // name is added to it. `text`: "0.2", "true", "follow-grain", "1,0.8,0.3" or "#rrggbb" (sRGB) for colours, "x,y,z".
     void set(std::string_view name, std::string_view text, std::string_view where);
 
     bool is_set(std::string_view name) const;

@@ -11,7 +11,8 @@ uniform uint u_seed;
 // sequence, so that frames together are as even as one frame of all of them. Filtered importance
 // sampling (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample stands for the solid angle
 // 1/(total pdf) and reads the mip of that size; as the total grows, mip 0 and the exact integral.
-// No light comes from inside: wi below the geometric horizon counts as black.
+// wi may lie below the geometric horizon, where the map tilts n~ far enough: a mapped bump must match
+// the modelled one (NormalTangentTest), so only the horizon of n~ counts.
 vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     vec3 sum = vec3(0.0);
@@ -21,7 +22,7 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
         vec3 wi = brdf_sample(m.lobe, p, wo, point_of(index, rotation), select_of(index, rotation),
                               pdf);
         float cos_i = dot(p.n, wi);
-        bool counts = pdf > 0.0 && wi.z > 0.0 && cos_i > 0.0;
+        bool counts = pdf > 0.0 && cos_i > 0.0;
         float weight = brdf_eval(BRDF, m.lobe, p, wi, wo) * cos_i / max(pdf, kTiny);
         float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
         vec3 radiance = environment_radiance(from_axes(a, wi), lod);

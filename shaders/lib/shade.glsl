@@ -17,14 +17,14 @@ vec3 diffuse_color(Shading m) {
 }
 
 #if LIGHTS > 0
-// No light comes from inside: a light below the geometric horizon is off.
+// Only the horizon of n~ counts, as under the environment.
 vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 base = diffuse_color(m) * (diffuse_through(wo.z) / kPi);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 irradiance;
         vec3 wi = to_axes(a, light_direction(i, s.position, irradiance));
-        float cos_i = wi.z > 0.0 ? max(dot(p.n, wi), 0.0) : 0.0;
+        float cos_i = max(dot(p.n, wi), 0.0);
         float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
         vec3 f = specular_fresnel(m, cos_h) * brdf_eval(BRDF, m.lobe, p, wi, wo) +
                  base * diffuse_through(cos_i);

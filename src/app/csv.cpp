@@ -1,6 +1,7 @@
 #include "app/csv.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -128,17 +129,25 @@ std::span<const CsvRecord> CsvReader::next_block() {
     return records_;
 }
 
+// Waits for bytes in short sleeps: a signal between a look at the flag and a read that blocks would
+// otherwise go unnoticed until the next bytes come.
+void CsvReader::wait_for_bytes() const {
+    constexpr int kSleepMs = 100;
+    pollfd waiting{descriptor_, POLLIN, 0};
+    do {
+        if (interrupt_requested()) throw Interrupted();
+    } while (::poll(&waiting, 1, kSleepMs) == 0);
+}
+
 // Moves what is left to the front and reads until the buffer is full or the file ends.
 void CsvReader::fill() {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = 0;
     while (!at_end_of_file_ && end_ < buffer_.size()) {
+        wait_for_bytes();
         const ssize_t count = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
-        if (count < 0 && errno == EINTR) {
-            if (interrupt_requested()) throw Interrupted();
-            continue;
-        }
+        if (count < 0 && errno == EINTR) continue;
         if (count < 0) throw_unreadable(name_);
         at_end_of_file_ = count == 0;
         end_ += static_cast<std::size_t>(count);

@@ -43,6 +43,7 @@ class CsvReader {
     double done() const;  // share of the file that was read; 0 for pipes
 
   private:
+    void wait_for_bytes() const;
     void fill();
     void drop_byte_order_mark();
 

@@ -104,8 +104,12 @@ std::string describe_image(const std::string& path) {
 }  // namespace
 
 std::string describe_file(const std::string& path) {
-    const bool mesh = is_builtin(path);
-    if (!mesh && path.starts_with("builtin:")) {
+    constexpr std::string_view kBuiltin = "builtin:";
+    const auto shapes = builtin_names();
+    const bool mesh = path.starts_with(kBuiltin) &&
+                      std::find(shapes.begin(), shapes.end(), path.substr(kBuiltin.size())) !=
+                          shapes.end();
+    if (!mesh && path.starts_with(kBuiltin)) {
         const Environment environment = load_environment(path);
         return fmt::format("{}: environment, {}x{}\n{}", path, environment.radiance.width,
                            environment.radiance.height, describe_radiance(environment.radiance));

@@ -128,7 +128,7 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     check(request);
     require_writable(request.output);
     progress.step("load", 0);
-    Stage stage = set_stage(request.stage);
+    Stage stage = set_stage(request.stage, request.turntable > 0);
 
     gpu::Context context(request.gl_device);
     const bool lit = !stage.environment.radiance.empty();

@@ -122,7 +122,8 @@ Light parse_light(std::string_view word) {
     return light;
 }
 
-Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect) {
+Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect,
+                    bool all_around) {
     if (values.is_set("camera_index")) {
         const int index = values.integer("camera_index");
         if (index >= static_cast<int>(scene.cameras.size()))
@@ -142,12 +143,20 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
     if (values.is_set("camera_position")) {
         camera.position = values.vec3("camera_position");
     } else {
-        const glm::vec3 away =
-            direction_at(values.real("camera_azimuth"), values.real("camera_elevation"));
-        const double distance =
-            values.is_set("camera_distance")
-                ? values.real("camera_distance")
-                : framing_distance(scene, camera.target, away, camera.yfov, aspect);
+        const double azimuth = values.real("camera_azimuth");
+        const double elevation = values.real("camera_elevation");
+        const glm::vec3 away = direction_at(azimuth, elevation);
+        double distance = 0;
+        if (values.is_set("camera_distance")) {
+            distance = values.real("camera_distance");
+        } else {
+            const int views = all_around ? 24 : 1;
+            for (int i = 0; i < views; ++i) {
+                const glm::vec3 from = direction_at(azimuth + 360.0 * i / views, elevation);
+                distance = std::max(distance, framing_distance(scene, camera.target, from,
+                                                               camera.yfov, aspect));
+            }
+        }
         camera.position = camera.target + static_cast<float>(distance) * away;
     }
     const glm::vec3 view = camera.target - camera.position;
@@ -171,7 +180,7 @@ Camera turned(const Camera& camera, double angle_rad) {
     return result;
 }
 
-Stage set_stage(const StageRequest& request) {
+Stage set_stage(const StageRequest& request, bool all_around) {
     Stage stage;
     std::string environment = request.environment;
     if (!is_builtin(request.input) && is_scene_file(request.input)) {
@@ -196,7 +205,8 @@ Stage set_stage(const StageRequest& request) {
         stage.environment = load_environment(environment.empty() ? "builtin:studio" : environment);
     stage.options = render_options(stage.values);
     stage.camera = place_camera(stage.scene, stage.values,
-                                static_cast<double>(stage.options.width) / stage.options.height);
+                                static_cast<double>(stage.options.width) / stage.options.height,
+                                all_around);
     stage.exposure_ev = stage.values.real("exposure");
     stage.tone_map = static_cast<ToneMap>(stage.values.choice("tone_map"));
     return stage;

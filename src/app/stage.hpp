@@ -22,14 +22,16 @@ struct Stage {
     ToneMap tone_map = ToneMap::khronos_neutral;
 };
 
-Stage set_stage(const StageRequest& request);
+// `all_around`: a framed camera keeps its distance for a full turn.
+Stage set_stage(const StageRequest& request, bool all_around = false);
 
 // A light in one word: "AZIMUTH,ELEVATION[,INTENSITY]" (degrees, as the camera's; a directional
 // light of that many lux) or "point:X,Y,Z[,INTENSITY]" (metres, candela). Throws UsageError.
 Light parse_light(std::string_view word);
 
 // The camera that the parameters ask for, or one that frames the scene.
-Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect);
+Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect,
+                    bool all_around = false);
 
 // `camera` turned about the vertical axis through its target.
 Camera turned(const Camera& camera, double angle_rad);

@@ -42,7 +42,6 @@ std::string_view heading(ParameterGroup group) {
         case ParameterGroup::material: return "Material (of every surface; default: the file's)";
         case ParameterGroup::render: return "Picture";
         case ParameterGroup::camera: return "Camera (default: the file's first, else framed)";
-        case ParameterGroup::light: return "Light";
         case ParameterGroup::environment: return "Environment";
         case ParameterGroup::mesh: return "Built-in meshes";
     }

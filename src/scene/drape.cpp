@@ -38,8 +38,8 @@ struct Threads {
 
 // Warp and weft hardly stretch, shear is soft (that is what makes cloth hang in cones), and the
 // threads over two nodes resist bending.
-constexpr Threads kThreads[] = {{1, 0, 1.0f},  {0, 1, 1.0f},  {1, 1, 0.7f},
-{-1, 1, 0.7f}, {2, 0, 0.3f}, {0, 2, 0.3f}};
+constexpr Threads kThreads[] = {{1, 0, 1.0f},  {0, 1, 1.0f}, {1, 1, 0.7f},
+                                {-1, 1, 0.7f}, {2, 0, 0.3f}, {0, 2, 0.3f}};
 
 // `backwards` walks the nodes in the opposite order: alternating keeps the order from pushing the
 // cloth off its plinth.

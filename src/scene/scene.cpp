@@ -40,7 +40,11 @@ Scene scene_of_builtin(const std::string& name, int triangles) {
     scene.name = name;
     const std::string_view shape = std::string_view(name).substr(kBuiltin.size());
     scene.meshes.push_back(make_builtin_mesh(shape, triangles));
-    scene.materials.emplace_back().name = "default";
+    Material& material = scene.materials.emplace_back();
+    material.name = "default";
+    material.base_color = {0.8f, 0.8f, 0.8f, 1.0f};
+    material.roughness = 0.4f;  // a metal that shows its lobe; glTF's own default is fully rough
+    material.double_sided = shape == "drape" || shape == "plane";  // sheets
     scene.instances.emplace_back();
     return scene;
 }

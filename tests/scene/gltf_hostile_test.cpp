@@ -139,7 +139,7 @@ TEST(GltfHostile, FlippedBytesNeverCrash) {
     const TemporaryFolder folder;
     const std::vector<std::byte> whole = rich_writer().glb();
     const std::size_t json_bytes = whole.size() - rich_writer().binary().size() - 8;
-    for (unsigned seed = 0; seed < 600; ++seed) {
+    for (unsigned seed = 0; seed < 300; ++seed) {
         std::mt19937 random(seed);
         std::vector<std::byte> bytes = whole;
         // Half of them in header and JSON, half in the binary chunk.
@@ -182,7 +182,7 @@ TEST(GltfHostile, AnyValueAtAnyPlace) {
                            {{"index", 9}}};
     std::mt19937 random(7);
     for (const json::json_pointer& place : places) {
-        for (int k = 0; k < 4; ++k) {
+        for (int k = 0; k < 2; ++k) {
             GlbWriter writer = good;
             writer.root[place] = values[random() % std::size(values)];
             if (!writer.root.is_object()) continue;

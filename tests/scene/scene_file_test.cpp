@@ -78,7 +78,8 @@ TEST(SceneFile, OneModelIsReadOnceAndWornInManyMaterials) {
         R"("objects": [{"model": "builtin:plane"}, {"model": "builtin:plane", "material": "a"},
                        {"model": "builtin:plane", "material": "b"},
                        {"model": "builtin:plane", "material": "a"}],
-           "materials": {"a": {"mdf": "ward"}, "b": {"alpha_x": 0.2, "normal_map": "builtin:bumps"}},
+           "materials": {"a": {"mdf": "ward"},
+                         "b": {"alpha_x": 0.2, "normal_map": "builtin:bumps"}},
            "parameters": {"mdf": "beckmann", "roughness": 0.5, "triangles": 200,
                           "normal_map": "builtin:bumps"})"));
     const Scene& scene = file.scene;
