@@ -5,8 +5,8 @@
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)
     set(BURNISH_STAGES
-        accumulate.frag background.frag fullscreen.vert gouraud.frag gouraud.vert resolve.frag
-        surface.frag surface.vert visibility.frag visibility.vert
+        accumulate.frag background.frag fullscreen.vert gbuffer.frag gouraud.frag gouraud.vert
+        resolve.frag surface.frag surface.vert
         lib/environment.glsl lib/image_light.glsl lib/lights.glsl lib/material.glsl
         lib/output.glsl lib/random.glsl lib/shade.glsl lib/surface.glsl)
     set(BURNISH_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})

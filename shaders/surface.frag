@@ -22,12 +22,14 @@ in vec4 v_color;
 #endif
 
 uniform ivec2 u_tile_origin;
+uniform vec4 u_eye;  // xyz: eye position, w = 1; orthographic: towards the viewer, w = 0
 
 layout(location = 0) out vec4 o_radiance;
 
 void main() {
     Surface s;
     s.position = v_position;
+    s.to_eye = normalize(u_eye.xyz - v_position * u_eye.w);
     s.normal = v_normal;
     s.tangent = v_tangent;
 #ifdef UV_PER_TEXTURE
@@ -35,7 +37,7 @@ void main() {
 #else
     s.uv = vec4(v_uv, v_uv);
 #endif
-    s.uv_dx = vec4(0.0);
+    s.footprint = 0.0;
 #ifdef VERTEX_COLOR
     s.color = v_color;
 #else

@@ -1,7 +1,7 @@
 // The material at a point: uniforms times textures. HAS_*_MAP: which textures there are;
 // LOBE_FROM_TEXTURE: the roughness pair varies over the surface; UV_PER_TEXTURE: textures differ in
 // set or transform (else the vertex stage has already chosen and transformed the one that is used);
-// TEXTURE_GRADIENTS: derivatives are given, not taken from neighbouring pixels.
+// FOOTPRINT_GIVEN: mips are chosen by s.footprint, not by neighbouring pixels.
 
 uniform vec4 u_base_color;
 uniform float u_metallic;
@@ -17,7 +17,6 @@ uniform vec3 u_k;
 uniform float u_dielectric_f0;
 uniform float u_alpha_cutoff;
 uniform float u_lod_bias;
-uniform float u_gradient_scale;      // 2^u_lod_bias
 
 uniform sampler2D u_base_color_map;
 uniform sampler2D u_metallic_roughness_map;
@@ -35,8 +34,9 @@ vec2 texture_uv(Surface s, int use) {
     return vec2(dot(u_uv_s[use], p), dot(u_uv_t[use], p));
 }
 #define MAP_AT(map, use) texture(map, texture_uv(s, use), u_lod_bias)
-#elif defined(TEXTURE_GRADIENTS)
-#define MAP_AT(map, use) textureGrad(map, s.uv.xy, s.uv_dx.xy, s.uv_dx.zw)
+#elif defined(FOOTPRINT_GIVEN)
+uniform float u_map_lod[6];  // log2 of each texture's longer side, plus u_lod_bias
+#define MAP_AT(map, use) textureLod(map, s.uv.xy, s.footprint + u_map_lod[use])
 #else
 #define MAP_AT(map, use) texture(map, s.uv.xy, u_lod_bias)
 #endif

@@ -50,14 +50,13 @@ vec4 shade(Surface s) {
 #ifdef MASK
     if (m.alpha < u_alpha_cutoff) { discard; }
 #endif
-    vec3 to_eye = direction_to_eye(s.position);
-    Axes tangent_axes = surface_axes(s, to_eye);
+    Axes tangent_axes = surface_axes(s, s.to_eye);
     Axes a = turned(tangent_axes, m.direction);
     // n~ against the turned axes: turned back by the same angle.
     vec3 n = vec3(m.n.x * m.direction.x + m.n.y * m.direction.y,
                   m.n.y * m.direction.x - m.n.x * m.direction.y, m.n.z);
     Perturbation p = perturb_make(METHOD, n, m.grooves_along_x, CONSERVE);
-    vec3 wo = to_axes(a, to_eye);
+    vec3 wo = to_axes(a, s.to_eye);
     vec3 radiance = emission_at(s);
 #if LIGHTS > 0
     radiance += lit_by_lights(s, m, a, p, wo);

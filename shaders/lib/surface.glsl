@@ -1,14 +1,15 @@
 // A point of a surface as rasterisation gives it, and its axes.
 
 struct Surface {
-    vec3 position;  // world space
-    vec3 normal;    // interpolated, not unit
-    vec4 tangent;   // interpolated; w: sign of the bitangent, mirrored transforms counted in
-    vec4 uv;        // set 0 in xy, set 1 in zw; one transformed set in xy unless UV_PER_TEXTURE
-    vec4 uv_dx;     // derivatives of uv.xy: along x in xy, along y in zw (TEXTURE_GRADIENTS only)
-    vec4 color;     // vertex colour
+    vec3 position;    // world space
+    vec3 to_eye;      // unit
+    vec3 normal;      // interpolated, not unit
+    vec4 tangent;     // interpolated; w: sign of the bitangent, mirrored transforms counted in
+    vec4 uv;          // set 0 in xy, set 1 in zw; one transformed set in xy unless UV_PER_TEXTURE
+    float footprint;  // log2 of the pixel's size on uv.xy (FOOTPRINT_GIVEN only)
+    vec4 color;       // vertex colour
     bool front;
-    uvec2 pixel;    // in the whole picture, whatever the tile
+    uvec2 pixel;      // in the whole picture, whatever the tile
 };
 
 struct Axes {
@@ -16,12 +17,6 @@ struct Axes {
     vec3 y;
     vec3 z;
 };
-
-uniform vec4 u_eye;  // xyz: eye position, w = 1; orthographic: towards the viewer, w = 0
-
-vec3 direction_to_eye(vec3 position) {
-    return normalize(u_eye.xyz - position * u_eye.w);
-}
 
 // Unit tangent, bitangent and geometric normal. A back face shows the sheet from behind: the whole
 // frame is turned over, so that a dent is a bump there.

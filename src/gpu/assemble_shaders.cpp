@@ -19,6 +19,7 @@ SurfaceVariant with_everything() {
     v.lobe_from_texture = v.base_color_map = v.metallic_roughness_map = v.normal_map = true;
     v.occlusion_map = v.emissive_map = v.anisotropy_map = true;
     v.lights = 16;
+    v.position = true;
     v.image_light = 1;
     return v;
 }
@@ -78,12 +79,10 @@ class Writer {
 
 void write_all(Writer& writer) {
     for (const ShaderDialect dialect : {ShaderDialect::gl330, ShaderDialect::es300}) {
-        const bool es = dialect == ShaderDialect::es300;
         for (const SurfaceVariant& v : variants()) {
             writer.write(dialect, v.defines(), "surface.frag");
             writer.write(dialect, v.defines(), "surface.vert");
-            const bool once = !es && v.alpha_mode == AlphaMode::opaque;
-            if (once && !v.uv_per_texture) writer.write(dialect, v.defines(), "resolve.frag");
+            if (v.can_resolve()) writer.write(dialect, v.defines(), "resolve.frag");
         }
         for (const char* stage :
              {"fullscreen.vert", "background.frag", "accumulate.frag", "gouraud.frag"}) {
@@ -91,9 +90,8 @@ void write_all(Writer& writer) {
         }
         writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");
         writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
-        if (es) continue;  // the visibility pass is for the desktop only
-        writer.write(dialect, "", "visibility.vert");
-        writer.write(dialect, "", "visibility.frag");
+        writer.write(dialect, "", "gbuffer.frag");
+        writer.write(dialect, "#define POSITION\n", "gbuffer.frag");
     }
 }
 

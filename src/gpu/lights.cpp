@@ -34,6 +34,7 @@ LightUniforms::LightUniforms(const std::vector<Light>& lights) {
     for (const Light& light : lights) {
         const glm::vec3 travel = unit_or(light.direction, glm::vec3(0, 0, -1));
         const bool directional = light.type == LightType::directional;
+        any_positional_ = any_positional_ || !directional;
         const bool bounded = !directional && light.range > 0.0f;
         place_.push_back(directional ? glm::vec4(-travel, 0.0f) : glm::vec4(light.position, 1.0f));
         radiance_.emplace_back(light.color * light.intensity,

@@ -16,11 +16,13 @@ class LightUniforms {
     explicit LightUniforms(const std::vector<Light>& lights);
 
     int count() const { return static_cast<int>(place_.size()); }
+    bool any_positional() const { return any_positional_; }
     void set(Program& program) const;
 
   private:
     std::vector<glm::vec4> place_, radiance_, direction_;
     std::vector<glm::vec2> cone_;
+    bool any_positional_ = false;
 };
 
 }  // namespace burnish::gpu

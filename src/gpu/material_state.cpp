@@ -50,15 +50,17 @@ f32::Lobe lobe_of(const Material& material) {
     return f32::lobe_from_alpha(mdf, alpha.x, alpha.y);
 }
 
-void set_textures(Program& program, const Material& material, TextureStore& textures) {
+void set_textures(Program& program, const Material& material, TextureStore& textures,
+                  float lod_bias) {
     std::array<glm::vec3, kMaterialTextures> s{}, t{};
-    std::array<float, kMaterialTextures> set{};
+    std::array<float, kMaterialTextures> set{}, lod{};
     const auto uses = uses_of(material);
     for (std::size_t i = 0; i < uses.size(); ++i) {
         if (!*uses[i]) continue;
         s[i] = row(uses[i]->transform, 0);
         t[i] = row(uses[i]->transform, 1);
         set[i] = static_cast<float>(uses[i]->texcoord);
+        lod[i] = textures.log2_side(*uses[i]) + lod_bias;
         const GLuint unit = kMaterialUnits + static_cast<GLuint>(i);
         textures.bind(unit, *uses[i]);
         program.set(kSamplers[i], static_cast<int>(unit));
@@ -66,6 +68,13 @@ void set_textures(Program& program, const Material& material, TextureStore& text
     program.set("u_uv_s", std::span<const glm::vec3>(s));
     program.set("u_uv_t", std::span<const glm::vec3>(t));
     program.set("u_uv_set", std::span<const float>(set));
+    program.set("u_map_lod", std::span<const float>(lod));
+    set_shared_uv(program, material);
+}
+
+}  // namespace
+
+void set_shared_uv(Program& program, const Material& material) {
     const TextureUse none;
     const TextureUse* one = first_use(material);
     const TextureUse& shared = one == nullptr ? none : *one;
@@ -73,8 +82,6 @@ void set_textures(Program& program, const Material& material, TextureStore& text
     program.set("u_uv_row_t", row(shared.transform, 1));
     program.set("u_uv_from_set", static_cast<float>(shared.texcoord));
 }
-
-}  // namespace
 
 glm::vec2 alpha_of(const Material& m) {
     if (m.alpha) return glm::max(*m.alpha, glm::vec2(kLowestAlpha));
@@ -125,11 +132,10 @@ void set_material(Program& program, const Material& m, TextureStore& textures, f
     program.set("u_dielectric_f0", m.dielectric_f0);
     program.set("u_alpha_cutoff", m.alpha_cutoff);
     program.set("u_lod_bias", lod_bias);
-    program.set("u_gradient_scale", std::exp2(lod_bias));
     // Phong's exponent from the mean alpha, for the Gouraud variant.
     const glm::vec2 alpha = alpha_of(m);
     program.set("u_phong_exponent", std::max(2.0f / (alpha.x * alpha.y) - 2.0f, 1.0f));
-    set_textures(program, m, textures);
+    set_textures(program, m, textures, lod_bias);
 }
 
 }  // namespace burnish::gpu

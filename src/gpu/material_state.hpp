@@ -17,6 +17,9 @@ SurfaceVariant variant_of(const Material& material, const TextureStore& textures
 void set_material(Program& program, const Material& material, TextureStore& textures,
                   float lod_bias);
 
+// The uniforms of surface.vert for the one texture transform in use.
+void set_shared_uv(Program& program, const Material& material);
+
 // The roughness pair of a material without regard to its textures, clamped as the shader clamps.
 glm::vec2 alpha_of(const Material& material);
 

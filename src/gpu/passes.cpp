@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <numeric>
 
 #include "gpu/texture_units.hpp"
 
@@ -24,6 +24,16 @@ void set_culling(bool cull, bool mirrored) {
     glFrontFace(mirrored ? GL_CW : GL_CCW);
 }
 
+void set_rays(Program& program, const View& view) {
+    program.set("u_ray_center", view.ray_center);
+    program.set("u_ray_x", view.ray_x);
+    program.set("u_ray_y", view.ray_y);
+}
+
+// Below this average size of a triangle shading once a pixel is the faster way (measured on
+// llvmpipe: renderer.hpp).
+constexpr double kPixelsPerTriangle = 40.0;
+
 bool blended(const Material& m) {
     return m.alpha_mode == AlphaMode::blend;
 }
@@ -38,29 +48,6 @@ DeviceScene::DeviceScene(Context& context, const Scene& scene, const Environment
       lights(scene.lights) {
     for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh);
     if (light != nullptr && !light->radiance.empty()) environment.emplace(context, *light);
-
-    std::vector<std::size_t> chosen;
-    std::size_t vertices = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(items[i].mesh)];
-        const Material& material = materials[static_cast<std::size_t>(items[i].material)];
-        const SurfaceVariant v = variant_of(material, textures, !mesh.colors.empty(), true);
-        const bool plain =
-            v.alpha_mode == AlphaMode::opaque && !v.vertex_color && !v.uv_per_texture;
-        // 255: one value of the stencil a material.
-        if (plain && !context.is_es() && items[i].material < 255 && !mesh.indices.empty()) {
-            chosen.push_back(i);
-            vertices += mesh.positions.size();
-            baked_triangles += mesh.indices.size() / 3;
-        } else {
-            not_baked.push_back(i);
-        }
-    }
-    if (BakedGeometry::fits(vertices, baked_triangles)) {
-        baked.emplace(scene, items, chosen);
-    } else {
-        baked_triangles = 0;
-    }
 }
 
 Painter::Painter(Context& context, DeviceScene& scene)
@@ -70,15 +57,24 @@ bool Painter::shows_environment(const Frame& frame) const {
     return scene_.environment && frame.options->background == BackgroundKind::environment;
 }
 
-bool Painter::uses_baked(const Frame& frame) const {
-    if (!scene_.baked || frame.variant == ShadingVariant::gouraud) return false;
+bool Painter::defers(const Frame& frame) const {
+    if (frame.variant == ShadingVariant::gouraud) return false;
     if (frame.options->surface_pass != SurfacePass::automatic) {
-        return frame.options->surface_pass == SurfacePass::visibility;
+        return frame.options->surface_pass == SurfacePass::deferred;
+    }
+    std::size_t triangles = 0;
+    for (const DrawItem& item : scene_.items) {
+        triangles += scene_.meshes[static_cast<std::size_t>(item.mesh)].triangles();
     }
     const double pixels =
         static_cast<double>(frame.options->width) * static_cast<double>(frame.options->height);
-    // Half of the triangles look away, and about half the picture is covered.
-    return static_cast<double>(scene_.baked_triangles) * 40.0 > pixels;
+    return static_cast<double>(triangles) * kPixelsPerTriangle > pixels;
+}
+
+bool Painter::can_defer(const Frame& frame, const DrawItem& item) const {
+    // 254: the stencil has one number a material.
+    const bool color = scene_.meshes[static_cast<std::size_t>(item.mesh)].has_color();
+    return item.material < 254 && variant_for(frame, item.material, color).can_resolve();
 }
 
 SurfaceVariant Painter::variant_for(const Frame& frame, int material, bool vertex_color) const {
@@ -86,6 +82,7 @@ SurfaceVariant Painter::variant_for(const Frame& frame, int material, bool verte
         variant_of(scene_.materials[static_cast<std::size_t>(material)], scene_.textures,
                    vertex_color, frame.variant == ShadingVariant::full);
     v.lights = scene_.lights.count();
+    v.position = scene_.lights.any_positional();
     const bool lit = scene_.environment && frame.options->environment_intensity > 0.0f;
     v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
     return v;
@@ -133,39 +130,38 @@ void Painter::clear(const Frame& frame, Targets& targets) {
 
 void Painter::paint(const Frame& frame, Targets& targets) {
     clear(frame, targets);
-    const bool baked = uses_baked(frame);
-    if (baked) paint_baked(frame, targets);
-    for (std::size_t i = 0; i < scene_.items.size(); ++i) {
-        if (baked && !std::ranges::binary_search(scene_.not_baked, i)) continue;
+    std::vector<std::size_t> forward(scene_.items.size());
+    std::iota(forward.begin(), forward.end(), std::size_t{0});
+    if (defers(frame)) paint_deferred(frame, targets, forward);
+    const bool gouraud = frame.variant == ShadingVariant::gouraud;
+    for (const std::size_t i : forward) {
         const DrawItem& item = scene_.items[i];
-        if (frame.variant == ShadingVariant::gouraud) {
-            paint_gouraud(frame, i);
+        if (gouraud) {
+            paint_gouraud(frame, item);
         } else if (!blended(scene_.materials[static_cast<std::size_t>(item.material)])) {
-            paint_item(frame, i);
+            paint_item(frame, item);
         }
     }
     if (shows_environment(frame)) paint_background(frame);
-    if (frame.variant != ShadingVariant::gouraud) paint_blended(frame);
+    if (!gouraud) paint_blended(frame);
 }
 
-// The triangles, then each material where its triangles are seen: the stencil has its number, and a
-// full-screen triangle at the far plane passes where something is nearer.
-void Painter::paint_baked(const Frame& frame, Targets& targets) {
-    const BakedGeometry& baked = *scene_.baked;
-    targets.bind_visibility();
-    Program& program = programs_.get("visibility.vert", "visibility.frag", "");
-    program.use();
-    program.set("u_clip_from_world", frame.view.clip_from_world);
+// The surfaces into the images of gbuffer.frag, then each material where it is seen: the stencil
+// has its number, and a full-screen triangle at the far plane passes where something is nearer.
+void Painter::paint_deferred(const Frame& frame, Targets& targets,
+                             std::vector<std::size_t>& forward) {
+    targets.bind_gbuffer(scene_.lights.any_positional());
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     std::vector<int> seen;
-    for (std::size_t part = 0; part < baked.parts(); ++part) {
-        const int material = baked.material_of(part);
-        set_culling(!scene_.materials[static_cast<std::size_t>(material)].double_sided, false);
-        glStencilFunc(GL_ALWAYS, material + 1, 0xFF);
-        baked.draw(part, program);
-        if (std::ranges::find(seen, material) == seen.end()) seen.push_back(material);
-    }
+    std::erase_if(forward, [&](std::size_t i) {
+        const DrawItem& item = scene_.items[i];
+        if (!can_defer(frame, item)) return false;
+        glStencilFunc(GL_ALWAYS, item.material + 1, 0xFF);
+        write_gbuffer(frame, item);
+        if (std::ranges::find(seen, item.material) == seen.end()) seen.push_back(item.material);
+        return true;
+    });
     targets.bind_frame();
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_GREATER);
@@ -181,6 +177,16 @@ void Painter::paint_baked(const Frame& frame, Targets& targets) {
     glDepthFunc(GL_LEQUAL);
 }
 
+void Painter::write_gbuffer(const Frame& frame, const DrawItem& item) {
+    Program& program = programs_.get("surface.vert", "gbuffer.frag",
+                                     scene_.lights.any_positional() ? "#define POSITION\n" : "");
+    program.use();
+    program.set("u_clip_from_world", frame.view.clip_from_world);
+    const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
+    set_shared_uv(program, material);
+    place(program, item);
+}
+
 void Painter::resolve_material(const Frame& frame, Targets& targets, int material) {
     const SurfaceVariant variant = variant_for(frame, material, false);
     Program& program = programs_.get("fullscreen.vert", "resolve.frag", variant.defines());
@@ -188,51 +194,48 @@ void Painter::resolve_material(const Frame& frame, Targets& targets, int materia
     set_common(program, frame);
     set_material(program, scene_.materials[static_cast<std::size_t>(material)], scene_.textures,
                  lod_bias(frame.options->samples));
-    targets.bind_visible_texture(program);
-    scene_.baked->bind_for_shading(program);
-    program.set("u_ndc_per_pixel", glm::vec2(2.0f / static_cast<float>(frame.tile.width),
-                                             2.0f / static_cast<float>(frame.tile.height)));
+    set_rays(program, frame.view);
+    targets.bind_gbuffer_textures(program);
     draw_fullscreen(program, 1.0f);
 }
 
-void Painter::paint_item(const Frame& frame, std::size_t index) {
-    const DrawItem& item = scene_.items[index];
-    const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
-    const MeshBuffers& mesh = scene_.meshes[static_cast<std::size_t>(item.mesh)];
-    const SurfaceVariant variant = variant_for(frame, item.material, mesh.has_color());
-    Program& program = programs_.get("surface.vert", "surface.frag", variant.defines());
-    program.use();
-    set_common(program, frame);
-    set_material(program, material, scene_.textures, lod_bias(frame.options->samples));
+// Sets where an item is and draws it.
+void Painter::place(Program& program, const DrawItem& item) {
     program.set("u_world_from_local", item.world_from_local);
     program.set("u_normal_from_local", item.normal_from_local);
     program.set("u_mirror", item.mirrored ? -1.0f : 1.0f);
-    set_culling(!material.double_sided, item.mirrored);
-    mesh.draw();
+    set_culling(!scene_.materials[static_cast<std::size_t>(item.material)].double_sided,
+                item.mirrored);
+    scene_.meshes[static_cast<std::size_t>(item.mesh)].draw();
 }
 
-void Painter::paint_gouraud(const Frame& frame, std::size_t index) {
-    const DrawItem& item = scene_.items[index];
-    const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
+void Painter::paint_item(const Frame& frame, const DrawItem& item) {
+    const bool color = scene_.meshes[static_cast<std::size_t>(item.mesh)].has_color();
+    const SurfaceVariant variant = variant_for(frame, item.material, color);
+    Program& program = programs_.get("surface.vert", "surface.frag", variant.defines());
+    program.use();
+    set_common(program, frame);
+    set_material(program, scene_.materials[static_cast<std::size_t>(item.material)],
+                 scene_.textures, lod_bias(frame.options->samples));
+    place(program, item);
+}
+
+void Painter::paint_gouraud(const Frame& frame, const DrawItem& item) {
     Program& program =
         programs_.get("gouraud.vert", "gouraud.frag",
                       "#define LIGHTS " + std::to_string(scene_.lights.count()) + "\n");
     program.use();
     set_common(program, frame);
-    set_material(program, material, scene_.textures, 0.0f);
-    program.set("u_world_from_local", item.world_from_local);
-    program.set("u_normal_from_local", item.normal_from_local);
-    set_culling(!material.double_sided, item.mirrored);
-    scene_.meshes[static_cast<std::size_t>(item.mesh)].draw();
+    set_material(program, scene_.materials[static_cast<std::size_t>(item.material)],
+                 scene_.textures, 0.0f);
+    place(program, item);
 }
 
 void Painter::paint_background(const Frame& frame) {
     Program& program = programs_.get("fullscreen.vert", "background.frag", "");
     program.use();
     set_common(program, frame);
-    program.set("u_ray_center", frame.view.ray_center);
-    program.set("u_ray_x", frame.view.ray_x);
-    program.set("u_ray_y", frame.view.ray_y);
+    set_rays(program, frame.view);
     program.set("u_background_lod", std::clamp(frame.options->background_blur, 0.0f, 1.0f) *
                                         std::max(scene_.environment->last_lod() - 1.0f, 0.0f));
     set_culling(false, false);
@@ -255,7 +258,7 @@ void Painter::paint_blended(const Frame& frame) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    for (const auto& [depth, index] : order) paint_item(frame, index);
+    for (const auto& [depth, index] : order) paint_item(frame, scene_.items[index]);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

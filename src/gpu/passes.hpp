@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "gpu/baked_geometry.hpp"
 #include "gpu/environment.hpp"
 #include "gpu/geometry.hpp"
 #include "gpu/lights.hpp"
@@ -27,10 +26,6 @@ struct DeviceScene {
     TextureStore textures;
     LightUniforms lights;
     std::optional<EnvironmentMaps> environment;
-    // The items the visibility pass can take, and the others in scene order.
-    std::optional<BakedGeometry> baked;
-    std::vector<std::size_t> not_baked;
-    std::size_t baked_triangles = 0;
 };
 
 // One sub-pixel sample of one tile.
@@ -53,16 +48,20 @@ class Painter {
 
   private:
     void clear(const Frame& frame, Targets& targets);
-    void paint_baked(const Frame& frame, Targets& targets);
+    // Items that were shaded once a pixel are left out of `forward`.
+    void paint_deferred(const Frame& frame, Targets& targets, std::vector<std::size_t>& forward);
+    void write_gbuffer(const Frame& frame, const DrawItem& item);
     void resolve_material(const Frame& frame, Targets& targets, int material);
-    void paint_item(const Frame& frame, std::size_t index);
-    void paint_gouraud(const Frame& frame, std::size_t index);
+    void place(Program& program, const DrawItem& item);
+    void paint_item(const Frame& frame, const DrawItem& item);
+    void paint_gouraud(const Frame& frame, const DrawItem& item);
     void paint_background(const Frame& frame);
     void paint_blended(const Frame& frame);
     void set_common(Program& program, const Frame& frame);
     SurfaceVariant variant_for(const Frame& frame, int material, bool vertex_color) const;
     bool shows_environment(const Frame& frame) const;
-    bool uses_baked(const Frame& frame) const;
+    bool defers(const Frame& frame) const;
+    bool can_defer(const Frame& frame, const DrawItem& item) const;
     void draw_fullscreen(Program& program, float depth);
 
     DeviceScene& scene_;

@@ -32,13 +32,13 @@ enum class ImageLight {
 enum class BackgroundKind { environment, color, transparent };
 
 // How opaque surfaces are shaded. Small triangles make forward shading pay several times a pixel
-// (hardware shades blocks of 2 x 2, llvmpipe of 4 x 4); the visibility pass finds the triangle of a
-// pixel first and shades once. It needs desktop OpenGL and materials without masks, vertex colours
-// or textures that differ in texture coordinates; what it cannot do is drawn forward.
+// (hardware shades blocks of 2 x 2, llvmpipe of 4 x 4); deferred writes normal, tangent and texture
+// coordinates first and shades once. Materials with masks, vertex colours or textures that differ
+// in texture coordinates are always drawn forward.
 enum class SurfacePass {
-    automatic,  // visibility when triangles are smaller than 40 pixels on average
+    automatic,  // deferred when there are many triangles for the pixels of the picture
     forward,
-    visibility
+    deferred
 };
 
 struct RenderOptions {

@@ -33,6 +33,7 @@ std::string SurfaceVariant::defines() const {
         {anisotropy_map, "HAS_ANISOTROPY_MAP"},
         {uv_per_texture, "UV_PER_TEXTURE"},
         {vertex_color, "VERTEX_COLOR"},
+        {position, "POSITION"},
         {alpha_mode == AlphaMode::mask, "MASK"},
         {alpha_mode == AlphaMode::blend, "BLEND"},
     };

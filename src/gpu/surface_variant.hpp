@@ -26,7 +26,13 @@ struct SurfaceVariant {
     bool vertex_color = false;
     AlphaMode alpha_mode = AlphaMode::opaque;
     int lights = 0;
-    int image_light = 0;  // 0 off, 1 importance, 2 bent normal
+    bool position = false;  // resolve.frag: a light asks where the surface is
+    int image_light = 0;    // 0 off, 1 importance, 2 bent normal
+
+    // Whether gbuffer.frag holds all that shading needs.
+    bool can_resolve() const {
+        return alpha_mode == AlphaMode::opaque && !vertex_color && !uv_per_texture;
+    }
 
     std::string defines() const;  // lines for assemble_stage, and the key of the program
 };

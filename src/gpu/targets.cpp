@@ -58,11 +58,8 @@ Targets::Targets(const Context& context, int width, int height) : width_(width),
     define_texture(frame_.get(), color, GL_RGBA, width, height);
     define_texture(depth_.get(), {GL_DEPTH24_STENCIL8, GL_UNSIGNED_INT_24_8}, GL_DEPTH_STENCIL,
                    width, height);
-    define_texture(visible_.get(), {GL_R32UI, GL_UNSIGNED_INT}, GL_RED_INTEGER, width, height);
     attach(frame_target_.get(), frame_.get(), depth_.get());
     bool usable = complete();
-    attach(visibility_target_.get(), visible_.get(), depth_.get());
-    usable = usable && complete();
     for (int i = 0; i < 2; ++i) {
         define_texture(sum_[i].get(), {GL_RGBA32F, GL_FLOAT}, GL_RGBA, width, height);
         attach(sum_target_[i].get(), sum_[i].get(), 0);
@@ -79,14 +76,37 @@ void Targets::bind_frame() const {
     glBindFramebuffer(GL_FRAMEBUFFER, frame_target_.get());
 }
 
-void Targets::bind_visibility() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, visibility_target_.get());
+void Targets::bind_gbuffer(bool with_position) {
+    if (!gbuffer_ || (with_position && !gbuffer_->position)) {
+        gbuffer_.emplace();
+        if (with_position) gbuffer_->position.emplace();
+        const ColorFormat format{GL_RGBA32F, GL_FLOAT};
+        std::vector<GLuint> images = {gbuffer_->normal.get(), gbuffer_->tangent.get()};
+        if (with_position) images.push_back(gbuffer_->position->get());
+        std::vector<GLenum> outputs;
+        for (const GLuint image : images) {
+            define_texture(image, format, GL_RGBA, width_, height_);
+            outputs.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + outputs.size()));
+        }
+        attach(gbuffer_->target.get(), images[0], depth_.get());
+        for (std::size_t i = 1; i < images.size(); ++i) {
+            glFramebufferTexture2D(GL_FRAMEBUFFER, outputs[i], GL_TEXTURE_2D, images[i], 0);
+        }
+        glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
+        if (!complete()) throw Error("the device cannot render to several float images at once");
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
 }
 
-void Targets::bind_visible_texture(Program& program) const {
-    glActiveTexture(GL_TEXTURE0 + kVisibleUnit);
-    glBindTexture(GL_TEXTURE_2D, visible_.get());
-    program.set("u_visible", static_cast<int>(kVisibleUnit));
+void Targets::bind_gbuffer_textures(Program& program) const {
+    const auto bind = [&](GLuint unit, GLuint texture, const char* name) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(GL_TEXTURE_2D, texture);
+        program.set(name, static_cast<int>(unit));
+    };
+    bind(kNormalUnit, gbuffer_->normal.get(), "u_normal_u");
+    bind(kTangentUnit, gbuffer_->tangent.get(), "u_tangent_v");
+    if (gbuffer_->position) bind(kPositionUnit, gbuffer_->position->get(), "u_position");
 }
 
 void Targets::clear_sum() {

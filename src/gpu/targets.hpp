@@ -2,6 +2,7 @@
 // the sum of frames.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gpu/context.hpp"
@@ -25,9 +26,10 @@ class Targets {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    void bind_frame() const;       // colour, depth and stencil
-    void bind_visibility() const;  // triangle numbers, the same depth and stencil
-    void bind_visible_texture(Program& program) const;
+    void bind_frame() const;  // colour, depth and stencil
+    // The images of gbuffer.frag with the same depth and stencil; made when first asked for.
+    void bind_gbuffer(bool with_position);
+    void bind_gbuffer_textures(Program& program) const;
 
     void clear_sum();
     // Adds the frame to the sum; `program` is accumulate.frag's. A viewport must be set.
@@ -36,10 +38,16 @@ class Targets {
     std::vector<float> read_sum(int width, int height) const;
 
   private:
+    struct GBuffer {
+        GlTexture normal, tangent;
+        std::optional<GlTexture> position;
+        Framebuffer target;
+    };
+
     int width_, height_;
-    GlTexture frame_, visible_, sum_[2];
-    GlTexture depth_;
-    Framebuffer frame_target_, visibility_target_, sum_target_[2];
+    GlTexture frame_, depth_, sum_[2];
+    Framebuffer frame_target_, sum_target_[2];
+    std::optional<GBuffer> gbuffer_;
     int current_ = 0;
 };
 

@@ -187,8 +187,10 @@ TextureStore::TextureStore(const Context& context, const Scene& scene) {
         }
         const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
         require_sound(texture, context.max_texture_size());
+        const int longer = std::max(texture.width, texture.height);
         const Pixels pixels = pixels_of(texture, context.is_es(), repair);
-        textures_.emplace(use.texture, Uploaded{upload(texture, pixels), texture.channels});
+        textures_.emplace(use.texture, Uploaded{upload(texture, pixels), texture.channels,
+                                                std::log2(static_cast<float>(longer))});
     };
     for (const Material& m : scene.materials) {
         require(m.normal_texture, TexelRepair::flat_normal);
@@ -225,6 +227,10 @@ void TextureStore::bind(GLuint unit, const TextureUse& use) {
 
 int TextureStore::channels(const TextureUse& use) const {
     return textures_.at(use.texture).channels;
+}
+
+float TextureStore::log2_side(const TextureUse& use) const {
+    return textures_.at(use.texture).log2_side;
 }
 
 }  // namespace burnish::gpu

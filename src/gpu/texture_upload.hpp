@@ -25,6 +25,7 @@ class TextureStore {
     // `use` must have a texture.
     void bind(GLuint unit, const TextureUse& use);
     int channels(const TextureUse& use) const;
+    float log2_side(const TextureUse& use) const;  // of the longer side in texels
 
   private:
     GLuint sampler_for(const TextureUse& use);
@@ -32,6 +33,7 @@ class TextureStore {
     struct Uploaded {
         GlTexture texture;
         int channels = 0;
+        float log2_side = 0.0f;
     };
     std::map<int, Uploaded> textures_;
     std::map<std::tuple<Wrap, Wrap, bool>, Sampler> samplers_;

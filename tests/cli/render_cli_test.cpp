@@ -1,0 +1,151 @@
+// burnish render and info as a person meets them: outputs, their metadata, bad input in one line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "program.hpp"
+#include "core/image_io.hpp"
+
+namespace burnish::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Small and quick, on whatever runs the GL.
+std::vector<std::string> render(const std::vector<std::string>& more, const std::string& out) {
+    std::vector<std::string> arguments = {"render", "--size", "48x40", "--samples", "2", "-o", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+double mean_of(const Image& image) {
+    double sum = 0;
+    for (const float value : image.pixels) {
+        EXPECT_TRUE(std::isfinite(value));
+        sum += value;
+    }
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+TEST(RenderCommand, WritesEveryFormatAtTheSizeAskedFor) {
+    const Folder folder;
+    for (const std::string name : {"a.png", "a.jpg", "a.tif", "a.exr"}) {
+        const Outcome outcome = run_burnish(render({"builtin:sphere"}, folder.path(name)));
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.complaint;
+        EXPECT_EQ(outcome.output, folder.path(name) + "\n");
+        const Image image = read_image(folder.path(name));
+        EXPECT_EQ(image.width, 48);
+        EXPECT_EQ(image.height, 40);
+        EXPECT_GT(mean_of(image), 0.01) << name;
+    }
+}
+
+TEST(RenderCommand, KeepsItsCommandInThePicture) {
+    const Folder folder;
+    ASSERT_EQ(run_burnish(render({"builtin:torus", "--metal", "gold"}, folder.path("a.png"))).exit_code,
+              0);
+    const Outcome info = run_burnish({"info", folder.path("a.png")});
+    EXPECT_NE(info.output.find("--metal gold"), std::string::npos) << info.output;
+}
+
+TEST(RenderCommand, TheSameSeedIsTheSamePicture) {
+    const Folder folder;
+    for (const std::string name : {"a.exr", "b.exr"})
+        ASSERT_EQ(run_burnish(render({"builtin:drape", "--seed", "7"}, folder.path(name))).exit_code, 0);
+    EXPECT_EQ(read_image(folder.path("a.exr")).pixels, read_image(folder.path("b.exr")).pixels);
+}
+
+TEST(RenderCommand, ComparesMethodsOnOneSheet) {
+    const Folder folder;
+    const Outcome outcome = run_burnish(render(
+        {"builtin:sphere", "--normal-map", "builtin:bumps", "--alpha-x", "0.1", "--alpha-y", "0.4",
+         "--compare", "none,normal-map,deform-smooth,follow-grain"},
+        folder.path("sheet.png")));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.complaint;
+    const Image sheet = read_image(folder.path("sheet.png"));
+    EXPECT_GT(sheet.width, 4 * 48);
+    EXPECT_GT(sheet.height, 2 * 40);
+}
+
+TEST(RenderCommand, TurnsTheTable) {
+    const Folder folder;
+    const Outcome outcome =
+        run_burnish(render({"builtin:drape", "--turntable", "3"}, folder.path("t.png")));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.complaint;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"t_0000.png", "t_0001.png", "t_0002.png"}));
+    EXPECT_NE(read_image(folder.path("t_0000.png")).pixels,
+              read_image(folder.path("t_0001.png")).pixels);
+}
+
+TEST(RenderCommand, RendersTheExampleScenes) {
+    const Folder folder;
+    for (const auto& entry : fs::directory_iterator(fs::path(BURNISH_SOURCE_DIR) / "examples/scenes")) {
+        const std::string out = folder.path(entry.path().stem().string() + ".png");
+        const Outcome outcome = run_burnish(render({entry.path().string()}, out));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
+        EXPECT_GT(mean_of(read_image(out)), 0.01);
+    }
+}
+
+TEST(RenderCommand, WrongWordsAreUsageErrorsThatSuggest) {
+    const Folder folder;
+    const std::string out = folder.path("a.png");
+    expect_complaint(run_burnish(render({"builtin:spere"}, out)), 2, {"spere", "sphere"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--mdf", "gggx"}, out)), 2, {"--mdf", "ggx"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--compare", "none,folow-grain"}, out)), 2,
+                     {"--compare", "follow-grain"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--alpha-x", "9"}, out)), 2,
+                     {"--alpha-x", "0.001 to 1.5", "9"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--alpha-x", ".1", "--e-x", "9"}, out)), 2,
+                     {"alpha", "e_"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--light", "up"}, out)), 2, {"--light", "up"});
+    expect_complaint(run_burnish({"render", "builtin:sphere", "--size", "0x10", "-o", out}), 2,
+                     {"--size", "1 to 16384"});
+    expect_complaint(run_burnish(render({"builtin:sphere"}, folder.path("a.bmp"))), 2, {".png"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--camera-index", "3"}, out)), 2,
+                     {"--camera-index", "3"});
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderCommand, BrokenFilesAreOneLine) {
+    const Folder folder;
+    const std::string out = folder.path("a.png");
+    const std::string old = "an old picture";
+    folder.write("a.png", old);
+    const std::string truncated = folder.write("cut.glb", std::string("glTF\2\0\0\0\377\0\0\0", 12));
+    expect_complaint(run_burnish(render({truncated}, out)), 1, {"cut.glb"});
+    expect_complaint(run_burnish(render({folder.write("e.obj", "")}, out)), 1, {"e.obj"});
+    expect_complaint(run_burnish(render({folder.write("s.json", "{\"format\":\"burnish-scene\"")}, out)),
+                     1, {"s.json"});
+    expect_complaint(run_burnish(render({folder.path("missing.glb")}, out)), 1, {"missing.glb"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--env", folder.write("e.hdr", "#?RADIANCE\n")},
+                                        out)), 1, {"e.hdr"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--normal-map", folder.write("n.png", "\x89PNG")},
+                                        out)), 1, {"n.png"});
+    EXPECT_EQ(contents_of(out), old);
+}
+
+TEST(RenderCommand, AFullDiskLeavesTheOldPicture) {
+    const Folder folder;
+    const std::string out = folder.write("a.exr", "an old picture");
+    Surroundings small_disk;
+    small_disk.file_size_limit = 4096;
+    expect_complaint(run_burnish({"render", "builtin:sphere", "--size", "200x200", "--samples", "1", "-o",
+                                  out}, small_disk), 1, {"a.exr"});
+    EXPECT_EQ(contents_of(out), "an old picture");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"a.exr"});
+    expect_complaint(run_burnish(render({"builtin:sphere"}, folder.path("no/such/a.png"))), 1, {"no/such"});
+}
+
+TEST(InfoCommand, SaysWhatThereIs) {
+    const Outcome sphere = run_burnish({"info", "builtin:sphere"});
+    EXPECT_EQ(sphere.exit_code, 0);
+    EXPECT_NE(sphere.output.find("101760 triangles"), std::string::npos) << sphere.output;
+    const Outcome studio = run_burnish({"info", "builtin:studio"});
+    EXPECT_NE(studio.output.find("mean radiance"), std::string::npos) << studio.output;
+    expect_complaint(run_burnish({"info"}), 2, {"--devices"});
+}
+
+}  // namespace
+}  // namespace burnish::test
