@@ -1,4 +1,5 @@
-// Punctual lights as KHR_lights_punctual has them. LIGHTS: how many, at compile time (0 to 16).
+// Punctual lights as KHR_lights_punctual has them. LIGHTS: how many, at compile time (0 to 16);
+// POSITION: one of them has a place, so that shading must know where the surface is.
 #if LIGHTS > 0
 
 uniform vec4 u_light_place[LIGHTS];      // xyz: position, or towards a directional light; w: 0 or 1
@@ -8,6 +9,10 @@ uniform vec2 u_light_cone[LIGHTS];       // x (cos angle) + y, clamped and squar
 
 // Direction towards light i from a position, and the irradiance it gives a surface facing it.
 vec3 light_direction(int i, vec3 position, out vec3 irradiance) {
+#ifndef POSITION
+    irradiance = u_light_radiance[i].rgb;
+    return u_light_place[i].xyz;
+#else
     vec3 to_light = u_light_place[i].xyz - position * u_light_place[i].w;
     // 1e-12: a micrometre squared; nothing is shaded closer to a light.
     float d2 = max(dot(to_light, to_light), 1e-12);
@@ -18,6 +23,7 @@ vec3 light_direction(int i, vec3 position, out vec3 irradiance) {
                        0.0, 1.0);
     irradiance = u_light_radiance[i].rgb * (window * cone * cone / d2);
     return wi;
+#endif
 }
 
 #endif

@@ -1,5 +1,5 @@
 // The material at a point: uniforms times textures. HAS_*_MAP: which textures there are;
-// LOBE_FROM_TEXTURE: the roughness pair varies over the surface; UV_PER_TEXTURE: textures differ in
+// LOBE_FROM_TEXTURE: the roughness pair varies over the surface (else GROOVES_ALONG_X is known); UV_PER_TEXTURE: textures differ in
 // set or transform (else the vertex stage has already chosen and transformed the one that is used);
 // FOOTPRINT_GIVEN: mips are chosen by s.footprint, not by neighbouring pixels.
 
@@ -130,7 +130,11 @@ Shading shading_at(Surface s) {
 #else
     m.lobe = uniform_lobe();
 #endif
+#ifdef LOBE_FROM_TEXTURE
     m.grooves_along_x = lobe_grooves_along_x(MDF, m.lobe.p0, m.lobe.p1);
+#else
+    m.grooves_along_x = GROOVES_ALONG_X;
+#endif
     m.n = vec3(0.0, 0.0, 1.0);
 #ifdef HAS_NORMAL_MAP
     m.n = normal_of_texel(MAP_AT(u_normal_map, 2).rgb);

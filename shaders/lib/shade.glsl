@@ -1,5 +1,5 @@
 // Radiance towards the eye at a point of a surface. METHOD, MDF, BRDF, CONSERVE: the model, at
-// compile time.
+// compile time; METAL: nothing is diffuse.
 
 // What the smooth interface lets through to the diffuse base and back, as Schlick has it:
 // (1 - F(n~.wi)) (1 - F(n.wo)). At most 1 - F, so that with the specular term no energy is gained. The
@@ -9,7 +9,7 @@ float diffuse_through(float cosine) {
 }
 
 vec3 diffuse_color(Shading m) {
-#ifdef CONDUCTOR
+#ifdef METAL
     return vec3(0.0);
 #else
     return m.base_color * (1.0 - m.metallic);
@@ -19,16 +19,17 @@ vec3 diffuse_color(Shading m) {
 #if LIGHTS > 0
 // Only the horizon of n~ counts, as under the environment.
 vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
-    vec3 base = diffuse_color(m) * (diffuse_through(wo.z) / kPi);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 irradiance;
         vec3 wi = to_axes(a, light_direction(i, s.position, irradiance));
-        float cos_i = max(dot(p.n, wi), 0.0);
+        float cos_i = wi.z > 0.0 ? max(dot(p.n, wi), 0.0) : 0.0;
         float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
-        vec3 f = specular_fresnel(m, cos_h) * brdf_eval(BRDF, m.lobe, p, wi, wo) +
-                 base * diffuse_through(cos_i);
-        sum += finite_radiance(irradiance * f * cos_i);
+        vec3 f = specular_fresnel(m, cos_h) * brdf_eval(BRDF, m.lobe, p, wi, wo);
+#ifndef METAL
+        f += diffuse_color(m) * (diffuse_through(wo.z) * diffuse_through(cos_i) / kPi);
+#endif
+        sum += irradiance * f * cos_i;
     }
     return sum;
 }
@@ -38,9 +39,13 @@ vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
 // Constant light all around gives exactly base (1 - mean F) (1 - F(n.wo)); the cosine-weighted mean
 // of Schlick's term is f0 + (1 - f0)/21.
 vec3 lit_by_environment(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
+    vec3 sum = image_specular(s, m, a, p, wo);
+#ifndef METAL
     float through = (1.0 - u_dielectric_f0) * (20.0 / 21.0) * diffuse_through(wo.z);
-    vec3 diffuse = diffuse_color(m) * environment_irradiance(from_axes(a, p.n));
-    return diffuse * (through * occlusion_at(s)) + image_specular(s, m, a, p, wo);
+    sum += diffuse_color(m) * environment_irradiance(from_axes(a, p.n)) *
+           (through * occlusion_at(s));
+#endif
+    return sum;
 }
 #endif
 
@@ -50,12 +55,14 @@ vec4 shade(Surface s) {
 #ifdef MASK
     if (m.alpha < u_alpha_cutoff) { discard; }
 #endif
-    Axes tangent_axes = surface_axes(s, s.to_eye);
-    Axes a = turned(tangent_axes, m.direction);
-    // n~ against the turned axes: turned back by the same angle.
-    vec3 n = vec3(m.n.x * m.direction.x + m.n.y * m.direction.y,
-                  m.n.y * m.direction.x - m.n.x * m.direction.y, m.n.z);
-    Perturbation p = perturb_make(METHOD, n, m.grooves_along_x, CONSERVE);
+    Axes a = surface_axes(s, s.to_eye);
+#ifdef TURNED
+    // The stretch is not along the tangent: everything is seen against axes turned to it.
+    a = turned(a, m.direction);
+    m.n = vec3(m.n.x * m.direction.x + m.n.y * m.direction.y,
+               m.n.y * m.direction.x - m.n.x * m.direction.y, m.n.z);
+#endif
+    Perturbation p = perturb_make(METHOD, m.n, m.grooves_along_x, CONSERVE);
     vec3 wo = to_axes(a, s.to_eye);
     vec3 radiance = emission_at(s);
 #if LIGHTS > 0

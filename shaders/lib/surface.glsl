@@ -31,11 +31,8 @@ Axes surface_axes(Surface s, vec3 wo) {
     a.z = normalize(a.z + wo * below);
     vec3 t = s.tangent.xyz * side;
     t = t - a.z * dot(a.z, t);
-    // A tangent along the normal has no direction left: any perpendicular one does.
-    vec3 helper = abs(a.z.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    vec3 spare = helper - a.z * dot(a.z, helper);
-    t = dot(t, t) > 1e-12 * dot(s.tangent.xyz, s.tangent.xyz) ? t : spare;
-    a.x = normalize(t);
+    // kTiny: surface.vert leaves no tangent without a direction, but two may cancel between vertices.
+    a.x = t * inversesqrt(max(dot(t, t), kTiny));
     a.y = cross(a.z, a.x) * (s.tangent.w * side < 0.0 ? -1.0 : 1.0);
     return a;
 }

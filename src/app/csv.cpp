@@ -134,9 +134,12 @@ std::span<const CsvRecord> CsvReader::next_block() {
 void CsvReader::wait_for_bytes() const {
     constexpr int kSleepMs = 100;
     pollfd waiting{descriptor_, POLLIN, 0};
-    do {
+    for (;;) {
         if (interrupt_requested()) throw Interrupted();
-    } while (::poll(&waiting, 1, kSleepMs) == 0);
+        const int ready = ::poll(&waiting, 1, kSleepMs);
+        if (ready > 0) return;
+        if (ready < 0 && errno != EINTR) throw_unreadable(name_);
+    }
 }
 
 // Moves what is left to the front and reads until the buffer is full or the file ends.

@@ -178,6 +178,16 @@ void transform_table(CsvReader& reader, const CsvTask& task, OutputStream& outpu
     progress.step(kStage, 1.0);
 }
 
+// What std::from_chars leaves open: infinity for the one, zero or a subnormal number for the other.
+template <typename Float>
+Float too_large_or_too_small(const std::string& digits) {
+    if constexpr (std::is_same_v<Float, float>) {
+        return std::strtof(digits.c_str(), nullptr);
+    } else {
+        return std::strtod(digits.c_str(), nullptr);
+    }
+}
+
 }  // namespace
 
 std::string_view CsvRow::text(std::size_t column) const {
@@ -186,32 +196,27 @@ std::string_view CsvRow::text(std::size_t column) const {
 }
 
 template <typename Float>
-Float CsvRow::number(std::size_t column, std::string_view expected) const {
-    std::string_view digits = text(column);
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+Float CsvRow::number(std::size_t column) const {
+    const std::string_view written = text(column);
+    const bool plus = written.size() > 1 && written[0] == '+' && written[1] != '-';
+    const char* const begin = written.data() + (plus ? 1 : 0);
+    const char* const end = written.data() + written.size();
     Float value{};
-    const char* const end = digits.data() + digits.size();
-    const auto [stopped, status] = std::from_chars(digits.data(), end, value);
+    const auto [stopped, status] = std::from_chars(begin, end, value);
     if (status == std::errc::result_out_of_range && stopped == end) {
-        // Too large or too small: only the second is a number all the same.
-        const std::string copy(digits);
-        if constexpr (std::is_same_v<Float, float>) {
-            value = std::strtof(copy.c_str(), nullptr);
-        } else {
-            value = std::strtod(copy.c_str(), nullptr);
-        }
+        value = too_large_or_too_small<Float>(std::string(begin, end));
     } else if (status != std::errc{} || stopped != end) {
-        fail(column, expected, text(column).empty() ? "nothing" : shown(text(column)));
+        fail(column, "a number", written.empty() ? "nothing" : shown(written));
     }
     if (!std::isfinite(value)) {
-        fail(column, std::string(expected) + (sizeof(Float) == 4 ? " in single precision" : ""),
-             shown(text(column)));
+        fail(column, sizeof(Float) == 4 ? "a finite number in single precision" : "a finite number",
+             shown(written));
     }
     return value;
 }
 
-template float CsvRow::number<float>(std::size_t, std::string_view) const;
-template double CsvRow::number<double>(std::size_t, std::string_view) const;
+template float CsvRow::number<float>(std::size_t) const;
+template double CsvRow::number<double>(std::size_t) const;
 
 std::size_t CsvRow::choice(std::size_t column, std::span<const std::string_view> names) const {
     const std::string_view name = text(column);

@@ -40,9 +40,9 @@ class CsvRow {
     // Empty when the column is absent.
     std::string_view text(std::size_t column) const;
 
-    // A finite number; float is rounded once, from the decimal text. `expected` describes it.
+    // A finite number; float is rounded once, from the decimal text.
     template <typename Float>
-    Float number(std::size_t column, std::string_view expected) const;
+    Float number(std::size_t column) const;
 
     // The index of the text in `names`; an unknown one suggests the nearest.
     std::size_t choice(std::size_t column, std::span<const std::string_view> names) const;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/csv_columns.hpp"
+#include "burnish/error.hpp"
 #include "shading/brdf_models.hpp"
 #include "shading/mdf.hpp"
 
@@ -26,9 +27,9 @@ Float shape_parameter(const CsvRow& row, std::size_t column, const ShapeParamete
         return fmt::format("{} from {} to {}", parameter.name, parameter.low, parameter.high);
     };
     if (row.text(column).empty()) row.fail(column, expected(), "nothing");
-    const auto value = row.number<Float>(column, "a finite number");
+    const auto value = row.number<Float>(column);
     if (value < static_cast<Float>(parameter.low) || value > static_cast<Float>(parameter.high)) {
-        row.fail(column, expected(), std::string(row.text(column)));
+        row.fail(column, expected(), shown(row.text(column)));
     }
     return value;
 }
@@ -36,12 +37,9 @@ Float shape_parameter(const CsvRow& row, std::size_t column, const ShapeParamete
 // From three columns, made unit.
 template <typename Float>
 Direction<Float> direction(const CsvRow& row, std::size_t first_column) {
-    constexpr std::string_view kExpected = "a finite number";
-    Direction<Float> v{row.number<Float>(first_column, kExpected),
-                       row.number<Float>(first_column + 1, kExpected),
-                       row.number<Float>(first_column + 2, kExpected)};
-    if (!make_unit(v))
-        row.fail(first_column, "the first component of a direction", "a zero vector");
+    Direction<Float> v{row.number<Float>(first_column), row.number<Float>(first_column + 1),
+                       row.number<Float>(first_column + 2)};
+    if (!make_unit(v)) row.fail(first_column, "the start of a direction", "a zero vector");
     return v;
 }
 
@@ -79,7 +77,7 @@ void append_mdf_values(const CsvRow& row, std::string& line) {
     const auto h = direction<Float>(row, column::hx);
     if (!(n.z > Float(0))) {
         row.fail(column::nz, "a normal of the upper hemisphere, nz > 0",
-                 std::string(row.text(column::nz)));
+                 shown(row.text(column::nz)));
     }
     const MdfValues<Float> values = mdf_values(mdf, p0, p1, method, n, h);
     append_value(row, column::mdf, values.D, line);

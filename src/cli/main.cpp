@@ -35,8 +35,9 @@ void set_signal(int number, void (*handler)(int), int flags) {
 
 void set_signals() {
     // Reads and writes that wait are to return; a second Ctrl-C ends the program at once.
-    set_signal(SIGINT, on_interrupt, SA_RESETHAND);
-    set_signal(SIGTERM, on_interrupt, SA_RESETHAND);
+    constexpr int kOnce = static_cast<int>(SA_RESETHAND);
+    set_signal(SIGINT, on_interrupt, kOnce);
+    set_signal(SIGTERM, on_interrupt, kOnce);
     // A full pipe or a file-size limit is to be seen by the write that meets it.
     set_signal(SIGPIPE, SIG_IGN, 0);
     set_signal(SIGXFSZ, SIG_IGN, 0);

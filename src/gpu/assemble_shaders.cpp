@@ -17,7 +17,7 @@ SurfaceVariant with_everything() {
     SurfaceVariant v;
     v.method = Method::follow_grain;
     v.lobe_from_texture = v.base_color_map = v.metallic_roughness_map = v.normal_map = true;
-    v.occlusion_map = v.emissive_map = v.anisotropy_map = true;
+    v.occlusion_map = v.emissive_map = v.anisotropy_map = v.turned = true;
     v.lights = 16;
     v.position = true;
     v.image_light = 1;
@@ -43,7 +43,7 @@ std::vector<SurfaceVariant> variants() {
             v.mdf = static_cast<Mdf>(mdf);
             v.image_light = mdf % 3;
             v.lights = mdf;
-            v.conductor = mdf % 2 == 1;
+            v.conductor = v.metal = mdf % 2 == 1;
             list.push_back(v);
         }
     }
@@ -90,6 +90,7 @@ void write_all(Writer& writer) {
         }
         writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");
         writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
+        writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", "gouraud.vert");
         writer.write(dialect, "", "gbuffer.frag");
         writer.write(dialect, "#define POSITION\n", "gbuffer.frag");
     }

@@ -96,6 +96,7 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     v.mdf = m.mdf;
     v.brdf = m.brdf;
     v.conductor = m.conductor.has_value();
+    v.metal = v.conductor || (m.metallic >= 1.0f && !m.metallic_roughness_texture);
     v.base_color_map = static_cast<bool>(m.base_color_texture);
     v.metallic_roughness_map = static_cast<bool>(m.metallic_roughness_texture);
     v.normal_map = with_normal_map && m.normal_texture;
@@ -104,6 +105,10 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     v.emissive_map = static_cast<bool>(m.emissive_texture);
     v.anisotropy_map = static_cast<bool>(m.anisotropy_texture);
     v.lobe_from_texture = !m.alpha && (v.metallic_roughness_map || v.anisotropy_map);
+    const f32::Lobe lobe = lobe_of(m);
+    v.grooves_along_x =
+        v.lobe_from_texture || f32::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);
+    v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map;
     v.uv_per_texture = uses_differ(m);
     v.vertex_color = vertex_color;
     v.alpha_mode = m.alpha_mode;

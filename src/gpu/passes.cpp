@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "gpu/texture_units.hpp"
@@ -153,13 +154,14 @@ void Painter::paint_deferred(const Frame& frame, Targets& targets,
     targets.bind_gbuffer(scene_.lights.any_positional());
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    std::vector<int> seen;
+    std::map<int, Bounds> seen;  // by material
     std::erase_if(forward, [&](std::size_t i) {
         const DrawItem& item = scene_.items[i];
         if (!can_defer(frame, item)) return false;
         glStencilFunc(GL_ALWAYS, item.material + 1, 0xFF);
         write_gbuffer(frame, item);
-        if (std::ranges::find(seen, item.material) == seen.end()) seen.push_back(item.material);
+        Bounds& box = seen.try_emplace(item.material, item.bounds).first->second;
+        box = {glm::min(box.low, item.bounds.low), glm::max(box.high, item.bounds.high)};
         return true;
     });
     targets.bind_frame();
@@ -168,10 +170,14 @@ void Painter::paint_deferred(const Frame& frame, Targets& targets,
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     set_culling(false, false);
     if (seen.size() == 1) glDisable(GL_STENCIL_TEST);
-    for (const int material : seen) {
+    glEnable(GL_SCISSOR_TEST);
+    for (const auto& [material, box] : seen) {
+        const Tile part = screen_bounds(frame.view, box, frame.tile);
+        glScissor(part.x, part.y, part.width, part.height);
         glStencilFunc(GL_EQUAL, material + 1, 0xFF);
         resolve_material(frame, targets, material);
     }
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LEQUAL);
@@ -221,9 +227,9 @@ void Painter::paint_item(const Frame& frame, const DrawItem& item) {
 }
 
 void Painter::paint_gouraud(const Frame& frame, const DrawItem& item) {
-    Program& program =
-        programs_.get("gouraud.vert", "gouraud.frag",
-                      "#define LIGHTS " + std::to_string(scene_.lights.count()) + "\n");
+    std::string defines = "#define LIGHTS " + std::to_string(scene_.lights.count()) + "\n";
+    if (scene_.lights.any_positional()) defines += "#define POSITION\n";
+    Program& program = programs_.get("gouraud.vert", "gouraud.frag", defines);
     program.use();
     set_common(program, frame);
     set_material(program, scene_.materials[static_cast<std::size_t>(item.material)],

@@ -19,11 +19,14 @@ std::string SurfaceVariant::defines() const {
     lines += define("MDF", f32::brdf_mdf(model, static_cast<int>(mdf)));
     lines += define("BRDF", model);
     lines += conserve ? "#define CONSERVE true\n" : "#define CONSERVE false\n";
+    lines += grooves_along_x ? "#define GROOVES_ALONG_X true\n" : "#define GROOVES_ALONG_X false\n";
     lines += define("LIGHTS", lights);
     lines += define("IMAGE_LIGHT", image_light);
     const std::pair<bool, const char*> switches[] = {
         {conductor, "CONDUCTOR"},
+        {metal, "METAL"},
         {lobe_from_texture, "LOBE_FROM_TEXTURE"},
+        {turned, "TURNED"},
         {base_color_map, "HAS_BASE_COLOR_MAP"},
         {metallic_roughness_map, "HAS_METALLIC_ROUGHNESS_MAP"},
         {normal_map, "HAS_NORMAL_MAP"},

@@ -14,7 +14,10 @@ struct SurfaceVariant {
     Brdf brdf = Brdf::microfacet;
     bool conserve = false;
     bool conductor = false;
+    bool metal = false;  // nothing is diffuse
     bool lobe_from_texture = false;
+    bool grooves_along_x = true;  // unless lobe_from_texture
+    bool turned = false;          // the stretch is not along the tangent
     bool base_color_map = false;
     bool metallic_roughness_map = false;
     bool normal_map = false;
@@ -26,7 +29,7 @@ struct SurfaceVariant {
     bool vertex_color = false;
     AlphaMode alpha_mode = AlphaMode::opaque;
     int lights = 0;
-    bool position = false;  // resolve.frag: a light asks where the surface is
+    bool position = false;  // a light asks where the surface is
     int image_light = 0;    // 0 off, 1 importance, 2 bent normal
 
     // Whether gbuffer.frag holds all that shading needs.

@@ -80,17 +80,16 @@ void Targets::bind_gbuffer(bool with_position) {
     if (!gbuffer_ || (with_position && !gbuffer_->position)) {
         gbuffer_.emplace();
         if (with_position) gbuffer_->position.emplace();
-        const ColorFormat format{GL_RGBA32F, GL_FLOAT};
-        std::vector<GLuint> images = {gbuffer_->normal.get(), gbuffer_->tangent.get()};
-        if (with_position) images.push_back(gbuffer_->position->get());
-        std::vector<GLenum> outputs;
-        for (const GLuint image : images) {
-            define_texture(image, format, GL_RGBA, width_, height_);
-            outputs.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + outputs.size()));
-        }
-        attach(gbuffer_->target.get(), images[0], depth_.get());
-        for (std::size_t i = 1; i < images.size(); ++i) {
-            glFramebufferTexture2D(GL_FRAMEBUFFER, outputs[i], GL_TEXTURE_2D, images[i], 0);
+        std::vector<GLenum> outputs = {GL_COLOR_ATTACHMENT0};
+        define_texture(gbuffer_->words.get(), {GL_RGBA32UI, GL_UNSIGNED_INT}, GL_RGBA_INTEGER,
+                       width_, height_);
+        attach(gbuffer_->target.get(), gbuffer_->words.get(), depth_.get());
+        if (with_position) {
+            const GLuint position = gbuffer_->position->get();
+            define_texture(position, {GL_RGBA32F, GL_FLOAT}, GL_RGBA, width_, height_);
+            outputs.push_back(GL_COLOR_ATTACHMENT1);
+            glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
+            glFramebufferTexture2D(GL_FRAMEBUFFER, outputs[1], GL_TEXTURE_2D, position, 0);
         }
         glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
         if (!complete()) throw Error("the device cannot render to several float images at once");
@@ -104,8 +103,7 @@ void Targets::bind_gbuffer_textures(Program& program) const {
         glBindTexture(GL_TEXTURE_2D, texture);
         program.set(name, static_cast<int>(unit));
     };
-    bind(kNormalUnit, gbuffer_->normal.get(), "u_normal_u");
-    bind(kTangentUnit, gbuffer_->tangent.get(), "u_tangent_v");
+    bind(kPackedUnit, gbuffer_->words.get(), "u_packed");
     if (gbuffer_->position) bind(kPositionUnit, gbuffer_->position->get(), "u_position");
 }
 

@@ -39,7 +39,7 @@ class Targets {
 
   private:
     struct GBuffer {
-        GlTexture normal, tangent;
+        GlTexture words;
         std::optional<GlTexture> position;
         Framebuffer target;
     };

@@ -10,11 +10,10 @@ inline constexpr GLuint kMaterialUnits = 0;
 inline constexpr int kMaterialTextures = 6;
 inline constexpr GLuint kEnvironmentUnit = 6;
 inline constexpr GLuint kIrradianceUnit = 7;
-inline constexpr GLuint kNormalUnit = 8;  // images of gbuffer.frag
-inline constexpr GLuint kTangentUnit = 9;
-inline constexpr GLuint kPositionUnit = 10;
-inline constexpr GLuint kSumUnit = 11;
-inline constexpr GLuint kLatestUnit = 12;
+inline constexpr GLuint kPackedUnit = 8;  // images of gbuffer.frag
+inline constexpr GLuint kPositionUnit = 9;
+inline constexpr GLuint kSumUnit = 10;
+inline constexpr GLuint kLatestUnit = 11;
 inline constexpr GLuint kScratchUnit = 15;  // uploads
 
 }  // namespace burnish::gpu

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -108,6 +109,30 @@ View make_view(const Camera& camera, const Bounds& bounds, int width, int height
     v.ray_x = glm::vec3(basis.right * (0.5 * (right - left)));
     v.ray_y = glm::vec3(basis.up * (0.5 * (top - bottom)));
     return v;
+}
+
+Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile) {
+    glm::vec2 low(1.0f);
+    glm::vec2 high(-1.0f);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p((corner & 1) != 0 ? box.high.x : box.low.x,
+                          (corner & 2) != 0 ? box.high.y : box.low.y,
+                          (corner & 4) != 0 ? box.high.z : box.low.z);
+        const glm::vec4 clip = view.clip_from_world * glm::vec4(p, 1.0f);
+        if (!(clip.w > 0.0f)) return {0, 0, tile.width, tile.height};
+        const glm::vec2 ndc = glm::clamp(glm::vec2(clip) / clip.w, -1.0f, 1.0f);
+        low = glm::min(low, ndc);
+        high = glm::max(high, ndc);
+    }
+    // A pixel more on each side, for rounding.
+    const auto pixel = [](float ndc, int size) {
+        return static_cast<int>((0.5f * ndc + 0.5f) * static_cast<float>(size));
+    };
+    const int left = std::max(pixel(low.x, tile.width) - 1, 0);
+    const int bottom = std::max(pixel(low.y, tile.height) - 1, 0);
+    const int right = std::min(pixel(high.x, tile.width) + 2, tile.width);
+    const int top = std::min(pixel(high.y, tile.height) + 2, tile.height);
+    return {left, bottom, std::max(right - left, 0), std::max(top - bottom, 0)};
 }
 
 glm::dvec2 pixel_offset(int index) {

@@ -38,6 +38,10 @@ struct View {
 View make_view(const Camera& camera, const Bounds& bounds, int width, int height, const Tile& tile,
                glm::dvec2 offset_px);
 
+// The part of the tile, in its own pixels, that the box can cover: all of it for a box behind the
+// eye.
+Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile);
+
 // Offset of sample `index` under the pixel filter, a triangle of half width 1 pixel: as many
 // samples fall on a place as the filter weighs it. Sample 0 is the middle.
 glm::dvec2 pixel_offset(int index);

@@ -228,6 +228,20 @@ void GltfAccessors::apply_sparse(const tinygltf::Accessor& accessor, int compone
     }
 }
 
+void GltfAccessors::apply_sparse(const tinygltf::Accessor& accessor,
+                                 std::vector<std::uint32_t>& out, std::string_view key) {
+    const auto indices = sparse_indices(accessor, key);
+    const std::string where = fmt::format("{}.sparse.values", key);
+    const auto view =
+        buffers_.view(accessor.sparse.values.bufferView, fmt::format("{}.bufferView", where));
+    const auto elements = elements_in(
+        view, static_cast<std::size_t>(accessor.sparse.values.byteOffset), 0,
+        component_size(accessor.componentType, report_, where), indices.size(), where, report_);
+    std::vector<std::uint32_t> values(indices.size());
+    widen_any(elements, accessor.componentType, values.size(), values.data(), report_, where);
+    for (std::size_t i = 0; i < indices.size(); ++i) out[indices[i]] = values[i];
+}
+
 std::vector<std::uint32_t> GltfAccessors::indices(int index, std::size_t limit,
                                                   std::string_view user) {
     const auto& accessor = item_at(model_.accessors, index, report_, user);
@@ -235,7 +249,6 @@ std::vector<std::uint32_t> GltfAccessors::indices(int index, std::size_t limit,
     if (accessor.type != TINYGLTF_TYPE_SCALAR)
         report_.fail(fmt::format("{}.type", key), fmt::format("SCALAR for {}", user),
                      "another type");
-    if (accessor.sparse.isSparse) report_.fail(key, "plain indices", "a sparse accessor");
     const std::size_t component = component_size(accessor.componentType, report_, key);
     const auto view = buffers_.view(accessor.bufferView, fmt::format("{}.bufferView", key));
     const auto& layout = model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
@@ -244,6 +257,7 @@ std::vector<std::uint32_t> GltfAccessors::indices(int index, std::size_t limit,
     report_.pay(accessor.count * sizeof(std::uint32_t), key);
     std::vector<std::uint32_t> out(accessor.count);
     widen_any(elements, accessor.componentType, accessor.count, out.data(), report_, key);
+    if (accessor.sparse.isSparse) apply_sparse(accessor, out, key);
     check_indices(out, limit, key, report_);
     return out;
 }

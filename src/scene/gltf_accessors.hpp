@@ -50,6 +50,8 @@ class GltfAccessors {
                      std::string_view user);
     void apply_sparse(const tinygltf::Accessor& accessor, int components, std::size_t first,
                       std::size_t count, float* out, std::string_view key);
+    void apply_sparse(const tinygltf::Accessor& accessor, std::vector<std::uint32_t>& out,
+                      std::string_view key);
     std::vector<std::uint32_t> sparse_indices(const tinygltf::Accessor& accessor,
                                               std::string_view key);
 

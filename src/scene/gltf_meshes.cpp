@@ -222,6 +222,11 @@ int GltfMeshes::read_mesh(const tinygltf::Primitive& primitive, const std::strin
         indices.resize(count);
         std::iota(indices.begin(), indices.end(), 0u);
     }
+    // Corners are counted in 31 bits from here on, and a strip has three times its indices.
+    constexpr std::size_t kMostIndices = std::numeric_limits<std::int32_t>::max() / 3;
+    if (indices.size() > kMostIndices)
+        report_.fail(key, fmt::format("at most {} indices", kMostIndices),
+                     fmt::format("{}", indices.size()));
     // A strip unfolds threefold, and meshes without normals into three vertices a triangle.
     report_.pay(indices.size() * 3 * sizeof(std::uint32_t), key);
     mesh.indices = triangle_list(std::move(indices), primitive.mode);

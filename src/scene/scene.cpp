@@ -73,6 +73,7 @@ Scene load_model(const std::string& path_or_builtin, int triangles) {
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
     // Other names are told by content: a binary glTF starts with its name.
     std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error(path_or_builtin, "", "a readable file", "none");
     char magic[4] = {};
     if (file.read(magic, 4) && std::string_view(magic, 4) == "glTF") return load_gltf(path);
     throw Error(path_or_builtin, "", "a model (.gltf, .glb, .obj or builtin:<name>)",

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/eval.hpp"
 #include "program.hpp"
 
 namespace burnish::test {
@@ -189,15 +190,16 @@ TEST(BrdfEval, ReciprocalAndZeroBelow) {
 }
 
 TEST(BrdfEval, WhatIsMissingIsNamed) {
-    const auto complain = [](const std::string& table, const std::vector<std::string>& parts) {
-        expect_complaint(run_burnish({"brdf", "eval", "--in", "-", "--out", "-"}, {.input = table}),
-                         1, parts);
+    const Folder folder;
+    const auto complain = [&](const std::string& table, const std::vector<std::string>& parts) {
+        const EvalRequest request{folder.write("in.csv", table), folder.path("out.csv")};
+        expect_parts(refusal_of([&] { eval_brdf_table(request, Progress()); }), parts);
     };
     complain("brdf,p0,p1,ix,iy,iz,ox,oy,oz\nggx,.1,.2,0,0,1,0,0,1\n",
-             {"standard input: line 2, column p2", "F0 from 0 to 1", "found nothing"});
+             {"in.csv: line 2, column p2", "F0 from 0 to 1", "found nothing"});
     complain("brdf,p0,p1,p2,ix,iy,iz,ox,oy,oz\nggx,.1,.2,,0,0,1,0,0,1\n", {"column p2"});
     complain("brdf,p0,p1,p2,ix,iy,iz,ox,oy,oz\nggx,.1,.2,1.1,0,0,1,0,0,1\n",
-             {"column p2", "F0 from 0 to 1", "found 1.1"});
+             {"column p2", "F0 from 0 to 1", "found \"1.1\""});
     complain("brdf,p0,p1,p2,ix,iy,iz,ox,oy,oz\nwardgmd,.1,.2,1,0,0,1,0,0,1\n",
              {"column brdf", "did you mean 'ward-gmd'?"});
     complain("brdf,p0,p1,p2,ix,iy,iz,ox,oy,oz\nmicrofacet,.1,.2,1,0,0,1,0,0,1\n",

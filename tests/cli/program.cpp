@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "burnish/error.hpp"
+
 namespace burnish::test {
 namespace {
 
@@ -155,6 +157,22 @@ void expect_complaint(const Outcome& outcome, int exit_code,
                             [](char c) { return static_cast<unsigned char>(c) < 0x20; }),
               1)
         << line;
+    expect_parts(line, parts);
+}
+
+std::string refusal_of(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const UsageError& error) {
+        ADD_FAILURE() << "a wrong file is no wrong command: " << error.what();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << "nothing was refused";
+    return "";
+}
+
+void expect_parts(const std::string& line, const std::vector<std::string>& parts) {
     for (const std::string& part : parts) {
         EXPECT_NE(line.find(part), std::string::npos) << "no '" << part << "' in: " << line;
     }

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -66,5 +67,10 @@ class RunningProgram {
 // A failure as users are promised it: the exit code, and one line that starts with "burnish: " and
 // has every one of `parts` in it.
 void expect_complaint(const Outcome& outcome, int exit_code, const std::vector<std::string>& parts);
+
+// The one line of the Error that `work` throws, without starting a program: for the many ways in
+// which a file can be wrong.
+std::string refusal_of(const std::function<void()>& work);
+void expect_parts(const std::string& line, const std::vector<std::string>& parts);
 
 }  // namespace burnish::test

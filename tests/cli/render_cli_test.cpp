@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "program.hpp"
 #include "core/image_io.hpp"
+#include "program.hpp"
 
 namespace burnish::test {
 namespace {
@@ -43,8 +43,9 @@ TEST(RenderCommand, WritesEveryFormatAtTheSizeAskedFor) {
 
 TEST(RenderCommand, KeepsItsCommandInThePicture) {
     const Folder folder;
-    ASSERT_EQ(run_burnish(render({"builtin:torus", "--metal", "gold"}, folder.path("a.png"))).exit_code,
-              0);
+    ASSERT_EQ(
+        run_burnish(render({"builtin:torus", "--metal", "gold"}, folder.path("a.png"))).exit_code,
+        0);
     const Outcome info = run_burnish({"info", folder.path("a.png")});
     EXPECT_NE(info.output.find("--metal gold"), std::string::npos) << info.output;
 }
@@ -52,16 +53,17 @@ TEST(RenderCommand, KeepsItsCommandInThePicture) {
 TEST(RenderCommand, TheSameSeedIsTheSamePicture) {
     const Folder folder;
     for (const std::string name : {"a.exr", "b.exr"})
-        ASSERT_EQ(run_burnish(render({"builtin:drape", "--seed", "7"}, folder.path(name))).exit_code, 0);
+        ASSERT_EQ(
+            run_burnish(render({"builtin:drape", "--seed", "7"}, folder.path(name))).exit_code, 0);
     EXPECT_EQ(read_image(folder.path("a.exr")).pixels, read_image(folder.path("b.exr")).pixels);
 }
 
 TEST(RenderCommand, ComparesMethodsOnOneSheet) {
     const Folder folder;
-    const Outcome outcome = run_burnish(render(
-        {"builtin:sphere", "--normal-map", "builtin:bumps", "--alpha-x", "0.1", "--alpha-y", "0.4",
-         "--compare", "none,normal-map,deform-smooth,follow-grain"},
-        folder.path("sheet.png")));
+    const Outcome outcome = run_burnish(
+        render({"builtin:sphere", "--normal-map", "builtin:bumps", "--alpha-x", "0.1", "--alpha-y",
+                "0.4", "--compare", "none,normal-map,deform-smooth,follow-grain"},
+               folder.path("sheet.png")));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.complaint;
     const Image sheet = read_image(folder.path("sheet.png"));
     EXPECT_GT(sheet.width, 4 * 48);
@@ -80,7 +82,8 @@ TEST(RenderCommand, TurnsTheTable) {
 
 TEST(RenderCommand, RendersTheExampleScenes) {
     const Folder folder;
-    for (const auto& entry : fs::directory_iterator(fs::path(BURNISH_SOURCE_DIR) / "examples/scenes")) {
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(BURNISH_SOURCE_DIR) / "examples/scenes")) {
         const std::string out = folder.path(entry.path().stem().string() + ".png");
         const Outcome outcome = run_burnish(render({entry.path().string()}, out));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
@@ -92,14 +95,16 @@ TEST(RenderCommand, WrongWordsAreUsageErrorsThatSuggest) {
     const Folder folder;
     const std::string out = folder.path("a.png");
     expect_complaint(run_burnish(render({"builtin:spere"}, out)), 2, {"spere", "sphere"});
-    expect_complaint(run_burnish(render({"builtin:sphere", "--mdf", "gggx"}, out)), 2, {"--mdf", "ggx"});
-    expect_complaint(run_burnish(render({"builtin:sphere", "--compare", "none,folow-grain"}, out)), 2,
-                     {"--compare", "follow-grain"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--mdf", "gggx"}, out)), 2,
+                     {"--mdf", "ggx"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--compare", "none,folow-grain"}, out)),
+                     2, {"--compare", "follow-grain"});
     expect_complaint(run_burnish(render({"builtin:sphere", "--alpha-x", "9"}, out)), 2,
                      {"--alpha-x", "0.001 to 1.5", "9"});
-    expect_complaint(run_burnish(render({"builtin:sphere", "--alpha-x", ".1", "--e-x", "9"}, out)), 2,
-                     {"alpha", "e_"});
-    expect_complaint(run_burnish(render({"builtin:sphere", "--light", "up"}, out)), 2, {"--light", "up"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--alpha-x", ".1", "--e-x", "9"}, out)),
+                     2, {"alpha", "e_"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--light", "up"}, out)), 2,
+                     {"--light", "up"});
     expect_complaint(run_burnish({"render", "builtin:sphere", "--size", "0x10", "-o", out}), 2,
                      {"--size", "1 to 16384"});
     expect_complaint(run_burnish(render({"builtin:sphere"}, folder.path("a.bmp"))), 2, {".png"});
@@ -113,16 +118,21 @@ TEST(RenderCommand, BrokenFilesAreOneLine) {
     const std::string out = folder.path("a.png");
     const std::string old = "an old picture";
     folder.write("a.png", old);
-    const std::string truncated = folder.write("cut.glb", std::string("glTF\2\0\0\0\377\0\0\0", 12));
+    const std::string truncated =
+        folder.write("cut.glb", std::string("glTF\2\0\0\0\377\0\0\0", 12));
     expect_complaint(run_burnish(render({truncated}, out)), 1, {"cut.glb"});
     expect_complaint(run_burnish(render({folder.write("e.obj", "")}, out)), 1, {"e.obj"});
-    expect_complaint(run_burnish(render({folder.write("s.json", "{\"format\":\"burnish-scene\"")}, out)),
-                     1, {"s.json"});
+    expect_complaint(
+        run_burnish(render({folder.write("s.json", "{\"format\":\"burnish-scene\"")}, out)), 1,
+        {"s.json"});
     expect_complaint(run_burnish(render({folder.path("missing.glb")}, out)), 1, {"missing.glb"});
-    expect_complaint(run_burnish(render({"builtin:sphere", "--env", folder.write("e.hdr", "#?RADIANCE\n")},
-                                        out)), 1, {"e.hdr"});
-    expect_complaint(run_burnish(render({"builtin:sphere", "--normal-map", folder.write("n.png", "\x89PNG")},
-                                        out)), 1, {"n.png"});
+    expect_complaint(run_burnish(render(
+                         {"builtin:sphere", "--env", folder.write("e.hdr", "#?RADIANCE\n")}, out)),
+                     1, {"e.hdr"});
+    expect_complaint(
+        run_burnish(
+            render({"builtin:sphere", "--normal-map", folder.write("n.png", "\x89PNG")}, out)),
+        1, {"n.png"});
     EXPECT_EQ(contents_of(out), old);
 }
 
@@ -131,11 +141,14 @@ TEST(RenderCommand, AFullDiskLeavesTheOldPicture) {
     const std::string out = folder.write("a.exr", "an old picture");
     Surroundings small_disk;
     small_disk.file_size_limit = 4096;
-    expect_complaint(run_burnish({"render", "builtin:sphere", "--size", "200x200", "--samples", "1", "-o",
-                                  out}, small_disk), 1, {"a.exr"});
+    expect_complaint(
+        run_burnish({"render", "builtin:sphere", "--size", "200x200", "--samples", "1", "-o", out},
+                    small_disk),
+        1, {"a.exr"});
     EXPECT_EQ(contents_of(out), "an old picture");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.exr"});
-    expect_complaint(run_burnish(render({"builtin:sphere"}, folder.path("no/such/a.png"))), 1, {"no/such"});
+    expect_complaint(run_burnish(render({"builtin:sphere"}, folder.path("no/such/a.png"))), 1,
+                     {"no/such"});
 }
 
 TEST(InfoCommand, SaysWhatThereIs) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/eval.hpp"
 #include "program.hpp"
 
 namespace burnish::test {
@@ -23,11 +24,17 @@ class Table : public testing::Test {
         return run_burnish({"mdf", "eval", "--in", folder_.write("in.csv", text), "--out", out});
     }
 
+    void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
+        const EvalRequest request{folder_.write("in.csv", text), folder_.path("refused.csv")};
+        expect_parts(refusal_of([&] { eval_mdf_table(request, Progress()); }), parts);
+        EXPECT_EQ(folder_.names(), (std::vector<std::string>{"in.csv"}));
+    }
+
     void expect_row_error(const std::string& row, const std::vector<std::string>& parts) {
         SCOPED_TRACE(row);
         std::vector<std::string> all{"in.csv: line 2"};
         all.insert(all.end(), parts.begin(), parts.end());
-        expect_complaint(eval(std::string(kHeader) + "\n" + row + "\n"), 1, all);
+        expect_refused(std::string(kHeader) + "\n" + row + "\n", all);
     }
 
     Folder folder_;
@@ -74,19 +81,18 @@ TEST_F(Table, HeaderOnlyGivesHeaderOnly) {
 }
 
 TEST_F(Table, NoHeaderIsAnError) {
-    expect_complaint(eval(""), 1, {"in.csv", "header"});
-    expect_complaint(eval("# only\n\n# comments\n"), 1, {"in.csv", "header"});
-    expect_complaint(eval("\xEF\xBB\xBF"), 1, {"in.csv", "header"});
+    expect_refused("", {"in.csv", "header"});
+    expect_refused("# only\n\n# comments\n", {"in.csv", "header"});
+    expect_refused("\xEF\xBB\xBF", {"in.csv", "header"});
 }
 
 TEST_F(Table, HeaderMustNameEveryColumnOnce) {
-    expect_complaint(eval("mdf,p0,p1,method,nx,ny,nz,hx,hy\n"), 1, {"line 1", "hz", "h"});
-    expect_complaint(eval("mdf,p0,p1,methods,nx,ny,nz,hx,hy,hz\n"), 1,
-                     {"a column named method", "\"methods\""});
-    expect_complaint(eval("mdf,p0,p1,method,nx,ny,nz,hx,hy,hz,hx\n"), 1,
-                     {"only one column named hx"});
-    expect_complaint(eval(std::string(kHeader) + ",D_proj\n"), 1, {"no column named D_proj"});
-    expect_complaint(eval("\"mdf,p0\n"), 1, {"line 1"});
+    expect_refused("mdf,p0,p1,method,nx,ny,nz,hx,hy\n", {"line 1", "hz", "h"});
+    expect_refused("mdf,p0,p1,methods,nx,ny,nz,hx,hy,hz\n",
+                   {"a column named method", "\"methods\""});
+    expect_refused("mdf,p0,p1,method,nx,ny,nz,hx,hy,hz,hx\n", {"only one column named hx"});
+    expect_refused(std::string(kHeader) + ",D_proj\n", {"no column named D_proj"});
+    expect_refused("\"mdf,p0\n", {"line 1"});
 }
 
 TEST_F(Table, BinaryJunkIsAnError) {
@@ -96,12 +102,13 @@ TEST_F(Table, BinaryJunkIsAnError) {
         state = state * 1664525U + 1013904223U;
         junk += static_cast<char>(state >> 24U);
     }
+    expect_refused(junk, {"in.csv"});
     expect_complaint(eval(junk), 1, {"in.csv"});
-    expect_complaint(eval(std::string("\x89PNG\0\0\0\n", 8)), 1, {"binary"});
-    expect_complaint(eval(std::string(3U << 20U, 'x')), 1, {"at most 1 MiB"});
-    expect_complaint(eval(std::string(kHeader) + "\n\"" + std::string(3U << 20U, '\n')), 1,
-                     {"line 2", "at most 1 MiB"});
-    expect_complaint(eval(std::string(200000, ',') + "\n"), 1, {"a column named mdf"});
+    expect_refused(std::string("\x89PNG\0\0\0\n", 8), {"binary"});
+    expect_refused(std::string(3U << 20U, 'x'), {"at most 1 MiB"});
+    expect_refused(std::string(kHeader) + "\n\"" + std::string(3U << 20U, '\n'),
+                   {"line 2", "at most 1 MiB"});
+    expect_refused(std::string(200000, ',') + "\n", {"a column named mdf"});
 }
 
 TEST_F(Table, BadRowsNameLineColumnExpectedAndFound) {
@@ -114,7 +121,7 @@ TEST_F(Table, BadRowsNameLineColumnExpectedAndFound) {
     expect_row_error("ggx,one,.2,none,0,0,1,0,0,1", {"column p0", "number", "\"one\""});
     expect_row_error("ggx,.1,,none,0,0,1,0,0,1", {"column p1", "alpha_y from 0.001 to 1.5"});
     expect_row_error("ggx,0,.2,none,0,0,1,0,0,1", {"column p0", "alpha_x from 0.001 to 1.5"});
-    expect_row_error("ggx,.1,1.6,none,0,0,1,0,0,1", {"column p1", "found 1.6"});
+    expect_row_error("ggx,.1,1.6,none,0,0,1,0,0,1", {"column p1", "found \"1.6\""});
     expect_row_error("ashikhmin-shirley,-1,.2,none,0,0,1,0,0,1", {"e_x from 0 to 1000000"});
     expect_row_error("ggx,.1,.2,none,0,0,1,0,0,nan", {"column hz", "finite", "\"nan\""});
     expect_row_error("ggx,.1,.2,none,inf,0,1,0,0,1", {"column nx", "finite", "\"inf\""});
@@ -124,8 +131,8 @@ TEST_F(Table, BadRowsNameLineColumnExpectedAndFound) {
     expect_row_error("ggx,.1,.2,none,0,0,1,--1,0,1", {"column hx", "\"--1\""});
     expect_row_error("ggx,.1,.2,none,0,0,1,0,0,0", {"column hx", "zero vector"});
     expect_row_error("ggx,.1,.2,none,0,0,0,0,0,1", {"column nx", "zero vector"});
-    expect_row_error("ggx,.1,.2,none,1,0,0,0,0,1", {"column nz", "nz > 0", "found 0"});
-    expect_row_error("ggx,.1,.2,none,0,0,-1,0,0,1", {"column nz", "nz > 0", "found -1"});
+    expect_row_error("ggx,.1,.2,none,1,0,0,0,0,1", {"column nz", "nz > 0", "found \"0\""});
+    expect_row_error("ggx,.1,.2,none,0,0,-1,0,0,1", {"column nz", "nz > 0", "found \"-1\""});
     expect_row_error("\"ggx,.1,.2,none,0,0,1,0,0,1", {"closed quotes"});
     expect_row_error("\"ggx\"x,.1,.2,none,0,0,1,0,0,1", {"closed quotes"});
 }
@@ -142,7 +149,7 @@ TEST_F(Table, TheFirstOfManyBadRowsIsReported) {
         text += i < 7000 ? kFlatRow : "ggx,.1,.2,none,0,0,1,0,0,bad";
         text += '\n';
     }
-    for (int again = 0; again < 5; ++again) expect_complaint(eval(text), 1, {"line 7002,"});
+    for (int again = 0; again < 3; ++again) expect_complaint(eval(text), 1, {"line 7002,"});
 }
 
 TEST_F(Table, AFailureLeavesTheOldOutput) {

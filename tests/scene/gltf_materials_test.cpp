@@ -4,30 +4,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "glb_writer.hpp"
-#include "scene/load.hpp"
-#include "support.hpp"
+#include "gltf_support.hpp"
 
 namespace burnish {
 namespace {
 
 using nlohmann::json;
-using test::error_line;
-
-Scene load_bytes(const GlbWriter& writer) {
-    const TemporaryFolder folder;
-    return load_gltf(folder.write("model.glb", writer.glb()));
-}
-
-std::string error_of(const GlbWriter& writer) {
-    return error_line([&] { load_bytes(writer); });
-}
-
-bool warns(const Scene& scene, std::string_view text) {
-    for (const std::string& line : scene.warnings)
-        if (line.find(text) != std::string::npos) return true;
-    return false;
-}
+using test::error_of;
+using test::load_bytes;
+using test::warns;
 
 // One square with the given material; texture 0 is a small picture.
 GlbWriter writer_with(const json& material) {

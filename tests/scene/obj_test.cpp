@@ -5,15 +5,14 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "glb_writer.hpp"
-#include "scene/load.hpp"
+#include "gltf_support.hpp"
 #include "scene/polygon.hpp"
-#include "support.hpp"
 
 namespace burnish {
 namespace {
 
 using test::error_line;
+using test::warns;
 
 Scene load_text(std::string_view text) {
     const TemporaryFolder folder;
@@ -22,12 +21,6 @@ Scene load_text(std::string_view text) {
 
 std::string error_of(std::string_view text) {
     return error_line([&] { load_text(text); });
-}
-
-bool warns(const Scene& scene, std::string_view text) {
-    for (const std::string& line : scene.warnings)
-        if (line.find(text) != std::string::npos) return true;
-    return false;
 }
 
 double area_of(const Mesh& mesh) {

@@ -1,0 +1,60 @@
+// Four 32-bit words a pixel between gbuffer.frag and resolve.frag: x the normal (octahedral, 16 bits a
+// coordinate: 3e-5 rad), y the tangent (octahedral, 11 bits: 7e-4 rad), the sign of the bitangent
+// (1 bit) and the footprint (9 bits), z and w texture coordinates as they are. One image: a second
+// one to write and read costs more than the packing.
+
+const float kLowFootprint = 5.421010862427522e-20;   // 2^-64
+const float kHighFootprint = 1.7e19;                 // below 2^64: 9 bits hold the difference
+
+vec2 octahedral(vec3 v) {
+    vec2 p = v.xy / max(abs(v.x) + abs(v.y) + abs(v.z), 1e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return v.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Not unit.
+vec3 from_octahedral(vec2 p) {
+    float z = 1.0 - abs(p.x) - abs(p.y);
+    float fold = max(-z, 0.0);
+    return vec3(p.x + (p.x < 0.0 ? fold : -fold), p.y + (p.y < 0.0 ? fold : -fold), z);
+}
+
+// [-1, 1] in the steps that `last` + 1 numbers allow; 0 is one of them.
+uvec2 quantised(vec2 p, float last) {
+    return uvec2(floor(clamp(p * 0.5 + 0.5, 0.0, 1.0) * (last - 1.0) + 0.5));
+}
+
+vec2 from_quantised(uvec2 q, float last) {
+    return vec2(q) * (2.0 / (last - 1.0)) - 1.0;
+}
+
+// `footprint2`: square of the footprint, of which the exponent and two bits of the mantissa are kept:
+// an eighth of a mip level. 2^-64 to 2^64 is more than textures can ask for.
+uvec4 packed_pixel(vec3 normal, vec3 tangent, bool mirrored, float footprint2, vec2 uv) {
+    uvec2 n = quantised(octahedral(normal), 65535.0);
+    uvec2 t = quantised(octahedral(tangent), 2047.0);
+    uint f = (floatBitsToUint(clamp(footprint2, kLowFootprint, kHighFootprint)) -
+              floatBitsToUint(kLowFootprint)) >> 21;
+    return uvec4(n.x | (n.y << 16), t.x | (t.y << 11) | (mirrored ? 1u << 22 : 0u) | (f << 23),
+                 floatBitsToUint(uv.x), floatBitsToUint(uv.y));
+}
+
+vec3 packed_normal(uvec4 p) {
+    return from_octahedral(from_quantised(uvec2(p.x & 65535u, p.x >> 16), 65535.0));
+}
+
+// w: the sign of the bitangent.
+vec4 packed_tangent(uvec4 p) {
+    vec3 t = from_octahedral(from_quantised(uvec2(p.y & 2047u, (p.y >> 11) & 2047u), 2047.0));
+    return vec4(t, (p.y & (1u << 22)) != 0u ? -1.0 : 1.0);
+}
+
+// log2 of the footprint. 1 << 20: the middle of what the bits left out.
+float packed_footprint(uvec4 p) {
+    uint bits = ((p.y >> 23) << 21) + (1u << 20) + floatBitsToUint(kLowFootprint);
+    return 0.5 * log2(uintBitsToFloat(bits));
+}
+
+vec2 packed_uv(uvec4 p) {
+    return vec2(uintBitsToFloat(p.z), uintBitsToFloat(p.w));
+}

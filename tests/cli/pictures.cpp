@@ -1,0 +1,74 @@
+#include "pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "burnish/error.hpp"
+#include "tests/scene/support.hpp"
+
+namespace burnish::test {
+namespace {
+
+struct Gl {
+    std::unique_ptr<gpu::Context> context;
+    std::string trouble;
+};
+
+const Gl& gl() {
+    static const Gl made = [] {
+        Gl result;
+        try {
+            result.context = std::make_unique<gpu::Context>();
+        } catch (const Error& error) {
+            result.trouble = error.what();
+        }
+        return result;
+    }();
+    return made;
+}
+
+}  // namespace
+
+gpu::Context* gl_context() {
+    return gl().context.get();
+}
+
+const std::string& gl_trouble() {
+    return gl().trouble;
+}
+
+std::filesystem::path sample(const std::string& below_data) {
+    const std::filesystem::path folder = sample_data();
+    if (folder.empty() || !std::filesystem::exists(folder / below_data)) return {};
+    return folder / below_data;
+}
+
+std::string sample_model(const std::string& name) {
+    return sample("models/" + name + "/glTF-Binary/" + name + ".glb").string();
+}
+
+Stage stage_of(const std::string& input, const std::string& environment,
+               const std::vector<std::string>& lights, const Settings& settings) {
+    StageRequest request;
+    request.input = input;
+    request.environment = environment;
+    request.lights = lights;
+    for (const auto& [name, text] : settings) request.values.set(name, text, name);
+    return set_stage(request);
+}
+
+Image picture_of(const Stage& stage) {
+    const Environment* environment =
+        stage.environment.radiance.empty() ? nullptr : &stage.environment;
+    gpu::Renderer renderer(*gl_context(), stage.scene, environment);
+    return renderer.render(stage.camera, stage.options);
+}
+
+Image shown_in_steps(const Image& linear, ToneMap tone_map) {
+    Image shown = to_display(linear, 0.0, tone_map);
+    for (float& value : shown.pixels) value = std::round(std::clamp(value, 0.0f, 1.0f) * 255.0f);
+    return shown;
+}
+
+}  // namespace burnish::test
