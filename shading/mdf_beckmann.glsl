@@ -4,8 +4,9 @@
 FN Float mdf_beckmann_shape(Float alpha_x, Float alpha_y, LobePoint q) {
     Float x = q.x / alpha_x;
     Float y = q.y / alpha_y;
-    // 1e-18: 1/z^4 still fits single precision, and the exponential is 0 long before.
-    Float z2 = max(q.z * q.z, Float(1e-18));
+    // 1e-16: 1/(pi alpha_x alpha_y z^4) still fits single precision for alphas from 0.001, and the
+    // exponential is 0 long before.
+    Float z2 = max(q.z * q.z, Float(1e-16));
     return exp(-(x * x + y * y) / z2) / (z2 * z2);
 }
 

@@ -4,8 +4,8 @@
 FN Float mdf_ggx_shape(Float alpha_x, Float alpha_y, LobePoint q) {
     Float x = q.x / alpha_x;
     Float y = q.y / alpha_y;
-    // 1e-18: as in mdf_beckmann.glsl; reached only by normal-map, at h = n under a 90 degree tilt.
-    Float r = max(x * x + y * y + q.z * q.z, Float(1e-18));
+    // 1e-16: as in mdf_beckmann.glsl; reached only by normal-map, at h = n under a 90 degree tilt.
+    Float r = max(x * x + y * y + q.z * q.z, Float(1e-16));
     return Float(1) / (r * r);
 }
 

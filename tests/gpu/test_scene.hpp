@@ -89,7 +89,9 @@ inline Texture bump_texture(int size, float waves, float slope) {
     return float_texture(size, size, texels);
 }
 
-inline Texture constant_texture(glm::vec3 value) { return float_texture(1, 1, {value}); }
+inline Texture constant_texture(glm::vec3 value) {
+    return float_texture(1, 1, {value});
+}
 
 inline Environment constant_environment(glm::vec3 radiance, int width = 32) {
     Environment e;

@@ -1,0 +1,61 @@
+// Tests that need an OpenGL context: skipped in words where there is none.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "burnish/error.hpp"
+#include "gpu/renderer.hpp"
+
+namespace burnish::test {
+
+class GpuTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        try {
+            context = std::make_unique<gpu::Context>();
+        } catch (const Error& error) {
+            GTEST_SKIP() << "SKIPPED, nothing was tested: " << error.what();
+        }
+    }
+
+    std::unique_ptr<gpu::Context> context;
+};
+
+// A camera at distance `z` on +z that sees half a height of 1 at the origin.
+inline Camera camera_on_z(float z = 4.0f, float half_height = 1.0f) {
+    Camera camera;
+    camera.position = {0.0f, 0.0f, z};
+    camera.yfov = 2.0f * std::atan(half_height / z);
+    return camera;
+}
+
+inline gpu::RenderOptions small_picture(int width = 48, int height = 48, int samples = 1) {
+    gpu::RenderOptions options;
+    options.width = width;
+    options.height = height;
+    options.samples = samples;
+    options.background = gpu::BackgroundKind::color;
+    options.background_color = glm::vec3(0.0f);
+    return options;
+}
+
+inline glm::vec3 rgb(const Image& image, int x, int y) {
+    const float* p = image.at(x, y);
+    return {p[0], p[1], p[2]};
+}
+
+// Largest difference of two pictures, relative to the larger of the value and `floor`.
+inline double largest_difference(const Image& a, const Image& b, double floor) {
+    double worst = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const double x = a.pixels[i];
+        const double y = b.pixels[i];
+        worst = std::max(worst, std::abs(x - y) / std::max({x, y, floor}));
+    }
+    return worst;
+}
+
+}  // namespace burnish::test

@@ -1,0 +1,226 @@
+// Light from an environment: energy, convergence to a quadrature on the CPU, rotation, background.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "burnish/f64.hpp"
+#include "gpu_fixture.hpp"
+#include "test_scene.hpp"
+
+namespace burnish::test {
+namespace {
+
+using f64::vec3;
+
+constexpr double kPi = 3.14159265358979323846;
+
+vec3 to_f64(glm::vec3 v) {
+    return {v.x, v.y, v.z};
+}
+
+Material white_metal(Method method, glm::vec2 alpha) {
+    Material m;
+    m.method = method;
+    m.alpha = alpha;
+    return m;
+}
+
+// Lambda in closed form, bright enough around `lobe` to matter, smooth enough for small maps.
+double sky(vec3 w) {
+    const vec3 toward = f64::normalize(vec3{0.6, 0.5, 0.7});
+    return 0.2 + 0.1 * w.x + 6.0 * std::exp(12.0 * (f64::dot(w, toward) - 1));
+}
+
+Environment sky_environment(int width) {
+    Environment e = constant_environment(glm::vec3(0), width);
+    for (int y = 0; y < e.radiance.height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double theta = kPi * (y + 0.5) / e.radiance.height;
+            const double phi = 2 * kPi * ((x + 0.5) / width - 0.5);  // from -z towards +x
+            const vec3 w{std::sin(theta) * std::sin(phi), std::cos(theta),
+                         -std::sin(theta) * std::cos(phi)};
+            for (int c = 0; c < 3; ++c) e.radiance.at(x, y)[c] = static_cast<float>(sky(w));
+        }
+    }
+    return e;
+}
+
+class ImageLighting : public GpuTest {
+  protected:
+    Image render(const Scene& scene, const Environment& environment, const gpu::RenderOptions& o,
+                 const Camera& camera = camera_on_z()) {
+        gpu::Renderer renderer(*context, scene, &environment);
+        return renderer.render(camera, o);
+    }
+};
+
+// White metal (F = 1) in constant light: what leaves is the albedo. Rotations turn a lobe that
+// keeps its energy, so nothing above 1 may leave but noise; the deformations and normal-map are no
+// rotations, and what they gain is theirs (docs/papers.md): here they have only to be bounded.
+TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
+    Scene scene = one_object(uv_sphere(48, 24), white_metal(Method::none, {0.15f, 0.5f}));
+    scene.textures.push_back(bump_texture(64, 6, 0.4f));
+    scene.materials[0].normal_texture.texture = 0;
+    const Environment furnace = constant_environment(glm::vec3(1));
+    gpu::RenderOptions o = small_picture(32, 32, 8);
+    o.background_color = glm::vec3(0);
+    o.image_light_samples = 32;
+    gpu::Renderer renderer(*context, scene, &furnace);
+    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+        scene.materials[0].method = static_cast<Method>(method);
+        renderer.set_materials(scene.materials);
+        const Image image = renderer.render(camera_on_z(), o);
+        const bool rotation = method != static_cast<int>(Method::normal_map) &&
+                              method != static_cast<int>(Method::rotate_approx) &&
+                              method < static_cast<int>(Method::deform_linear);
+        double highest = 0, mean = 0;
+        int covered = 0;
+        for (int y = 0; y < 32; ++y) {
+            for (int x = 0; x < 32; ++x) {
+                const double v = image.at(x, y)[0];
+                ASSERT_TRUE(std::isfinite(v));
+                highest = std::max(highest, v);
+                mean += v;
+                covered += v > 0 ? 1 : 0;
+            }
+        }
+        mean /= covered;
+        // 256 samples a pixel of weights up to about 3: 3 sigma is 0.12 at the limb.
+        EXPECT_LT(highest, rotation ? 1.12 : 1.8) << name_of(static_cast<Method>(method));
+        EXPECT_LT(mean, rotation ? 1.0 : 1.3) << name_of(static_cast<Method>(method));
+        EXPECT_GT(mean, 0.5) << name_of(static_cast<Method>(method));
+    }
+}
+
+// Int f F cos L over wi, midpoints in the hemisphere of the geometric normal.
+double quadrature(const f64::Lobe& lobe, const f64::Perturbation& p, vec3 wo) {
+    constexpr int kTheta = 600, kPhi = 1200;
+    double sum = 0;
+    for (int i = 0; i < kTheta; ++i) {
+        const double theta = 0.5 * kPi * (i + 0.5) / kTheta;
+        for (int j = 0; j < kPhi; ++j) {
+            const double phi = 2 * kPi * (j + 0.5) / kPhi;
+            const vec3 wi{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                          std::cos(theta)};
+            sum += f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, wi, wo) *
+                   std::max(f64::dot(p.n, wi), 0.0) * sky(wi) * std::sin(theta);
+        }
+    }
+    return sum * 0.5 * kPi / kTheta * 2 * kPi / kPhi;
+}
+
+TEST_F(ImageLighting, ConvergesToTheIntegral) {
+    const Environment environment = sky_environment(128);
+    const glm::vec3 tilt = glm::normalize(glm::vec3(0.3f, 0.2f, 1.0f));
+    for (const Method method :
+         {Method::normal_map, Method::follow_grain, Method::rotate_approx, Method::deform_linear}) {
+        Scene scene = one_object(unit_plane(), white_metal(method, {0.15f, 0.4f}));
+        scene.textures.push_back(constant_texture(0.5f * tilt + 0.5f));
+        scene.materials[0].normal_texture.texture = 0;
+        gpu::RenderOptions o = small_picture(8, 8, 64);
+        o.image_light_samples = 64;
+        Camera camera = camera_on_z(4.0f, 0.02f);  // nearly one direction for all pixels
+        camera.position = {-1.5f, 0.4f, 3.0f};
+        camera.yfov = 0.01f;
+        const Image image = render(scene, environment, o, camera);
+        double mean = 0;
+        for (int y = 0; y < 8; ++y) {
+            for (int x = 0; x < 8; ++x) mean += image.at(x, y)[0] / 64.0;
+        }
+        const f64::Lobe lobe = f64::lobe_from_alpha(f64::kMdfGgx, double{0.15f}, double{0.4f});
+        const f64::Perturbation p =
+            f64::perturb_make(static_cast<int>(method), to_f64(tilt),
+                              f64::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1), false);
+        const double wanted = quadrature(lobe, p, f64::normalize(to_f64(camera.position)));
+        EXPECT_NEAR(mean / wanted, 1.0, 0.015) << name_of(method);
+    }
+}
+
+TEST_F(ImageLighting, TheNumberOfSamplesChangesNoiseOnly) {
+    const Environment environment = sky_environment(128);
+    const Scene scene = one_object(uv_sphere(48, 24), white_metal(Method::none, {0.2f, 0.4f}));
+    double means[3] = {};
+    const int samples[3] = {1, 4, 32};
+    for (int k = 0; k < 3; ++k) {
+        const Image image = render(scene, environment, small_picture(24, 24, samples[k]));
+        for (int y = 8; y < 16; ++y) {
+            for (int x = 8; x < 16; ++x) means[k] += image.at(x, y)[0] / 64.0;
+        }
+    }
+    EXPECT_NEAR(means[0] / means[2], 1.0, 0.03);
+    EXPECT_NEAR(means[1] / means[2], 1.0, 0.02);
+}
+
+TEST_F(ImageLighting, DiffuseInConstantLightHasAClosedForm) {
+    Material m;
+    m.metallic = 0.0f;
+    m.base_color = glm::vec4(0.5f, 0.5f, 0.5f, 1.0f);
+    m.dielectric_f0 = 0.0f;
+    const Scene scene = one_object(unit_plane(), m);
+    gpu::RenderOptions o = small_picture(9, 9);
+    o.image_light =
+        gpu::ImageLight::bent_normal;  // no noise; its specular is the same without F0 ...
+    const Image image = render(scene, constant_environment(glm::vec3(3)), o, camera_on_z(4, 0.05f));
+    // ... but for the split sum's edge term, below 0.05 facing the surface.
+    EXPECT_NEAR(image.at(4, 4)[0], 3 * (0.5 * 20.0 / 21.0), 3 * 0.05);
+}
+
+TEST_F(ImageLighting, BackgroundLooksAlongTheRay) {
+    const Environment environment = sky_environment(256);
+    const Scene scene = one_object(unit_plane(), Material{});
+    Camera camera = camera_on_z(4.0f, 2.0f);
+    camera.position = {10, 10, 10};
+    camera.target = {20, 14, 16};  // away from the plane
+    gpu::RenderOptions o = small_picture(33, 17);
+    o.background = gpu::BackgroundKind::environment;
+    const Image image = render(scene, environment, o, camera);
+    const vec3 forward = f64::normalize(vec3{10, 4, 6});
+    EXPECT_NEAR(image.at(16, 8)[0], sky(forward), 0.02 * sky(forward));
+    // The right edge looks to the right: forward x up.
+    const vec3 right = f64::normalize(f64::cross(forward, vec3{0, 1, 0}));
+    const double reach = std::tan(0.5 * camera.yfov) * 32.0 / 17.0;
+    const vec3 edge = f64::normalize(forward + right * reach);
+    EXPECT_NEAR(image.at(32, 8)[0], sky(edge), 0.02 * sky(edge));
+}
+
+TEST_F(ImageLighting, RotationTurnsTheEnvironmentCounterClockwise) {
+    const Environment environment = sky_environment(256);
+    const Scene scene = one_object(unit_plane(), Material{});
+    Camera camera;
+    camera.position = {0, 0, -5};  // behind the plane, looking away along -z
+    camera.target = {0, 0, -6};
+    gpu::RenderOptions o = small_picture(9, 9);
+    o.background = gpu::BackgroundKind::environment;
+    o.environment_rotation = 0.5f;
+    const Image image = render(scene, environment, o, camera);
+    // Turned about +y by 0.5, what was at R(-0.5) (0,0,-1) is now straight ahead.
+    const vec3 source{std::sin(0.5), 0, -std::cos(0.5)};
+    EXPECT_NEAR(image.at(4, 4)[0], sky(source), 0.02 * sky(source));
+}
+
+TEST_F(ImageLighting, ASunBeyondHalfFloatsIsKept) {
+    Environment environment = constant_environment(glm::vec3(0.0f), 64);
+    for (int y = 8; y < 24; ++y) {
+        for (int x = 24; x < 40; ++x) {
+            for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = 4e6f;
+        }
+    }
+    Material m;
+    m.metallic = 0.0f;
+    m.base_color = glm::vec4(1e-3f, 1e-3f, 1e-3f, 1.0f);
+    m.dielectric_f0 = 0.0f;
+    m.method = Method::none;
+    const Scene scene = one_object(unit_plane(), m);
+    Camera camera = camera_on_z(4, 0.05f);
+    camera.position = {0, 0, -4};  // the sun is around -z
+    Scene flipped = scene;
+    flipped.materials[0].double_sided = true;
+    gpu::RenderOptions o = small_picture(5, 5);
+    o.image_light = gpu::ImageLight::bent_normal;
+    o.image_light_samples = 1;
+    const Image image = render(flipped, environment, o, camera);
+    EXPECT_GT(image.at(2, 2)[0], 200.0f);  // E/pi is some 10^5.5 times 1e-3
+    EXPECT_LE(image.at(2, 2)[0], 65504.0f);
+}
+
+}  // namespace
+}  // namespace burnish::test
