@@ -6,15 +6,13 @@ out=$2
 methods=none,normal-map,deform-smooth,follow-grain
 mkdir -p "$out"
 
-"$burnish" maps bumps -o "$out/bumps.png"
-
 # K11 Fig 9: illusory bumps on a brushed surface. The grain runs along the tangent (e_x > e_y).
-"$burnish" render builtin:sphere --normal-map "$out/bumps.png" --metal steel \
-    --mdf ashikhmin-shirley --e-x 200 --e-y 10 --uv-scale 1 \
-    --compare $methods --size 640x640 --samples 32 -o "$out/sphere.png"
-"$burnish" render builtin:drape --normal-map "$out/bumps.png" --metal brass \
-    --alpha-x 0.12 --alpha-y 0.45 --uv-scale 2 \
-    --compare $methods --size 640x480 --samples 32 -o "$out/drape.png"
+"$burnish" render builtin:sphere --normal-map builtin:bumps --metal steel \
+    --mdf ashikhmin-shirley --e-x 200 --e-y 10 \
+    --compare $methods --size 480x480 --samples 32 -o "$out/sphere.png"
+"$burnish" render builtin:drape --normal-map builtin:bumps --metal brass \
+    --alpha-x 0.12 --alpha-y 0.45 --uv-scale 2 --normal-scale 0.6 \
+    --compare $methods --size 480x400 --samples 32 -o "$out/drape.png"
 
 echo
 echo "Look at:"

@@ -13,7 +13,7 @@ using vec3 = Vec3<Float>;
 
 // Enough for the Ward normaliser and the root of K11 Eq 5 to reach rounding error.
 inline constexpr int kWardNodes = 8;
-inline constexpr int kDeformRootSteps = 24;
+inline constexpr int kDeformRootSteps = 14;
 
 #include "shading/prelude_begin.hpp"
 #include "shading/all.hpp"

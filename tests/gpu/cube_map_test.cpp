@@ -63,7 +63,7 @@ TEST(CubeMap, DirectionsFollowOpenGl) {
 // One pixel of a sun, at the equator, in mid sky and near the zenith: nothing may fall between
 // samples.
 TEST(CubeMap, KeepsTheEnergyOfASmallSun) {
-    for (const int width : {256, 1000, 2048}) {
+    for (const int width : {256, 1000}) {
         for (const double height : {0.03, 0.2, 0.37, 0.5, 0.81}) {
             Image map(width, width / 2, 3, 0.0f);
             const int y = static_cast<int>(height * map.height);

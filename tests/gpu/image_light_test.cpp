@@ -69,9 +69,9 @@ TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
         scene.materials[0].method = static_cast<Method>(method);
         renderer.set_materials(scene.materials);
         const Image image = renderer.render(camera_on_z(), o);
-        const bool rotation = method != static_cast<int>(Method::normal_map) &&
-                              method != static_cast<int>(Method::rotate_approx) &&
-                              method < static_cast<int>(Method::deform_linear);
+        const Method m = static_cast<Method>(method);
+        const bool rotation = m != Method::normal_map && m != Method::rotate_approx &&
+                              m != Method::deform_linear && m != Method::deform_smooth;
         double highest = 0, mean = 0;
         int covered = 0;
         for (int y = 0; y < 32; ++y) {
@@ -85,9 +85,16 @@ TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
         }
         mean /= covered;
         // 256 samples a pixel of weights up to about 3: 3 sigma is 0.12 at the limb.
-        EXPECT_LT(highest, rotation ? 1.12 : 1.8) << name_of(static_cast<Method>(method));
-        EXPECT_LT(mean, rotation ? 1.0 : 1.3) << name_of(static_cast<Method>(method));
-        EXPECT_GT(mean, 0.5) << name_of(static_cast<Method>(method));
+        if (m == Method::normal_map) {
+            EXPECT_GT(highest, 1.3);
+            continue;
+        }
+        EXPECT_LT(highest, rotation ? 1.12 : 1.8) << name_of(m);
+        EXPECT_LT(mean, rotation ? 1.0 : 1.2) << name_of(m);
+        EXPECT_GT(mean, 0.5) << name_of(m);
+        if (std::getenv("BURNISH_PRINT_FURNACE") != nullptr) {
+            std::printf("%-14s mean %.4f highest %.4f\n", name_of(m).data(), mean, highest);
+        }
     }
 }
 
@@ -142,9 +149,7 @@ TEST_F(ImageLighting, TheNumberOfSamplesChangesNoiseOnly) {
     const int samples[3] = {1, 4, 32};
     for (int k = 0; k < 3; ++k) {
         const Image image = render(scene, environment, small_picture(24, 24, samples[k]));
-        for (int y = 8; y < 16; ++y) {
-            for (int x = 8; x < 16; ++x) means[k] += image.at(x, y)[0] / 64.0;
-        }
+        for (const float v : image.pixels) means[k] += v;
     }
     EXPECT_NEAR(means[0] / means[2], 1.0, 0.03);
     EXPECT_NEAR(means[1] / means[2], 1.0, 0.02);

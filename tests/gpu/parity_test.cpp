@@ -16,6 +16,11 @@ namespace {
 using f32::vec2;
 using f32::vec3;
 
+// Relative error a device may have, times 1 + |ln(D/D0)|. Measured on llvmpipe (LLVM 15): 1.3e-6,
+// that is 11 units of 2^-23, in the worst of all distributions, methods and models; twice that
+// here.
+constexpr double kBound = 2.6e-6;
+
 constexpr int kSide = 48;  // 2304 inputs a case
 constexpr int kCount = kSide * kSide;
 
@@ -164,10 +169,10 @@ TEST_F(Parity, EveryDistributionAndMethodAgrees) {
                 std::printf("%-36s D %.2e f %.2e pdf %.2e F %.2e\n", what.c_str(), worst.d, worst.f,
                             worst.pdf, worst.fresnel);
             }
-            EXPECT_LT(worst.d, 1e-4) << what;
-            EXPECT_LT(worst.f, 1e-4) << what;
-            EXPECT_LT(worst.pdf, 1e-4) << what;
-            EXPECT_LT(worst.fresnel, 1e-5) << what;
+            EXPECT_LT(worst.d, kBound) << what;
+            EXPECT_LT(worst.f, kBound) << what;
+            EXPECT_LT(worst.pdf, kBound) << what;
+            EXPECT_LT(worst.fresnel, 1e-6) << what;
         }
     }
 }
@@ -175,8 +180,8 @@ TEST_F(Parity, EveryDistributionAndMethodAgrees) {
 TEST_F(Parity, EveryModelAgrees) {
     for (int brdf = 0; brdf <= f32::kBrdfWardGmd; ++brdf) {
         const Worst worst = compare(f32::kMdfGgx, brdf, f32::kMethodFollowGrain, {0.5f, 0.2f});
-        EXPECT_LT(worst.f, 1e-4) << name_of(static_cast<Brdf>(brdf));
-        EXPECT_LT(worst.pdf, 1e-4) << name_of(static_cast<Brdf>(brdf));
+        EXPECT_LT(worst.f, kBound) << name_of(static_cast<Brdf>(brdf));
+        EXPECT_LT(worst.pdf, kBound) << name_of(static_cast<Brdf>(brdf));
     }
 }
 

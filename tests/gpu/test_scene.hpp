@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "burnish/scene.hpp"
@@ -69,8 +69,8 @@ inline Texture float_texture(int width, int height, const std::vector<glm::vec3>
     t.height = height;
     t.channels = 3;
     t.type = TexelType::f32;
-    t.texels.resize(texels.size() * sizeof(glm::vec3));
-    std::memcpy(t.texels.data(), texels.data(), t.texels.size());
+    const auto bytes = std::as_bytes(std::span(texels));
+    t.texels.assign(bytes.begin(), bytes.end());
     return t;
 }
 

@@ -23,8 +23,10 @@ constexpr int kSectors = 32;
 
 double ring_edge(int i) { return kPi * std::pow(static_cast<double>(i) / kRings, 1.5); }
 
-std::vector<double> expected_counts(const f64::Lobe& lobe, const f64::Perturbation& p,
-                                    const Axes& axes, double total) {
+using Density = std::function<double(vec3)>;
+using Draw = std::function<vec3(double xi0, double xi1, double select)>;
+
+std::vector<double> expected_counts(const Density& density, const Axes& axes, double total) {
     constexpr int kSub = 12;
     std::vector<double> cells(kRings * kSectors);
     for (int i = 0; i < kRings * kSub; ++i) {
@@ -35,24 +37,24 @@ std::vector<double> expected_counts(const f64::Lobe& lobe, const f64::Perturbati
             const double phi = 2 * kPi * (j + 0.5) / (kSectors * kSub);
             const double area = std::sin(theta) * width * 2 * kPi / (kSectors * kSub);
             cells[static_cast<std::size_t>(ring * kSectors + j / kSub)] +=
-                total * area * f64::lobe_pdf(lobe, p, axes.at(theta, phi));
+                total * area * density(axes.at(theta, phi));
         }
     }
     return cells;
 }
 
-double sampler_p_value(const LobeCase& c, int method, double& density_integral) {
-    const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
-    const f64::Perturbation p = perturbation(c, method, kTilted);
-    const Axes axes(p.n);
+// p-value of chi-square for draws against their density; the density's integral beside it. `axes`:
+// the pole of the cells, which crowd around it.
+double sampler_p_value(const Density& density, const Draw& draw, const Axes& axes, unsigned seed,
+                       double& density_integral) {
     constexpr int kSamples = 100000;
-    const std::vector<double> expected = expected_counts(lobe, p, axes, kSamples);
+    const std::vector<double> expected = expected_counts(density, axes, kSamples);
     std::vector<double> found(expected.size());
-    std::mt19937 generator(static_cast<unsigned>(7 + method * 31 + c.mdf));
+    std::mt19937 generator(seed);
     std::uniform_real_distribution<double> uniform(0, 1);
     for (int k = 0; k < kSamples; ++k) {
         const double xi0 = uniform(generator), xi1 = uniform(generator), select = uniform(generator);
-        const vec3 h = f64::lobe_sample(lobe, p, {xi0, xi1}, select);
+        const vec3 h = draw(xi0, xi1, select);
         const double theta = std::acos(std::clamp(f64::dot(h, axes.n), -1.0, 1.0));
         const int ring = std::min(static_cast<int>(std::pow(theta / kPi, 1 / 1.5) * kRings),
                                   kRings - 1);
@@ -75,19 +77,68 @@ double sampler_p_value(const LobeCase& c, int method, double& density_integral) 
     return chi_square_p_value(statistic, degrees);
 }
 
-class Sampler : public testing::TestWithParam<int> {};
+class MethodSampler : public testing::TestWithParam<int> {};
 
-TEST_P(Sampler, FollowsItsDensity) {
+constexpr double kFamilyError = 0.01;  // chance that any of a family of tests fails by luck
+
+TEST_P(MethodSampler, FollowsItsDensity) {
+    const int method = GetParam();
     const double tests = static_cast<double>(lobe_cases().size()) * kMethods;
     for (const LobeCase& c : lobe_cases()) {
+        const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
+        const f64::Perturbation p = perturbation(c, method, kTilted);
         double integral = 0;
-        const double p_value = sampler_p_value(c, GetParam(), integral);
-        EXPECT_GT(p_value, 0.01 / tests) << label(c, GetParam());
-        EXPECT_NEAR(integral, 1.0, 5e-3) << label(c, GetParam());
+        const double p_value = sampler_p_value(
+            [&](vec3 h) { return f64::lobe_pdf(lobe, p, h); },
+            [&](double a, double b, double s) { return f64::lobe_sample(lobe, p, {a, b}, s); },
+            Axes(p.n), static_cast<unsigned>(7 + method * 31 + c.mdf), integral);
+        EXPECT_GT(p_value, kFamilyError / tests) << label(c, method);
+        EXPECT_NEAR(integral, 1.0, 5e-3) << label(c, method);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Sampler, testing::Range(0, kMethods));
+// Visible normals, by the half vectors that brdf_sample's directions imply.
+TEST(Sampler, VisibleNormalsFollowTheirDensity) {
+    const LobeCase cases[] = {{f64::kMdfGgx, 0.15, 0.5}, {f64::kMdfGgx, 0.8, 0.3}};
+    const vec3 views[] = {kTilted, {0, 0, 1}, direction(1.2, 4.0), direction(1.1, 0.9)};
+    for (const LobeCase& c : cases) {
+        for (const vec3& wo : views) {
+            const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
+            const f64::Perturbation p = perturbation(c, f64::kMethodFollowGrain, kTilted);
+            if (f64::dot(p.n, wo) < 0.05) { continue; }
+            double integral = 0, pdf = 0;
+            const double p_value = sampler_p_value(
+                [&](vec3 h) { return f64::visible_normal_pdf(lobe, p, wo, h); },
+                [&](double a, double b, double s) {
+                    return f64::normalize(f64::brdf_sample(lobe, p, wo, {a, b}, s, pdf) + wo);
+                },
+                Axes(p.n), 99, integral);
+            EXPECT_GT(p_value, kFamilyError / 8) << label(c, f64::kMethodFollowGrain);
+            EXPECT_NEAR(integral, 1.0, 5e-3);
+        }
+    }
+}
+
+// f cos / pdf = G2 / G1 <= 1, and brdf_pdf is the density that brdf_sample reports.
+TEST(Sampler, VisibleNormalsBoundTheWeight) {
+    std::mt19937 generator(17);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const LobeCase c{f64::kMdfGgx, 0.1, 0.5};
+    const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
+    for (int i = 0; i < 20000; ++i) {
+        const vec3 n = direction(1.2 * uniform(generator), 2 * kPi * uniform(generator));
+        const f64::Perturbation p = perturbation(c, f64::kMethodFollowGrain, n);
+        const vec3 wo = direction(1.5 * uniform(generator), 2 * kPi * uniform(generator));
+        double pdf = 0;
+        const vec3 wi = f64::brdf_sample(lobe, p, wo, {uniform(generator), uniform(generator)}, 0, pdf);
+        if (pdf == 0 || f64::dot(n, wi) <= 0) { continue; }
+        const double f = f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, wi, wo);
+        EXPECT_LE(f * f64::dot(n, wi) / pdf, 1 + 1e-6);
+        EXPECT_NEAR(f64::brdf_pdf(lobe, p, wi, wo) / pdf, 1, 1e-6);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, MethodSampler, testing::Range(0, kMethods));
 
 // perturb_forward is the inverse of the map that perturb_point evaluates.
 TEST(ForwardMap, InvertsThePoint) {
