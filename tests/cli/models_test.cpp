@@ -62,8 +62,8 @@ void expect_finite(const std::string& environment, const Settings& surface) {
     const fs::path light = sample(environment);
     BURNISH_REQUIRE_SAMPLE(light);
     const ScratchFolder folder;
-    Settings settings = {{"width", "160"}, {"height", "120"}, {"samples", "4"},
-                         {"image_light_samples", "8"}, {"background", "transparent"}};
+    Settings settings = {{"width", "160"}, {"height", "120"}, {"samples", "2"},
+                         {"image_light_samples", "4"}, {"background", "transparent"}};
     settings.insert(settings.end(), surface.begin(), surface.end());
     std::size_t seen = 0;
     for (const fs::path& model : models()) {
