@@ -40,7 +40,7 @@ Stage matched_stage(const std::string& model) {
                      {"camera_fov", fmt::format("{}", fov)},
                      {"width", std::to_string(kWidth)},
                      {"height", std::to_string(kHeight)},
-                     {"samples", "16"}});
+                     {"samples", "8"}});
 }
 
 glm::dvec2 pixel_of(glm::dvec3 place) {

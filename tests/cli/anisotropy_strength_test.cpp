@@ -74,7 +74,9 @@ class AnisotropyStrengthTest : public testing::Test {
         const std::string model = sample_model("AnisotropyStrengthTest");
         BURNISH_REQUIRE_SAMPLE(model);
         stage_ = stage_of(model, "none", {"40,50"},
-                          {{"samples", "16"}, {"width", "700"}, {"height", "700"}});
+                          {{"samples", "16"},
+                           {"width", std::to_string(kSide)},
+                           {"height", std::to_string(kSide)}});
         stage_.camera = {};
         stage_.camera.orthographic = true;
         stage_.camera.position = {0, 3, 5};

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ostream>
 #include <vector>
 
 #include "pictures.hpp"
@@ -116,6 +117,10 @@ struct Setting {
     const char* light;
 };
 
+void PrintTo(const Setting& setting, std::ostream* to) {
+    *to << setting.name;
+}
+
 constexpr Setting kSettings[] = {{"light", "none", "30,40"},
                                  {"venice", "environments/venice_sunset_1k.hdr", "none"},
                                  {"royal", "environments/royal_esplanade_1k.hdr", "none"}};
@@ -130,7 +135,7 @@ class NormalTangentTest : public testing::TestWithParam<Setting> {
         const std::string environment =
             std::string(s.environment) == "none" ? "none" : sample(s.environment).string();
         stage_ = stage_of(model, environment, {s.light},
-                          {{"samples", "32"},
+                          {{"samples", "16"},
                            {"width", "456"},
                            {"height", "456"},
                            {"image_light_samples", "16"}});

@@ -1,15 +1,10 @@
 // Texture seams must not show: where the chart of the texture coordinates is cut, vertices are
 // split, and what is computed for either copy (normals, tangents) has to agree.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
-#include <set>
-#include <utility>
 #include <vector>
 
-#include "core/image_io.hpp"
 #include "pictures.hpp"
 #include "scene/tangents.hpp"
 #include "tests/gpu/test_scene.hpp"
@@ -75,7 +70,8 @@ class SphereSeamTest : public testing::Test {
                 if (std::hypot(x - kSide / 2, y - kSide / 2) > 0.4 * kSide) continue;
                 brightest = std::max(brightest, luminance(b.at(x, y)));
                 if (x < first || x >= last) continue;
-                largest = std::max(largest, std::abs(luminance(a.at(x, y)) - luminance(b.at(x, y))));
+                largest =
+                    std::max(largest, std::abs(luminance(a.at(x, y)) - luminance(b.at(x, y))));
             }
         }
         return largest / brightest;
@@ -117,105 +113,89 @@ TEST_F(SphereSeamTest, ATangentTurnedOnOneSideIsSeen) {
     EXPECT_GT(difference(coarse, dense, kSide / 2 - 8, kSide / 2 + 8), 0.03);
 }
 
-// Suzanne: edges where the texture coordinates are cut against those where they are not.
-class SuzanneSeamTest : public testing::Test {
+// Suzanne, whose vertices are all split, one copy for every triangle: its edges must not show.
+class SuzanneEdgeTest : public testing::Test {
   protected:
-    using Edge = std::array<glm::vec3, 2>;
-
     void SetUp() override {
         BURNISH_REQUIRE_GL();
         const std::string model = sample("models/Suzanne/glTF/Suzanne.gltf").string();
         BURNISH_REQUIRE_SAMPLE(model);
         stage_ = stage_of(model, "none", {"20,30", "-70,10,1"},
-                          {{"width", "700"}, {"height", "700"}, {"samples", "4"},
-                           {"camera_azimuth", "0"}, {"camera_elevation", "0"},
-                           {"camera_fov", "1"}, {"roughness", "0.5"}, {"metallic", "1"}});
+                          {{"width", "700"},
+                           {"height", "700"},
+                           {"samples", "4"},
+                           {"camera_azimuth", "0"},
+                           {"camera_elevation", "0"},
+                           {"camera_fov", "1"}});
         for (Material& material : stage_.scene.materials) {
             material.base_color_texture = {};
             material.metallic_roughness_texture = {};
         }
-        sort_edges();
     }
 
-    // Edges between triangles that face the camera, one position each side in the same place.
-    void sort_edges() {
-        struct Side {
-            std::uint32_t from, to;
-        };
-        const Mesh& mesh = stage_.scene.meshes.at(0);
-        const auto key = [&](std::uint32_t i) {
-            const glm::vec3 p = mesh.positions[i];
-            return std::array<float, 3>{p.x, p.y, p.z};
-        };
-        std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, Side> seen;
-        for (std::size_t c = 0; c < mesh.indices.size(); c += 3) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = mesh.indices[c + k], b = mesh.indices[c + (k + 1) % 3];
-                const auto other = seen.find({key(b), key(a)});
-                seen[{key(a), key(b)}] = {a, b};
-                if (other == seen.end()) continue;
-                const Side there = other->second;
-                const bool cut = mesh.texcoord0[a] != mesh.texcoord0[there.to] ||
-                                 mesh.texcoord0[b] != mesh.texcoord0[there.from];
-                if (std::min(mesh.normals[a].z, mesh.normals[b].z) < 0.3f) continue;
-                (cut ? cut_ : whole_).push_back({mesh.positions[a], mesh.positions[b]});
-            }
-        }
+    Mesh& mesh() { return stage_.scene.meshes.at(0); }
+
+    void brush() {
+        for (Material& material : stage_.scene.materials) material.alpha = glm::vec2(0.15f, 0.5f);
     }
 
     glm::vec2 pixel_of(glm::vec3 p) const {
         const Camera& c = stage_.camera;
-        const glm::vec3 d = p - c.position;
+        const glm::vec3 d = p - c.target;
         const float f = 350.0f / std::tan(0.5f * c.yfov) / (c.position.z - p.z);
         return {350.0f + f * d.x, 350.0f - f * d.y};
     }
 
-    // How much more the picture jumps from one side of an edge to the other (3 pixels) than it
-    // changes beside it: mean over edges of 6 pixels and more, against the mean of the picture there.
-    static constexpr float kNear = 1.5f;
-    double jump(const Image& picture, const std::vector<Edge>& edges) const {
+    // How much more the picture changes over 3 pixels across an edge than over 3 pixels on either
+    // side of it, against its level there: mean over the edges of triangles that face the camera
+    // and are at least 8 pixels long.
+    double jump() {
+        const Image picture = picture_of(stage_);
         double sum = 0, level = 0;
-        int count = 0;
-        for (const Edge& edge : edges) {
-            const glm::vec2 a = pixel_of(edge[0]), b = pixel_of(edge[1]);
-            if (glm::distance(a, b) < 6.0f) continue;
+        for (std::size_t c = 0; c < mesh().indices.size(); ++c) {
+            const std::uint32_t i = mesh().indices[c];
+            const std::uint32_t j = mesh().indices[c % 3 == 2 ? c - 2 : c + 1];
+            if (std::min(mesh().normals[i].z, mesh().normals[j].z) < 0.5f) continue;
+            const glm::vec2 a = pixel_of(mesh().positions[i]), b = pixel_of(mesh().positions[j]);
+            if (glm::distance(a, b) < 8.0f) continue;
             const glm::vec2 along = glm::normalize(b - a), across(-along.y, along.x);
             const auto at = [&](float distance) {
                 const glm::ivec2 p(glm::floor(0.5f * (a + b) + distance * across));
                 return luminance(picture.at(p.x, p.y));
             };
-            const double beside = 0.5 * (std::abs(at(3 * kNear) - at(kNear)) +
-                                         std::abs(at(-kNear) - at(-3 * kNear)));
-            sum += std::max(std::abs(at(kNear) - at(-kNear)) - beside, 0.0);
-            level += at(kNear) + at(-kNear);
-            ++count;
+            sum += std::abs(at(1.5f) - at(-1.5f)) -
+                   0.5 * (std::abs(at(4.5f) - at(1.5f)) + std::abs(at(-1.5f) - at(-4.5f)));
+            level += 0.5 * (at(1.5f) + at(-1.5f));
         }
-        std::printf("edges %d of %zu: %g level %g\n", count, edges.size(), sum / count, level/2/count);
-        return sum / std::max(0.5 * level, 1e-9);
+        return sum / level;
     }
 
     Stage stage_;
-    std::vector<Edge> cut_, whole_;
 };
 
-TEST_F(SuzanneSeamTest, CutEdgesShowNoMoreThanWholeOnes) {
-    const Image picture = picture_of(stage_);
-    write_image("/tmp/mt/suz.png",to_display(picture,0,ToneMap::linear),{});
-    const double cut = jump(picture, cut_), whole = jump(picture, whole_);
-    std::printf("%g %g\n", cut, whole);
+TEST_F(SuzanneEdgeTest, AreNotSeenAsItIs) {
+    const double found = jump();
+    RecordProperty("jump", std::to_string(found));
+    EXPECT_LT(found, 0.02);
 }
 
-// That this can fail: normals made of the triangles of each copy of a vertex alone.
-TEST_F(SuzanneSeamTest, NormalsThatStopAtTheSeamAreSeen) {
-    Mesh& mesh = stage_.scene.meshes.at(0);
-    std::vector<glm::vec3> sums(mesh.positions.size(), glm::vec3(0.0f));
-    for (std::size_t c = 0; c < mesh.indices.size(); ++c)
-        sums[mesh.indices[c]] += glm::vec3(corner_normal(mesh, c));
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        if (glm::length(sums[i]) > 0) mesh.normals[i] = glm::normalize(sums[i]);
-    const Image picture = picture_of(stage_);
-    const double cut = jump(picture, cut_), whole = jump(picture, whole_);
-    std::printf("%g %g\n", cut, whole);
+// Brushed, it depends on tangents. Those that the file stores are one a triangle and show every
+// edge (0.086), as they do here; those that Burnish computes run on from triangle to triangle.
+TEST_F(SuzanneEdgeTest, AreNotSeenOnBrushedMetalWithComputedTangents) {
+    brush();
+    mesh().tangents.clear();
+    make_tangents(mesh());
+    const double smooth = jump();
+    ASSERT_EQ(mesh().positions.size(), mesh().indices.size()) << "no vertex serves two triangles";
+    for (std::size_t c = 0; c < mesh().indices.size(); c += 3) {
+        const glm::vec4 first = mesh().tangents[mesh().indices[c]];
+        for (std::size_t k = 1; k < 3; ++k) mesh().tangents[mesh().indices[c + k]] = first;
+    }
+    const double faceted = jump();
+    RecordProperty("smooth", std::to_string(smooth));
+    RecordProperty("faceted", std::to_string(faceted));
+    EXPECT_LT(smooth, 0.04);
+    EXPECT_GT(faceted, 0.06) << "the measure is blind";
 }
 
 }  // namespace
