@@ -12,11 +12,15 @@ layout(location = 1) out vec4 o_position;
 #endif
 
 void main() {
-    float side = gl_FrontFacing ? 1.0 : -1.0;
     vec2 dx = dFdx(v_uv);
     vec2 dy = dFdy(v_uv);
-    o_packed = packed_pixel(v_normal * side, v_tangent.xyz * side, v_tangent.w * side < 0.0,
-                            max(dot(dx, dx), dot(dy, dy)), v_uv);
+    float footprint2 = max(dot(dx, dx), dot(dy, dy));
+#ifdef DOUBLE_SIDED
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    o_packed = packed_pixel(v_normal * side, v_tangent.xyz * side, v_tangent.w * side, footprint2, v_uv);
+#else
+    o_packed = packed_pixel(v_normal, v_tangent.xyz, v_tangent.w, footprint2, v_uv);
+#endif
 #ifdef POSITION
     o_position = vec4(v_position, 1.0);
 #endif

@@ -56,17 +56,17 @@ struct Shading {
 };
 
 #ifdef HAS_NORMAL_MAP
-// A texel that is no direction out of the surface (zero, NaN, z <= 0) leaves it unperturbed.
+// A texel that is no direction out of the surface (zero, NaN, z <= 0) leaves it unperturbed. Infinite
+// ones do not get here: texture_upload.cpp.
 vec3 normal_of_texel(vec3 texel) {
     vec3 v = texel * 2.0 - 1.0;
 #ifdef NORMAL_MAP_XY
     v.z = sqrt(max(1.0 - dot(v.xy, v.xy), 0.0));
 #endif
-    bool usable = v.z > 0.0 && v.z < 16.0 && dot(v.xy, v.xy) < 256.0;
-    v = usable ? v : vec3(0.0, 0.0, 1.0);
+    v = v.z > 0.0 ? v : vec3(0.0, 0.0, 1.0);
     v.xy *= u_normal_scale;
-    // 0.02: tilts end at 88.9 degrees, short of where the frames of perturb.glsl are singular.
-    v.z = max(v.z, 0.02 * length(v.xy));
+    // 0.03: tilts end at 88.8 degrees, short of where the frames of perturb.glsl are singular.
+    v.z = max(v.z, 0.03 * max(abs(v.x), abs(v.y)));
     return normalize(v);
 }
 #endif

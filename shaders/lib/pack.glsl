@@ -3,11 +3,11 @@
 // (1 bit) and the footprint (9 bits), z and w texture coordinates as they are. One image: a second
 // one to write and read costs more than the packing.
 
-const float kLowFootprint = 5.421010862427522e-20;   // 2^-64
-const float kHighFootprint = 1.7e19;                 // below 2^64: 9 bits hold the difference
+const float kLowFootprint = 5.421010862427522e-20;  // 2^-64
 
+// 1e-30: a zero vector becomes some direction.
 vec2 octahedral(vec3 v) {
-    vec2 p = v.xy / max(abs(v.x) + abs(v.y) + abs(v.z), 1e-30);
+    vec2 p = v.xy * (1.0 / (abs(v.x) + abs(v.y) + abs(v.z) + 1e-30));
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return v.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
@@ -19,33 +19,35 @@ vec3 from_octahedral(vec2 p) {
     return vec3(p.x + (p.x < 0.0 ? fold : -fold), p.y + (p.y < 0.0 ? fold : -fold), z);
 }
 
-// [-1, 1] in the steps that `last` + 1 numbers allow; 0 is one of them.
-uvec2 quantised(vec2 p, float last) {
-    return uvec2(floor(clamp(p * 0.5 + 0.5, 0.0, 1.0) * (last - 1.0) + 0.5));
+// [-1, 1] to 0 .. 2 half; 0 keeps a number of its own. By int: conversions from and to unsigned take
+// software renderers several instructions.
+uvec2 quantised(vec2 p, float half_range) {
+    return uvec2(ivec2(p * half_range + (half_range + 0.5)));
 }
 
-vec2 from_quantised(uvec2 q, float last) {
-    return vec2(q) * (2.0 / (last - 1.0)) - 1.0;
+vec2 from_quantised(uvec2 q, float half_range) {
+    return vec2(ivec2(q)) * (1.0 / half_range) - 1.0;
 }
 
-// `footprint2`: square of the footprint, of which the exponent and two bits of the mantissa are kept:
-// an eighth of a mip level. 2^-64 to 2^64 is more than textures can ask for.
-uvec4 packed_pixel(vec3 normal, vec3 tangent, bool mirrored, float footprint2, vec2 uv) {
-    uvec2 n = quantised(octahedral(normal), 65535.0);
-    uvec2 t = quantised(octahedral(tangent), 2047.0);
-    uint f = (floatBitsToUint(clamp(footprint2, kLowFootprint, kHighFootprint)) -
-              floatBitsToUint(kLowFootprint)) >> 21;
-    return uvec4(n.x | (n.y << 16), t.x | (t.y << 11) | (mirrored ? 1u << 22 : 0u) | (f << 23),
+// `mirrored`: negative where the bitangent is mirrored. `footprint2`: square of the footprint, of
+// which the exponent and two bits of the mantissa are kept: an eighth of a mip level. 2^-64 to 2^64 is
+// more than textures can ask for.
+uvec4 packed_pixel(vec3 normal, vec3 tangent, float mirrored, float footprint2, vec2 uv) {
+    uvec2 n = quantised(octahedral(normal), 32767.0);
+    uvec2 t = quantised(octahedral(tangent), 1023.0);
+    uint f = (floatBitsToUint(max(footprint2, kLowFootprint)) - floatBitsToUint(kLowFootprint)) >> 21;
+    uint sign_bit = (floatBitsToUint(mirrored) >> 31) << 22;
+    return uvec4(n.x | (n.y << 16), t.x | (t.y << 11) | sign_bit | (f << 23),
                  floatBitsToUint(uv.x), floatBitsToUint(uv.y));
 }
 
 vec3 packed_normal(uvec4 p) {
-    return from_octahedral(from_quantised(uvec2(p.x & 65535u, p.x >> 16), 65535.0));
+    return from_octahedral(from_quantised(uvec2(p.x & 65535u, p.x >> 16), 32767.0));
 }
 
 // w: the sign of the bitangent.
 vec4 packed_tangent(uvec4 p) {
-    vec3 t = from_octahedral(from_quantised(uvec2(p.y & 2047u, (p.y >> 11) & 2047u), 2047.0));
+    vec3 t = from_octahedral(from_quantised(uvec2(p.y & 2047u, (p.y >> 11) & 2047u), 1023.0));
     return vec4(t, (p.y & (1u << 22)) != 0u ? -1.0 : 1.0);
 }
 

@@ -26,9 +26,9 @@ Rotation rotation_of_pixel(uvec2 pixel, uint seed) {
     return r;
 }
 
-// The upper 24 bits, which a float holds exactly: in [0, 1).
+// The upper 24 bits, which a float holds exactly: in [0, 1). By int: see pack.glsl.
 float unit_of(uint bits) {
-    return float(bits >> 8) * (1.0 / 16777216.0);
+    return float(int(bits >> 8)) * (1.0 / 16777216.0);
 }
 
 // Point `index` of the R2 sequence (Roberts 2018: multiples of 1/g and 1/g^2, g^3 = g + 1).

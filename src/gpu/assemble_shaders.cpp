@@ -92,7 +92,7 @@ void write_all(Writer& writer) {
         writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
         writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", "gouraud.vert");
         writer.write(dialect, "", "gbuffer.frag");
-        writer.write(dialect, "#define POSITION\n", "gbuffer.frag");
+        writer.write(dialect, "#define POSITION\n#define DOUBLE_SIDED\n", "gbuffer.frag");
     }
 }
 

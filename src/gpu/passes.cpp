@@ -184,11 +184,12 @@ void Painter::paint_deferred(const Frame& frame, Targets& targets,
 }
 
 void Painter::write_gbuffer(const Frame& frame, const DrawItem& item) {
-    Program& program = programs_.get("surface.vert", "gbuffer.frag",
-                                     scene_.lights.any_positional() ? "#define POSITION\n" : "");
+    const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
+    std::string defines = scene_.lights.any_positional() ? "#define POSITION\n" : "";
+    if (material.double_sided) defines += "#define DOUBLE_SIDED\n";
+    Program& program = programs_.get("surface.vert", "gbuffer.frag", defines);
     program.use();
     program.set("u_clip_from_world", frame.view.clip_from_world);
-    const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
     set_shared_uv(program, material);
     place(program, item);
 }

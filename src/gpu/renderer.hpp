@@ -2,15 +2,14 @@
 //
 // What it does, where a choice had to be made:
 // - Pixels are filtered by a triangle of half width 1 pixel, sampled by jittering the whole view.
-// - No light comes from inside: punctual lights and image samples below the geometric
-// (interpolated)
-//   horizon count as black, whatever the perturbed normal says. Where the VIEW is below the
-//   perturbed horizon the specular term is 0 and the diffuse one stays.
-// - The diffuse term is base (1 - metallic) / pi (1 - F(n~.wi)) (1 - F(n.wo)), F Schlick's with the
-//   dielectric F0; under an environment the first factor is its cosine-weighted mean.
+// - Only the horizon of the perturbed normal counts for light: a mapped bump matches a modelled
+// one.
+//   Where the VIEW is below the perturbed horizon the specular term is 0 and the diffuse one stays.
+// - The diffuse term is base (1 - metallic) / pi (1 - F(n~.wi)) (1 - F(|n~.wo|)), F Schlick's with
+//   the dielectric F0; under an environment the first factor is its cosine-weighted mean.
 // - Occlusion maps darken the diffuse image light only.
 // - Blended instances are sorted back to front by the middle of their boxes, their triangles are
-// not.
+//   not.
 // - Back faces of double-sided materials have their whole tangent frame turned over: the sheet seen
 //   from behind, where a dent is a bump.
 #pragma once

@@ -120,9 +120,11 @@ Pixels u16_pixels(const Texture& texture, bool es) {
 
 Pixels f32_pixels(const Texture& texture, bool es, TexelRepair repair) {
     Pixels p;
-    // ES filters half floats, not floats. 65504: the largest of them.
+    // ES filters half floats, not floats, the largest of which is 65504. Normals lie in [0, 1]:
+    // within 16 their squares stay far from overflow, whatever scale is put on them.
     p.format = {static_cast<GLenum>(es ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT};
-    const float limit = es ? 65504.0f : 3.0e38f;
+    const bool normals = repair == TexelRepair::flat_normal;
+    const float limit = normals ? 16.0f : es ? 65504.0f : 3.0e38f;
     p.converted = to_four_channels<float, float>(texture, [limit](float v, bool) {
         return std::isfinite(v) ? std::clamp(v, -limit, limit) : std::nanf("");
     });
@@ -130,7 +132,7 @@ Pixels f32_pixels(const Texture& texture, bool es, TexelRepair repair) {
         float texel[4];
         std::memcpy(texel, p.converted.data() + i, sizeof(texel));
         if (std::isfinite(texel[0] + texel[1] + texel[2] + texel[3])) continue;
-        const float flat = repair == TexelRepair::flat_normal ? 0.5f : 0.0f;
+        const float flat = normals ? 0.5f : 0.0f;
         const float replaced[4] = {flat, flat, 2 * flat, 1.0f};
         std::memcpy(p.converted.data() + i, replaced, sizeof(replaced));
     }
