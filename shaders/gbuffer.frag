@@ -17,7 +17,8 @@ void main() {
     float footprint2 = max(dot(dx, dx), dot(dy, dy));
 #ifdef DOUBLE_SIDED
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    o_packed = packed_pixel(v_normal * side, v_tangent.xyz * side, v_tangent.w * side, footprint2, v_uv);
+    o_packed = packed_pixel(v_normal * side, v_tangent.xyz * side, v_tangent.w * side, footprint2,
+                            v_uv);
 #else
     o_packed = packed_pixel(v_normal, v_tangent.xyz, v_tangent.w, footprint2, v_uv);
 #endif

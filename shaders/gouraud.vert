@@ -1,4 +1,4 @@
-// Lighting at the vertices, the measure of frame costs (K11 Fig 11, K12 Table I): Lambert plus Phong.
+// Lighting at the vertices, the measure of frame costs (K11 Fig 11, K12 Table I): Lambert and Phong.
 #define Float float
 const float kPi = 3.14159265358979323846;
 #include "shaders/lib/lights.glsl"
