@@ -2,6 +2,7 @@
 
 #include "burnish/parameters.hpp"
 #include "burnish/shading_names.hpp"
+#include "core/display.hpp"
 
 namespace burnish {
 
@@ -14,8 +15,6 @@ using Group = ParameterGroup;
 constexpr std::array<std::string_view, 8> kMetals = {"none",      "gold",  "silver", "copper",
                                                      "aluminium", "steel", "brass",  "titanium"};
 constexpr std::array<std::string_view, 3> kImageLights = {"off", "importance", "bent-normal"};
-constexpr std::array<std::string_view, 4> kToneMaps = {"linear", "reinhard", "aces",
-                                                       "khronos-neutral"};
 constexpr std::array<std::string_view, 3> kBackgrounds = {"environment", "color", "transparent"};
 
 // Positions and distances: a thousand kilometres leave float coordinates 6 cm apart, enough for
@@ -91,7 +90,7 @@ void add_render(Table& t) {
     t.integer("image_light_samples", 1, 1024, "16", "",
               "environment samples for each sample of a pixel");
     t.real("exposure", -20, 20, "0", "EV", "brightness, in powers of two");
-    t.choice("tone_map", kToneMaps, "khronos-neutral", "how radiance becomes display colour");
+    t.choice("tone_map", tone_map_names(), "khronos-neutral", "how radiance becomes display colour");
     t.choice("background", kBackgrounds, "environment", "what is behind the model");
     t.color("background_color", 1e6, "0.05,0.05,0.05",
             "for background color: r,g,b linear or #rrggbb");
