@@ -11,10 +11,12 @@
 // on the flat parts and on the domes up to 3/4 of their radius 97 % of the pixels are within 2/255
 // in every channel. Where more is left:
 //
-// The flat texels of the 8-bit map are (128, 128, 255): 0.3 degrees off the normal, towards another
-// side in every pair, for the texture coordinates are turned. On the polished metal (third column,
+// The flat parts of the 8-bit map are not flat: nearly half of the texels are (127, 127, 255), the
+// rest one to three codes beside, 0.3 degrees and more off the normal, towards another side in
+// every pair, for the texture coordinates are turned. On the polished metal (third column,
 // roughness 0) under a picture of the world a reflection moves by up to 1.3 degrees, four texels.
-// The other codes are rounded as coarsely. A test below takes this cause away.
+// The other codes are rounded as coarsely. A test below takes this cause away; there a column as a
+// whole is asked to stay below 2/255.
 //
 // Where a dielectric dome falls off, light that leaves the coloured base crosses the surface at the
 // angle of the geometry (diffuse_through(wo.z) in shaders/lib/shade.glsl), which on the right is
@@ -43,7 +45,7 @@ constexpr int kSquare = 60;
 constexpr int kPitch = 64;
 constexpr int kSide = 456;
 
-enum Zone { inner_dome, dome_edge, flat, no_zone };
+enum Zone { inner_dome, dome_edge, flat, no_zone, anywhere };
 
 Zone zone_of(int x, int y) {
     if (std::min({x, y, kSquare - 1 - x, kSquare - 1 - y}) < 2) return no_zone;
@@ -80,7 +82,8 @@ Difference difference(const Image& a, SquareOf square_a, const Image& b, SquareO
         double square_sum = 0, square_count = 0;
         for (int y = 0; y < kSquare; ++y) {
             for (int x = 0; x < kSquare; ++x) {
-                if (zone_of(x, y) != zone) continue;
+                const Zone here = zone_of(x, y);
+                if (here == no_zone || (zone != anywhere && zone != here)) continue;
                 const float* pa = a.at(sa.x + x, sa.y + y);
                 const float* pb = b.at(sb.x + x, sb.y + y);
                 double largest = 0;
@@ -105,7 +108,7 @@ Difference left_and_right(const Image& image, int column, Zone zone) {
 }
 
 void note(int column, Zone zone, const Difference& d) {
-    const char* const names[] = {"inner", "edge", "flat"};
+    const char* const names[] = {"inner", "edge", "flat", "", "whole"};
     testing::Test::RecordProperty(fmt::format("column_{}_{}", column, names[zone]),
                                   fmt::format("mean {:.2f}, worst {:.2f}, {:.1f} % within 2",
                                               d.mean, d.worst_mean, 100 * d.within_2));
@@ -180,6 +183,9 @@ TEST_P(NormalTangentTest, MappedDomesLookLikeModelledOnes) {
     const bool lit_by_picture = !stage_.environment.radiance.empty();
     for (int column = 0; column < 3; ++column) {
         const bool reflects = column == 2 && lit_by_picture;  // see the next test
+        const Difference whole = left_and_right(picture, column, anywhere);
+        note(column, anywhere, whole);
+        EXPECT_LT(whole.mean, 2.0) << "column " << column;
         for (const Zone zone : {inner_dome, dome_edge, flat}) {
             const Difference d = left_and_right(picture, column, zone);
             note(column, zone, d);
