@@ -13,7 +13,7 @@ FN int brdf_mdf(int brdf, int mdf) {
 FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     vec3 sum = wi + wo;
     Float sum_length = sqrt(max(dot(sum, sum), kTiny));
-    vec3 h = sum * (Float(1) / sum_length);
+    vec3 h = half_vector(sum, p.n);
     Float cos_i = dot(p.n, wi);
     Float cos_o = dot(p.n, wo);
     Float low_i = max(cos_i, kLeastCosine);
@@ -46,5 +46,5 @@ FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
         }
         f = lobe.projected_norm * shape * g / (Float(4) * low_i * low_o);
     }
-    return choose(cos_i > Float(0) && cos_o > Float(0), f, Float(0));
+    return choose(cos_i > Float(0) && cos_o > Float(0), min(f, kMostValue), Float(0));
 }

@@ -37,7 +37,8 @@ with directions in tangent space: x tangent, y bitangent, z normal. Adds
                 Fresnel is Schlick's F0 + (1 - F0) (1 - i.h)^5 wherever F0 is a parameter.
                 ashikhmin-shirley-diffuse is the diffuse term of that model. he is the
                 directional-diffuse term, always computed in double precision. phong is not
-                reciprocal; phong and ward-duer grow without bound at grazing angles
+                reciprocal; phong, ward-duer and, more slowly, ward grow without bound at
+                grazing angles
 )";
 
 }  // namespace
