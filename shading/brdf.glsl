@@ -9,6 +9,12 @@ FN int brdf_mdf(int brdf, int mdf) {
     return mdf;
 }
 
+// `sum`: wi + wo. Where they cancel both stand at the horizon of n, opposite one another.
+FN vec3 half_vector(vec3 sum, vec3 n) {
+    Float l2 = dot(sum, sum);
+    return choose(l2 > kTiny, sum * (Float(1) / sqrt(max(l2, kTiny))), n);
+}
+
 // `lobe` is of brdf_mdf. 0 where wi or wo is below the perturbed horizon.
 FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     vec3 sum = wi + wo;
