@@ -12,3 +12,4 @@
 #include "shading/fresnel.glsl"
 #include "shading/brdf.glsl"
 #include "shading/sample.glsl"
+#include "shading/horizon.glsl"
