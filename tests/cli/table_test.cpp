@@ -181,7 +181,7 @@ TEST_F(Table, StandardInputAndOutput) {
 TEST_F(Table, InputsThatCannotBeRead) {
     const std::string out = folder_.path("out.csv");
     expect_complaint(run_burnish({"mdf", "eval", "--in", folder_.path("none.csv"), "--out", out}),
-                     1, {"none.csv", "No such file"});
+                     1, {"none.csv", "no such file"});
     expect_complaint(run_burnish({"mdf", "eval", "--in", folder_.path(""), "--out", out}), 1,
                      {"readable file"});
     expect_complaint(run_burnish({"mdf", "eval", "--in", "/dev/zero", "--out", out}), 1,
