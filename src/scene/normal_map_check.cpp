@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <set>
+#include <type_traits>
 
 #include "burnish/error.hpp"
 #include "scene/load.hpp"

@@ -207,7 +207,7 @@ TEST_F(Table, AFileSizeLimitIsAnErrorNotADeath) {
     const std::string out = folder_.write("out.csv", "old");
     expect_complaint(
         run_burnish({"mdf", "eval", "--in", in, "--out", out}, {.file_size_limit = 65536}), 1,
-        {"out.csv", "too large"});
+        {"out.csv", "file size limit"});
     EXPECT_EQ(contents_of(out), "old");
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"in.csv", "out.csv"}));
 }
