@@ -1,10 +1,10 @@
 // Frames of tangent space and the words for directions in them. All vectors unit unless said.
 
-const Float kPi = Float(3.14159265358979323846);
+CONSTANT(kPi, 3.14159265358979323846)
 
 // Smaller than any length, square or weight that matters, and still normal when 1/kTiny is taken in
 // single precision.
-const Float kTiny = Float(1e-30);
+CONSTANT(kTiny, 1e-30)
 
 struct Frame {
     vec3 t;

@@ -4,6 +4,7 @@
 #define Bool bool
 #define FN
 #define OUT(T) out T
+#define CONSTANT(name, value) const float name = float(value);
 
 float choose(bool condition, float a, float b) { return condition ? a : b; }
 vec3 choose(bool condition, vec3 a, vec3 b) { return condition ? a : b; }

@@ -109,9 +109,9 @@ FN vec3 perturb_forward(Perturbation p, vec3 m) {
 
 // Shares of the normal-map mixture: the lobe where it was, a round lobe about n~ as wide as the
 // wider axis, and the cosine hemisphere about n~, which bounds the weight D cos/pdf by 10 pi max D.
-const Float kMixtureBase = Float(0.5);
-const Float kMixtureRound = Float(0.4);
-const Float kMixtureCosine = Float(0.1);
+CONSTANT(kMixtureBase, 0.5)
+CONSTANT(kMixtureRound, 0.4)
+CONSTANT(kMixtureCosine, 0.1)
 
 FN Lobe lobe_rounded(Lobe lobe) {
     Float wide = max(lobe.p0, lobe.p1);
