@@ -24,6 +24,12 @@ FN vec3 reflect_about(vec3 w, vec3 h) {
     return h * (Float(2) * dot(w, h)) - w;
 }
 
+// `sum`: wi + wo. Where they cancel both stand at the horizon of n, opposite one another.
+FN vec3 half_vector(vec3 sum, vec3 n) {
+    Float l2 = dot(sum, sum);
+    return choose(l2 > kTiny, sum * (Float(1) / sqrt(max(l2, kTiny))), n);
+}
+
 // T projected on the plane of n, B = n x T. Singular only at n = +-e_x.
 FN Frame frame_keep_tangent(vec3 n) {
     Float s = sqrt(max(n.y * n.y + n.z * n.z, kTiny));
