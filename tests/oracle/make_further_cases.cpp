@@ -2,7 +2,6 @@
 #include <cmath>
 #include <utility>
 
-#include "further_brdfs.hpp"
 #include "make_cases.hpp"
 #include "random_inputs.hpp"
 
@@ -154,16 +153,14 @@ void choose_directions(Random& random, BrdfCase& c) {
 
 }  // namespace
 
-std::vector<BrdfCase> further_cases(unsigned seed, std::size_t n) {
-    std::vector<std::string> brdfs = further_brdf_names();
-    brdfs.emplace_back("ggx-separable");
+std::vector<BrdfCase> further_cases(const std::string& brdf, unsigned seed, std::size_t n) {
     Random random(seed);
     std::vector<BrdfCase> cases;
     cases.reserve(n);
     for (std::size_t k = 0; k < n; ++k) {
         BrdfCase c;
-        c.brdf = brdfs[k % brdfs.size()];
-        c.p = random_parameters(random, c.brdf);
+        c.brdf = brdf;
+        c.p = random_parameters(random, brdf);
         choose_directions(random, c);
         c.i = as_double(rescaled(random, c.i));
         c.o = as_double(rescaled(random, c.o));

@@ -5,41 +5,45 @@
 namespace burnish::oracle {
 namespace {
 
+bool is_double(long double a) {
+    return static_cast<long double>(static_cast<double>(a)) == a;
+}
+
 TEST(OracleFurtherCases, AreDoublesReproducibleFiniteAndMeetTheLobes) {
-    const auto is_double = [](long double a) {
-        return static_cast<long double>(static_cast<double>(a)) == a;
-    };
-    const std::vector<BrdfCase> cases = further_cases(8, 1600);
-    const std::vector<BrdfCase> again = further_cases(8, 1600);
-    ASSERT_EQ(cases.size(), 1600u);
-    std::map<std::string, int> bright;
-    std::map<std::string, std::set<std::string>> kinds;
-    for (std::size_t k = 0; k < cases.size(); ++k) {
-        const BrdfCase& c = cases[k];
-        for (const Vec3 v : {c.i, c.o}) {
-            EXPECT_TRUE(is_double(v.x) && is_double(v.y) && is_double(v.z));
+    std::vector<std::string> brdfs = further_brdf_names();
+    brdfs.emplace_back("ggx-separable");
+    for (const std::string& brdf : brdfs) {
+        const std::vector<BrdfCase> cases = further_cases(brdf, 8, 200);
+        const std::vector<BrdfCase> again = further_cases(brdf, 8, 200);
+        ASSERT_EQ(cases.size(), 200u);
+        int bright = 0;
+        std::set<std::string> kinds;
+        for (std::size_t k = 0; k < cases.size(); ++k) {
+            const BrdfCase& c = cases[k];
+            for (const Vec3 v : {c.i, c.o}) {
+                EXPECT_TRUE(is_double(v.x) && is_double(v.y) && is_double(v.z));
+            }
+            for (const long double p : c.p) EXPECT_TRUE(is_double(p));
+            EXPECT_EQ(length(c.i - again[k].i) + length(c.o - again[k].o), 0);
+            const long double f = brdf_eval(c.brdf, c.p, c.i, c.o);
+            EXPECT_TRUE(f >= 0 && f < 1e300L) << brdf << ' ' << c.kind << ' ' << k;
+            if (c.kind == "below") {
+                EXPECT_EQ(f, 0);
+            }
+            bright += f > 1e-3L ? 1 : 0;
+            kinds.insert(c.kind);
         }
-        for (const long double p : c.p) EXPECT_TRUE(is_double(p));
-        EXPECT_EQ(length(c.i - again[k].i) + length(c.o - again[k].o), 0);
-        const long double f = brdf_eval(c.brdf, c.p, c.i, c.o);
-        EXPECT_TRUE(f >= 0 && f < 1e300L) << c.brdf << ' ' << c.kind << ' ' << k;
-        if (c.kind == "below") {
-            EXPECT_EQ(f, 0);
-        }
-        bright[c.brdf] += f > 1e-3L ? 1 : 0;
-        kinds[c.brdf].insert(c.kind);
+        EXPECT_GT(bright, 80) << brdf;  // off the lobe, below, or share 0: the rest
+        EXPECT_EQ(kinds.size(), 7u) << brdf;
     }
-    EXPECT_EQ(bright.size(), further_brdf_names().size() + 1);
-    for (const auto& [brdf, count] : bright) EXPECT_GT(count, 100) << brdf << " of 200";
-    for (const auto& [brdf, set] : kinds) EXPECT_EQ(set.size(), 7u) << brdf;
 }
 
 // The roughness of the surface in waves: g from 1e-4 to hundreds.
 TEST(OracleFurtherCases, SpanTheSeries) {
     long double low = 1e30L;
     long double high = 0;
-    for (const BrdfCase& c : further_cases(8, 1600)) {
-        if (c.brdf != "he" || c.kind == "below") continue;
+    for (const BrdfCase& c : further_cases("he", 8, 200)) {
+        if (c.kind == "below") continue;
         const Vec3 i = normalize(c.i);
         const Vec3 o = normalize(c.o);
         const long double s = he_effective_sigma(c.p[0], c.p[1], i, o);
