@@ -32,3 +32,7 @@ float erfc(float x) {
 const int kWardNodes = 4;
 // Steps of deform_smooth_forward: within 1e-5 of the root for all but one in 1e5 (worst 5e-4).
 const int kDeformRootSteps = 10;
+
+// Cosines that BRDFs divide by are held above this: below any that is not rounding, while
+// D / (4 cos cos) stays finite in single precision.
+const float kLeastCosine = 1e-12;
