@@ -95,14 +95,12 @@ Vec3 lobe_direction(Random& random, const BrdfCase& c) {
     return 2 * dot(h, c.i) * h - c.i;
 }
 
-// Scales C to |C i| = 1 where a large exponent would else leave nothing, if C stays small by that.
+// Scales C to |C i| = 1 where a large exponent would else leave nothing, or overflow.
 void brighten(BrdfCase& c) {
     const long double l = length({c.p[1] * c.i.x, c.p[2] * c.i.y, c.p[3] * c.i.z});
-    const bool dark = c.p[4] > 20 && l > 0;
-    if (!dark) return;
+    if (c.p[4] <= 20 || l == 0) return;
     for (std::size_t k = 1; k < 4; ++k) c.p[k] = as_double(c.p[k] / l);
     const bool large = std::max({fabsl(c.p[1]), fabsl(c.p[2]), fabsl(c.p[3])}) > 2;
-    // A larger C would overflow for other directions of this exponent.
     if (large) c.p = {c.p[0], -1, -1, 1, c.p[4]};
 }
 
@@ -149,6 +147,7 @@ void choose_directions(Random& random, BrdfCase& c) {
         c.o.z = -fabsl(c.o.z) - 1e-3L;
         if (random.chance(0.5L)) std::swap(c.i, c.o);
     }
+    if (c.brdf == "lafortune") brighten(c);  // i may be another now, and C too bright for it
 }
 
 }  // namespace
