@@ -23,7 +23,7 @@ using oracle::BrdfCase;
 
 // How many of the five parameters a model has; the others stay empty in the table.
 std::size_t parameter_count(const std::string& brdf) {
-    if (brdf == "phong") return 2;
+    if (brdf == "phong" || brdf == "ashikhmin-shirley-diffuse") return 2;
     return brdf == "lafortune" ? 5 : 3;
 }
 
@@ -128,6 +128,9 @@ TEST(FurtherBrdfs, CookTorrance) {
 }
 TEST(FurtherBrdfs, AshikhminPremozeShirley) {
     compare("ashikhmin-premoze-shirley", 46, 300);
+}
+TEST(FurtherBrdfs, AshikhminShirleyDiffuse) {
+    compare("ashikhmin-shirley-diffuse", 49, 1500);
 }
 TEST(FurtherBrdfs, GgxSeparable) {
     compare("ggx-separable", 47, 1500);

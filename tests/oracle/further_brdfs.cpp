@@ -80,9 +80,14 @@ long double he(long double sigma, long double tau, long double f0, Vec3 i, Vec3 
 }  // namespace
 
 const std::vector<std::string>& further_brdf_names() {
-    static const std::vector<std::string> names{
-        "phong", "ward", "ward-duer", "lafortune", "cook-torrance", "ashikhmin-premoze-shirley",
-        "he"};
+    static const std::vector<std::string> names{"phong",
+                                                "ward",
+                                                "ward-duer",
+                                                "lafortune",
+                                                "cook-torrance",
+                                                "ashikhmin-premoze-shirley",
+                                                "he",
+                                                "ashikhmin-shirley-diffuse"};
     return names;
 }
 
@@ -96,6 +101,7 @@ long double further_brdf_eval(const std::string& brdf, const std::array<long dou
     if (brdf == "ashikhmin-premoze-shirley") {
         return ashikhmin_premoze_shirley(p[0], p[1], p[2], i, o);
     }
+    if (brdf == "ashikhmin-shirley-diffuse") return ashikhmin_shirley_diffuse(p[0], p[1], i, o);
     if (brdf == "he") return he(p[0], p[1], p[2], i, o);
     throw std::invalid_argument("oracle: unknown brdf '" + brdf + "'");
 }

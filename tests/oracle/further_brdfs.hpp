@@ -16,6 +16,7 @@
 namespace burnish::oracle {
 
 // phong ward ward-duer lafortune cook-torrance ashikhmin-premoze-shirley he
+// ashikhmin-shirley-diffuse
 const std::vector<std::string>& further_brdf_names();
 
 // Parameters, unused ones ignored; i and o unit, i.z > 0 and o.z > 0:

@@ -47,6 +47,7 @@ std::array<long double, 5> random_parameters(Random& random, const std::string& 
     if (brdf == "ashikhmin-premoze-shirley") return random_aps(random);
     const long double share = random_share(random);
     if (brdf == "phong") return {share, random_lobe(random, true)[0], 0, 0, 0};
+    if (brdf == "ashikhmin-shirley-diffuse") return {share, random_share(random), 0, 0, 0};
     const std::array<long double, 2> lobe = random_lobe(random, false);
     if (brdf == "cook-torrance") return {share, lobe[0], random_share(random), 0, 0};
     if (brdf == "ggx-separable") return {lobe[0], lobe[1], share, 0, 0};
@@ -83,6 +84,7 @@ Vec3 lobe_direction(Random& random, const BrdfCase& c) {
     const Vec3 mirror{-c.i.x, -c.i.y, c.i.z};
     if (c.brdf == "phong") return about(random, mirror, c.p[1]);
     if (c.brdf == "he") return he_direction(random, c);
+    if (c.brdf == "ashikhmin-shirley-diffuse") return random_direction(random);
     if (c.brdf == "lafortune") {
         const Vec3 axis{c.p[1] * c.i.x, c.p[2] * c.i.y, c.p[3] * c.i.z};
         return length(axis) > 0 ? about(random, axis, c.p[4]) : mirror;

@@ -30,7 +30,8 @@ const std::vector<std::pair<std::string, Parameters>>& some_models() {
         {"lafortune", {0.5L, -0.9L, -1, 0.8L, 7}},
         {"cook-torrance", {0.8L, 0.3L, 0.6L, 0, 0}},
         {"ashikhmin-premoze-shirley", {200, 10, 0.6L, 0, 0}},
-        {"he", {0.4L, 3, 0.6L, 0, 0}}};
+        {"he", {0.4L, 3, 0.6L, 0, 0}},
+        {"ashikhmin-shirley-diffuse", {0.7L, 0.2L, 0, 0, 0}}};
     return models;
 }
 
