@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "app/scratch_preview.hpp"
@@ -122,14 +121,10 @@ DataPicture moments_picture(const ScratchMaps& maps) {
     return out;
 }
 
-// Grooves of a field that has a sense keep it, so that arrows next to each other agree.
 DataPicture anisotropy_picture(const ScratchMaps& maps, const ScratchLayer& ground) {
-    const bool face =
-        ground.field == ScratchField::circular || ground.field == ScratchField::radial;
-    const double angle = (ground.angle_deg + 90.0) * std::numbers::pi / 180.0;
     return picture(DataFormat::png16, kRgb, maps.size,
-                   [&maps, face, angle](int begin, int end, float* to) {
-                       stretch_rows(maps, face, angle, begin, end, to);
+                   [&maps, &ground](int begin, int end, float* to) {
+                       stretch_rows(maps, ground, begin, end, to);
                    });
 }
 

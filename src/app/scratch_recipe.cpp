@@ -51,6 +51,7 @@ ordered_json layer_json(const ScratchLayer& layer) {
     out["angle_deg"] = layer.angle_deg;
     out["range_deg"] = layer.range_deg;
     out["placement"] = name_in(scratch_placement_names(), static_cast<int>(layer.placement));
+    out["passes"] = layer.passes;
     return out;
 }
 
@@ -71,9 +72,10 @@ void read_name(const JsonPlace& layer, std::string_view key,
 }
 
 ScratchLayer read_layer(const JsonPlace& place) {
-    constexpr std::array<std::string_view, 12> kKeys = {
+    constexpr std::array<std::string_view, 13> kKeys = {
         "count", "density_per_cm2", "length_mm", "width_mm",  "depth_mm",  "curvature_per_mm",
-        "taper", "profile",         "direction", "angle_deg", "range_deg", "placement"};
+        "taper", "profile",         "direction", "angle_deg", "range_deg", "placement",
+        "passes"};
     place.require_object(kKeys);
     ScratchLayer layer;
     const auto number = [&](std::string_view key, double& to) {
@@ -91,6 +93,7 @@ ScratchLayer read_layer(const JsonPlace& place) {
     number("taper", layer.taper);
     number("angle_deg", layer.angle_deg);
     number("range_deg", layer.range_deg);
+    number("passes", layer.passes);
     read_name(place, "profile", scratch_profile_names(), layer.profile);
     read_name(place, "direction", scratch_field_names(), layer.field);
     read_name(place, "placement", scratch_placement_names(), layer.placement);

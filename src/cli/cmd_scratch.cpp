@@ -106,6 +106,8 @@ const std::vector<LayerWord>& layer_words() {
          sets_number(&ScratchLayer::range_deg)},
         {"placement", "NAME", "random, or even: spaced evenly across a constant direction",
          sets_name(&ScratchLayer::placement, scratch_placement_names())},
+        {"passes", "N", "of even: how often the tool comes back over the tile; 0: anywhere",
+         sets_number(&ScratchLayer::passes)},
     };
     return words;
 }

@@ -66,9 +66,10 @@ void normal_rows(const ScratchMaps& maps, int begin, int end, float* to);  // RG
 void moment_rows(const ScratchMaps& maps, int begin, int end, float* to);  // 5 channels
 // RGB of KHR_materials_anisotropy: RG the direction of STRETCH, across the groove, (1 + d) / 2 with
 // y up; B 1 where there is a direction, else 0. Of the two arrows of a line the one nearer to
-// `reference_angle` (radians) is stored, or the one that points away from the middle of the tile.
-void stretch_rows(const ScratchMaps& maps, bool from_middle, double reference_angle, int begin,
-                  int end, float* to);
+// that of the field of `ground`, the first layer, is stored (of circular and radial fields the one
+// that points away from the middle of the tile): neighbours agree as far as arrows can.
+void stretch_rows(const ScratchMaps& maps, const ScratchLayer& ground, int begin, int end,
+                  float* to);
 
 Image normal_map(const ScratchMaps& maps);
 

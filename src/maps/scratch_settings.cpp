@@ -94,6 +94,11 @@ void check_layer(const ScratchSettings& settings, const ScratchLayer& layer, con
     const bool placed =
         layer.placement == ScratchPlacement::random || layer.field == ScratchField::constant;
     check.require(placed, "placement", "random, unless the direction is constant", "even");
+    check.range(layer.passes, 0.0, 64.0, "passes");
+    check.require(layer.passes == std::floor(layer.passes), "passes", "a whole number",
+                  fmt::format("{:g}", layer.passes));
+    check.require(layer.passes == 0.0 || layer.placement == ScratchPlacement::even, "passes",
+                  "0, unless the placement is even", fmt::format("{:g}", layer.passes));
 }
 
 // --- presets ----------------------------------------------------------------------------------
@@ -182,22 +187,23 @@ std::vector<ScratchLayer> swirl_marks() {
     return {arcs, wide};
 }
 
-// A milling cutter's tooth: broad furrows at an even feed, bent alike, and the lines it drags.
+// A face mill: arcs of one radius at an even feed, in two passes that meet, and fine lines that
+// chips drag along with them.
 std::vector<ScratchLayer> tool_marks() {
-    ScratchLayer furrow;
-    furrow.count = 0;
-    furrow.density_per_cm2 = 14;
-    furrow.length_mm = lognormal(34, 0.25);
-    furrow.width_mm = lognormal(0.42, 0.2);
-    furrow.depth_mm = lognormal(0.011, 0.3);
-    furrow.curvature_per_mm = constant_spread(0.02);
-    furrow.taper = 0.35;
+    ScratchLayer furrow =
+        layer_of(11, {Shape::normal, 30, 0.8}, lognormal(0.5, 0.1), lognormal(0.016, 0.2));
+    furrow.curvature_per_mm = constant_spread(0.04);
+    furrow.taper = 0.25;
+    aim(furrow, ScratchField::constant, 90, 0.25);
     furrow.placement = ScratchPlacement::even;
-    aim(furrow, ScratchField::constant, 90, 0.6);
+    furrow.passes = 2;
     ScratchLayer drag =
-        layer_of(90, lognormal(9, 0.5), lognormal(0.06, 0.3), lognormal(0.003, 0.4));
-    drag.curvature_per_mm = constant_spread(0.02);
-    aim(drag, ScratchField::constant, 90, 2.0);
+        layer_of(40, {Shape::normal, 28, 2}, lognormal(0.06, 0.3), lognormal(0.0025, 0.4));
+    drag.curvature_per_mm = constant_spread(0.04);
+    drag.taper = 0.6;
+    aim(drag, ScratchField::constant, 90, 0.4);
+    drag.placement = ScratchPlacement::even;
+    drag.passes = 2;
     return {furrow, drag};
 }
 

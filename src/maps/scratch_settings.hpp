@@ -49,7 +49,7 @@ enum class ScratchField {
 };
 enum class ScratchPlacement {
     random,  // anywhere
-    even     // evenly spaced across the grooves, as a tool advances; random along them
+    even     // evenly spaced across the grooves, as a tool advances
 };
 
 std::span<const std::string_view> scratch_profile_names();
@@ -71,6 +71,7 @@ struct ScratchLayer {
     double angle_deg = 0.0;  // of constant; turns the other fields
     double range_deg = 0.0;  // 0..90, to either side of the field
     ScratchPlacement placement = ScratchPlacement::random;
+    double passes = 0;  // of even: the tool comes back this many times over the tile (0: anywhere)
 
     bool operator==(const ScratchLayer&) const = default;
 };

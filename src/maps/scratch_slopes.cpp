@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "core/parallel.hpp"
 
@@ -114,10 +115,13 @@ void moment_rows(const ScratchMaps& maps, int begin, int end, float* to) {
     });
 }
 
-void stretch_rows(const ScratchMaps& maps, bool from_middle, double reference_angle, int begin,
-                  int end, float* to) {
-    const auto rx = static_cast<float>(std::cos(reference_angle));
-    const auto ry = static_cast<float>(std::sin(reference_angle));
+void stretch_rows(const ScratchMaps& maps, const ScratchLayer& ground, int begin, int end,
+                  float* to) {
+    const bool from_middle =
+        ground.field == ScratchField::circular || ground.field == ScratchField::radial;
+    const double across = (ground.angle_deg + 90.0) * std::numbers::pi / 180.0;
+    const auto rx = static_cast<float>(std::cos(across));
+    const auto ry = static_cast<float>(std::sin(across));
     const float middle = 0.5f * static_cast<float>(maps.size - 1);
     for_rows(maps.size, begin, end, 3, to, [&](int x, int y, float* rgb) {
         const float* line = maps.direction.at(x, y);

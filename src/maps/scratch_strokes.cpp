@@ -66,10 +66,21 @@ class LayerStrokes {
     TilePoint place(StrokeRandom& random, std::size_t index) const {
         TilePoint at{random.unit(), random.unit()};
         if (layer_.placement != ScratchPlacement::even) return at;
-        // Rows of one scratch each; within its row a scratch lies anywhere.
         const double angle = layer_.angle_deg * kPi / 180.0;
-        double& across = std::abs(std::sin(angle)) > std::abs(std::cos(angle)) ? at.x : at.y;
-        across = (static_cast<double>(index) + across) / static_cast<double>(count_);
+        const bool upright = std::abs(std::sin(angle)) > std::abs(std::cos(angle));
+        double& across = upright ? at.x : at.y;
+        double& along = upright ? at.y : at.x;
+        // A feed is even, not exact: a third of it is left to chance, and a fiftieth of a pass.
+        constexpr double kLoose = 1.0 / 3.0, kLooseEnds = 1.0 / 50.0;
+        const auto passes = static_cast<std::size_t>(std::max(layer_.passes, 1.0));
+        const std::size_t pass = index % passes, row = index / passes;
+        // Of this pass alone, so that its feed closes over the edge of the tile.
+        const std::size_t rows = (count_ + passes - 1 - pass) / passes;
+        across =
+            (static_cast<double>(row) + 0.5 + kLoose * (across - 0.5)) / static_cast<double>(rows);
+        if (layer_.passes > 0.0)
+            along = (static_cast<double>(pass) + 0.5 + kLooseEnds * (along - 0.5)) /
+                    static_cast<double>(passes);
         return at;
     }
 
