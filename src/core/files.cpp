@@ -273,6 +273,15 @@ void write_file_whole(const fs::path& path, const std::function<void(const fs::p
     commit(temporary, target, path);
 }
 
+void write_files_whole(std::span<const FileToWrite> files) {
+    if (files.empty()) return;
+    // Each file waits for the rest of the list before it gets its name.
+    write_file_whole(files.front().path, [&](const fs::path& temporary) {
+        files.front().write(temporary);
+        write_files_whole(files.subspan(1));
+    });
+}
+
 void write_bytes(const fs::path& path, std::span<const std::byte> bytes) {
     if (takes_a_stream(path)) {
         stream_bytes(path, bytes);
