@@ -15,6 +15,7 @@
 #include "shading/brdf_cook_torrance.glsl"
 #include "shading/brdf.glsl"
 #include "shading/sample.glsl"
+#include "shading/horizon.glsl"
 #include "shading/cosine_power.glsl"
 #include "shading/brdf_phong.glsl"
 #include "shading/brdf_lafortune.glsl"

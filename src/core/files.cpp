@@ -15,9 +15,6 @@
 #include "burnish/error.hpp"
 
 namespace burnish {
-namespace {
-
-namespace fs = std::filesystem;
 
 std::string reason_of(int error_number) {
     switch (error_number) {
@@ -40,6 +37,10 @@ std::string reason_of(int error_number) {
             return std::generic_category().message(error_number);
     }
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 [[noreturn]] void throw_unreadable(const fs::path& path, std::string_view found) {
     throw Error(path.string(), "", "a readable file", found);
@@ -270,6 +271,15 @@ void write_file_whole(const fs::path& path, const std::function<void(const fs::p
     Temporary temporary(folder_of(target), path.extension(), path);
     write(temporary.name());
     commit(temporary, target, path);
+}
+
+void write_files_whole(std::span<const FileToWrite> files) {
+    if (files.empty()) return;
+    // Each file waits for the rest of the list before it gets its name.
+    write_file_whole(files.front().path, [&](const fs::path& temporary) {
+        files.front().write(temporary);
+        write_files_whole(files.subspan(1));
+    });
 }
 
 void write_bytes(const fs::path& path, std::span<const std::byte> bytes) {

@@ -12,6 +12,9 @@
 
 namespace burnish {
 
+// An errno in the words of all messages about files: "no such file or folder".
+std::string reason_of(int error_number);
+
 // Whole file (or pipe). Throws Error "<path>: expected a readable file, found <reason>"; missing
 // files, directories, devices and files over `limit_bytes` included.
 std::vector<std::byte> read_file(const std::filesystem::path& path,
@@ -34,6 +37,15 @@ void write_file_whole(const std::filesystem::path& path,
 // The same for contents that are in memory already, every write checked: prefer these.
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+// Several files, written whole or none of them: all are made under temporary names, then renamed, the
+// last of the list first. A failure before the renames leaves every old file as it was; the renames
+// themselves can fail only when the file system does.
+struct FileToWrite {
+    std::filesystem::path path;
+    std::function<void(const std::filesystem::path&)> write;  // as for write_file_whole
+};
+void write_files_whole(std::span<const FileToWrite> files);
 
 // Throws Error when `path` cannot be written (missing or read-only folder, read-only file, a
 // directory of that name), before hours of work. Leaves nothing behind.

@@ -10,6 +10,7 @@
 #include "core/image_io.hpp"
 #include "maps/bumps.hpp"
 #include "scene/load.hpp"
+#include "scene/scratch_material.hpp"
 #include "shading/conductors.hpp"
 
 namespace burnish {
@@ -70,8 +71,7 @@ std::optional<glm::vec2> roughness_pair(const Material& material, const Paramete
     };
     const bool has_alpha = values.is_set("alpha_x") || values.is_set("alpha_y");
     const bool has_e = values.is_set("e_x") || values.is_set("e_y");
-    if (has_alpha && has_e)
-        throw UsageError("alpha_x, alpha_y and e_x, e_y say the same thing: give one pair only");
+    require_one_roughness(values, false);
     if (has_alpha)
         return pair_of("alpha_x", "alpha_y", [](double a) { return static_cast<float>(a); });
     if (has_e) return pair_of("e_x", "e_y", alpha_from_exponent);
@@ -111,7 +111,8 @@ void apply_color(Material& material, const ParameterValues& values) {
     if (!values.is_set("metallic")) material.metallic = 1.0f;
 }
 
-void apply_normal_map(Material& material, const ParameterValues& values, int texture) {
+void apply_normal_map(const Scene& scene, Material& material, const ParameterValues& values,
+                      int texture) {
     if (values.is_set("normal_map")) {
         material.normal_texture = TextureUse{};
         material.normal_texture.texture = texture;
@@ -124,6 +125,9 @@ void apply_normal_map(Material& material, const ParameterValues& values, int tex
         const float s = real_of(values, "uv_scale");
         const glm::mat3 scale(s, 0.0f, 0.0f, 0.0f, s, 0.0f, 0.0f, 0.0f, 1.0f);
         material.normal_texture.transform = scale * material.normal_texture.transform;
+        const int turned = material.anisotropy_texture.texture;
+        if (turned >= 0 && is_scratch_texture(scene.textures[static_cast<std::size_t>(turned)]))
+            material.anisotropy_texture.transform = material.normal_texture.transform;
     }
 }
 
@@ -143,6 +147,21 @@ void warn_of_missing_coordinates(Scene& scene, std::size_t first, std::size_t en
 
 }  // namespace
 
+void require_one_roughness(const ParameterValues& values, bool as_flags) {
+    const auto set_among = [&](std::initializer_list<std::string_view> names) {
+        std::string list;
+        for (const std::string_view name : names) {
+            if (!values.is_set(name)) continue;
+            list += (list.empty() ? "" : " ") + (as_flags ? flag_of(name) : std::string(name));
+        }
+        return list;
+    };
+    const std::string alphas = set_among({"alpha_x", "alpha_y"});
+    const std::string exponents = set_among({"e_x", "e_y"});
+    if (alphas.empty() || exponents.empty()) return;
+    throw UsageError(alphas + " and " + exponents + " say the same thing: give one pair only");
+}
+
 void apply_material_parameters(Scene& scene, std::size_t first, std::size_t count,
                                const ParameterValues& values) {
     int texture = -1;
@@ -151,11 +170,13 @@ void apply_material_parameters(Scene& scene, std::size_t first, std::size_t coun
         warn_of_missing_coordinates(scene, first, first + count);
     }
     for (std::size_t i = first; i < first + count; ++i) {
-        Material& material = scene.materials[i];
-        apply_lobe(material, values);
-        apply_color(material, values);
-        apply_normal_map(material, values, texture);
+        apply_lobe(scene.materials[i], values);
+        apply_color(scene.materials[i], values);
     }
+    apply_scratch(scene, first, count, values);
+    if (values.is_set("scratch")) warn_of_missing_coordinates(scene, first, first + count);
+    for (std::size_t i = first; i < first + count; ++i)
+        apply_normal_map(scene, scene.materials[i], values, texture);
 }
 
 void apply_material_parameters(Scene& scene, const ParameterValues& values) {

@@ -14,7 +14,9 @@ using Group = ParameterGroup;
 // "none" and then conductor_names(), in that order (a test holds them together).
 constexpr std::array<std::string_view, 8> kMetals = {"none",      "gold",  "silver", "copper",
                                                      "aluminium", "steel", "brass",  "titanium"};
-constexpr std::array<std::string_view, 3> kImageLights = {"off", "importance", "bent-normal"};
+constexpr std::array<std::string_view, 4> kImageLights = {"off", "importance", "bent-normal",
+                                                          "prefiltered"};
+constexpr std::array<std::string_view, 2> kScratchDirections = {"keep", "follow"};
 constexpr std::array<std::string_view, 3> kBackgrounds = {"environment", "color", "transparent"};
 
 // Positions and distances: a thousand kilometres leave float coordinates 6 cm apart, enough for
@@ -77,7 +79,13 @@ void add_material(Table& t) {
     t.text("normal_map", "normal map: a picture, builtin:bumps, or none");
     t.real("normal_scale", 0, 16, "", "", "strength of the normal map (1 as stored)");
     t.boolean("flip_green", "", "the normal map has +y down (DirectX)");
-    t.real("uv_scale", 0.01, 1000, "", "", "repeats of the normal map across the texture square");
+    t.text("scratch",
+           "scratch map in place of a normal map: a folder made by burnish scratch, or brushed, "
+           "fine-random, deep-gouges, circular-brushed, swirl-marks, tool-marks");
+    t.choice("scratch_direction", kScratchDirections, "keep",
+             "grooves of the lobe: keep the material's, or follow the scratches");
+    t.real("uv_scale", 0.01, 1000, "", "",
+           "repeats of the normal or scratch map across the texture square");
     t.boolean("double_sided", "", "show back faces too");
 }
 

@@ -14,15 +14,15 @@
 
 namespace burnish {
 
-namespace {
-
-using Kind = ParameterKind;
-
 std::string flag_of(std::string_view name) {
     std::string flag = "--" + std::string(name);
     std::replace(flag.begin(), flag.end(), '_', '-');
     return flag;
 }
+
+namespace {
+
+using Kind = ParameterKind;
 
 // The start of an error line: `where` itself when it already ends in the parameter's name (a flag,
 // a key path of a scene file), else `where` and the name, else the flag.
@@ -142,8 +142,13 @@ std::string expectation(const Parameter& p) {
 }
 
 // Ways of saying the same thing; who says it later replaces what was said before.
-constexpr std::array<std::array<std::string_view, 2>, 3> kAlternatives = {
-    {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"roughness", "anisotropy"}}};
+using Names = std::vector<std::string_view>;
+const std::vector<std::vector<Names>>& alternatives() {
+    static const std::vector<std::vector<Names>> all = {
+        {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"roughness", "anisotropy"}},
+        {{"normal_map"}, {"scratch", "scratch_direction"}}};
+    return all;
+}
 
 const Parameter& parameter_of(std::string_view name, std::string_view where) {
     if (const Parameter* parameter = find_parameter(name)) return *parameter;
@@ -210,14 +215,16 @@ std::string ParameterValues::text(std::string_view name) const {
 }
 
 void ParameterValues::merge(const ParameterValues& other) {
-    for (const auto& chosen : kAlternatives) {
-        const auto is_in_other = [&](std::string_view name) { return other.is_set(name); };
-        if (std::none_of(chosen.begin(), chosen.end(), is_in_other)) continue;
-        for (const auto& replaced : kAlternatives) {
-            if (&replaced == &chosen) continue;
-            for (const std::string_view name : replaced) {
-                const auto found = values_.find(name);
-                if (found != values_.end()) values_.erase(found);
+    for (const std::vector<Names>& ways : alternatives()) {
+        for (const Names& chosen : ways) {
+            const auto is_in_other = [&](std::string_view name) { return other.is_set(name); };
+            if (std::none_of(chosen.begin(), chosen.end(), is_in_other)) continue;
+            for (const Names& replaced : ways) {
+                if (&replaced == &chosen) continue;
+                for (const std::string_view name : replaced) {
+                    const auto found = values_.find(name);
+                    if (found != values_.end()) values_.erase(found);
+                }
             }
         }
     }
