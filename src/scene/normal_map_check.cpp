@@ -1,7 +1,6 @@
 // Whether a texture can be a tangent-space normal map at all.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -10,7 +9,6 @@
 #include <set>
 #include <type_traits>
 
-#include "burnish/error.hpp"
 #include "scene/load.hpp"
 
 namespace burnish {

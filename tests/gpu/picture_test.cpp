@@ -75,8 +75,10 @@ TEST_F(Picture, NormalMapOnAnIsotropicMaterialIsTheRotatedLobe) {
         return renderer.render(camera_on_z(), o);
     };
     const glm::vec2 isotropic(0.25f), brushed(0.4f, 0.15f);
-    EXPECT_EQ(drawn(Method::normal_map, isotropic).pixels,
-              drawn(Method::gram_schmidt, isotropic).pixels);
+    // The software renderer repeats its own pictures to 1e-7: one rounding of the sum.
+    EXPECT_LT(largest_difference(drawn(Method::normal_map, isotropic),
+                                 drawn(Method::gram_schmidt, isotropic), 1e-2),
+              1e-6);
     EXPECT_GT(largest_difference(drawn(Method::normal_map, brushed),
                                  drawn(Method::gram_schmidt, brushed), 1e-2),
               0.5);
