@@ -17,13 +17,14 @@ picture() { # preset model light-or-environment name
         *) base="--alpha-x 0.14" ;;
     esac
     case $2 in
-        plane) view="--camera-azimuth 8 --camera-elevation 28" ;;
-        *) view="--camera-azimuth 30 --camera-elevation 15" ;;
+        plane) view="--camera-azimuth 8 --camera-elevation 28" turn=260 ;;
+        sphere) turn=0; [ "$1" = circular-brushed ] && view="--camera-azimuth 80 --camera-elevation 15" ||
+            view="--camera-azimuth 30 --camera-elevation 15" ;;
     esac
     case $3 in
-        # Head-on enough for the plate to show its highlight beside the middle.
         side) light="--env none --light 10,-5,2 --light 75,35,3 --background-color #181818" ;;
-        *) light="--env builtin:studio" ;;
+        # A plate sees one part of the room only: that with the lamp.
+        *) light="--env builtin:studio --environment-rotation $turn" ;;
     esac
     # shellcheck disable=SC2086  # the options are meant to be split
     "$burnish" render "builtin:$2" --scratch "$1" --metal steel $base $view $light \

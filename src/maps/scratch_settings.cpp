@@ -192,14 +192,14 @@ std::vector<ScratchLayer> swirl_marks() {
 std::vector<ScratchLayer> tool_marks() {
     ScratchLayer furrow =
         layer_of(11, {Shape::normal, 30, 0.8}, lognormal(0.5, 0.1), lognormal(0.016, 0.2));
-    furrow.curvature_per_mm = constant_spread(0.04);
+    furrow.curvature_per_mm = constant_spread(0.014);
     furrow.taper = 0.25;
     aim(furrow, ScratchField::constant, 90, 0.25);
     furrow.placement = ScratchPlacement::even;
     furrow.passes = 2;
     ScratchLayer drag =
         layer_of(40, {Shape::normal, 28, 2}, lognormal(0.06, 0.3), lognormal(0.0025, 0.4));
-    drag.curvature_per_mm = constant_spread(0.04);
+    drag.curvature_per_mm = constant_spread(0.014);
     drag.taper = 0.6;
     aim(drag, ScratchField::constant, 90, 0.4);
     drag.placement = ScratchPlacement::even;
