@@ -8,6 +8,8 @@ find_package(CLI11 REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(meshoptimizer REQUIRED)
+# Headers only; its CMake target would link xtl, which Debian does not have as a library.
+find_path(XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 find_package(ZLIB REQUIRED)
 pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)

@@ -18,4 +18,5 @@ echo
 echo "Look at:"
 echo "  $out/sphere.png   a brushed steel sphere with bumps, four methods and their differences"
 echo "  $out/drape.png    the same on a metallic cloth"
-echo "Under normal-map the streak of each bump collapses and bends; the others keep it."
+echo "none ignores the bumps. normal-map collapses and bends the streak of each bump on the sphere, and"
+echo "flattens the bumps of the cloth. deform-smooth and follow-grain carry the streak over each bump."

@@ -4,7 +4,8 @@
 // The distribution a model is built on: its own, or `mdf` for the microfacet models.
 FN int brdf_mdf(int brdf, int mdf) {
     if (brdf == kBrdfAshikhminShirley) { return kMdfAshikhminShirley; }
-    if (brdf == kBrdfWardGmd) { return kMdfBeckmann; }
+    if (brdf == kBrdfWardGmd || brdf == kBrdfWard || brdf == kBrdfWardDuer) { return kMdfBeckmann; }
+    if (brdf == kBrdfCookTorrance) { return kMdfBeckmann; }
     return mdf;
 }
 
@@ -12,13 +13,12 @@ FN int brdf_mdf(int brdf, int mdf) {
 FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     vec3 sum = wi + wo;
     Float sum_length = sqrt(max(dot(sum, sum), kTiny));
-    vec3 h = sum * (Float(1) / sum_length);
+    vec3 h = half_vector(sum, p.n);
     Float cos_i = dot(p.n, wi);
     Float cos_o = dot(p.n, wo);
-    // 1e-12: below any cosine that is not rounding, and D / (4 cos cos) stays finite in float.
-    Float low_i = max(cos_i, Float(1e-12));
-    Float low_o = max(cos_o, Float(1e-12));
-    Float wi_h = max(Float(0.5) * sum_length, Float(1e-12));  // exactly wi.h, without cancellation
+    Float low_i = max(cos_i, kLeastCosine);
+    Float low_o = max(cos_o, kLeastCosine);
+    Float wi_h = max(Float(0.5) * sum_length, kLeastCosine);  // exactly wi.h, without cancellation
     LobePoint q = perturb_point(p, h);
     Float shape = lobe_shape(lobe, q);
     Float f = Float(0);
@@ -28,6 +28,13 @@ FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     } else if (brdf == kBrdfWardGmd) {
         // |i+o|^2 exp(-tan^2)/(pi ax ay (i+o)_z^4) = D_beckmann / (4 (i.h)^2).
         f = lobe.projected_norm * shape / (Float(4) * wi_h * wi_h);
+    } else if (brdf == kBrdfWard) {
+        f = ward_value(lobe, q, sqrt(low_i) * sqrt(low_o));
+    } else if (brdf == kBrdfWardDuer) {
+        f = ward_value(lobe, q, low_i * low_o);
+    } else if (brdf == kBrdfCookTorrance) {
+        Float g = v_cavity_G(dot(p.n, h), low_i, low_o, wi_h);
+        f = lobe.projected_norm * shape * g / (Float(4) * low_i * low_o);
     } else {
         vec3 gi = perturb_direction(p, wi);
         vec3 go = perturb_direction(p, wo);
@@ -39,5 +46,5 @@ FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
         }
         f = lobe.projected_norm * shape * g / (Float(4) * low_i * low_o);
     }
-    return choose(cos_i > Float(0) && cos_o > Float(0), f, Float(0));
+    return choose(cos_i > Float(0) && cos_o > Float(0), min(f, kMostValue), Float(0));
 }

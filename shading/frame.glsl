@@ -1,10 +1,10 @@
 // Frames of tangent space and the words for directions in them. All vectors unit unless said.
 
-const Float kPi = Float(3.14159265358979323846);
+CONSTANT(kPi, 3.14159265358979323846)
 
 // Smaller than any length, square or weight that matters, and still normal when 1/kTiny is taken in
 // single precision.
-const Float kTiny = Float(1e-30);
+CONSTANT(kTiny, 1e-30)
 
 struct Frame {
     vec3 t;
@@ -22,6 +22,12 @@ FN vec3 frame_to_outer(Frame f, vec3 v) {
 
 FN vec3 reflect_about(vec3 w, vec3 h) {
     return h * (Float(2) * dot(w, h)) - w;
+}
+
+// `sum`: wi + wo. Where they cancel both stand at the horizon of n, opposite one another.
+FN vec3 half_vector(vec3 sum, vec3 n) {
+    Float l2 = dot(sum, sum);
+    return choose(l2 > kTiny, sum * (Float(1) / sqrt(max(l2, kTiny))), n);
 }
 
 // T projected on the plane of n, B = n x T. Singular only at n = +-e_x.

@@ -85,7 +85,8 @@ FN Float deform_rim_fraction(vec3 n, vec3 h) {
     Float b = n.x * vx + n.y * vy;
     Float s = sqrt(b * b + v2 * n2);
     Float s_minus_b = choose(b > Float(0), v2 * n2 / max(s + b, kTiny), s - b);
-    return h.z * h.z / max(n2 + s_minus_b, kTiny);
+    // At most 1 but for rounding, which a tilt of 90 degrees makes boundless.
+    return min(h.z * h.z / max(n2 + s_minus_b, kTiny), Float(1));
 }
 
 // K11 Eq 3 inverted exactly: q = p - (1-k) d, |q| = k.

@@ -4,6 +4,7 @@
 #define Bool bool
 #define FN
 #define OUT(T) out T
+#define CONSTANT(name, value) const float name = float(value);
 
 float choose(bool condition, float a, float b) { return condition ? a : b; }
 vec3 choose(bool condition, vec3 a, vec3 b) { return condition ? a : b; }
@@ -32,3 +33,8 @@ float erfc(float x) {
 const int kWardNodes = 4;
 // Steps of deform_smooth_forward: within 1e-5 of the root for all but one in 1e5 (worst 5e-4).
 const int kDeformRootSteps = 10;
+
+// Cosines that BRDFs divide by are held above the one, values and densities below the other: nothing
+// becomes infinite at the horizon. 1e-12 is below any cosine that is not rounding.
+const float kLeastCosine = 1e-12;
+const float kMostValue = 1e30;

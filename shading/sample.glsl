@@ -109,9 +109,9 @@ FN vec3 perturb_forward(Perturbation p, vec3 m) {
 
 // Shares of the normal-map mixture: the lobe where it was, a round lobe about n~ as wide as the
 // wider axis, and the cosine hemisphere about n~, which bounds the weight D cos/pdf by 10 pi max D.
-const Float kMixtureBase = Float(0.5);
-const Float kMixtureRound = Float(0.4);
-const Float kMixtureCosine = Float(0.1);
+CONSTANT(kMixtureBase, 0.5)
+CONSTANT(kMixtureRound, 0.4)
+CONSTANT(kMixtureCosine, 0.1)
 
 FN Lobe lobe_rounded(Lobe lobe) {
     Float wide = max(lobe.p0, lobe.p1);
@@ -215,18 +215,17 @@ FN vec3 brdf_sample(Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select, O
         density = lobe_pdf(lobe, p, h);
     }
     Float wo_h = dot(wo, h);
-    pdf = choose(wo_h > Float(0), density / max(Float(4) * wo_h, kTiny), Float(0));
+    pdf = choose(wo_h > Float(0), min(density / max(Float(4) * wo_h, kTiny), kMostValue), Float(0));
     return reflect_about(wo, h);
 }
 
 FN Float brdf_pdf(Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
-    vec3 sum = wi + wo;
-    vec3 h = sum * (Float(1) / sqrt(max(dot(sum, sum), kTiny)));
+    vec3 h = half_vector(wi + wo, p.n);
     Float density = Float(0);
     if (samples_visible_normals(lobe, p)) {
         density = visible_normal_pdf(lobe, p, wo, h);
     } else {
         density = lobe_pdf(lobe, p, h);
     }
-    return density / max(Float(4) * dot(wo, h), kTiny);
+    return min(density / max(Float(4) * dot(wo, h), kTiny), kMostValue);
 }

@@ -30,6 +30,7 @@ struct Parameter {
 
 std::span<const Parameter> parameter_table();
 const Parameter* find_parameter(std::string_view name);  // nullptr when unknown
+std::string flag_of(std::string_view name);              // "alpha_x" -> "--alpha-x"
 
 // What somebody has set, by name; everything else answers with the table's default. Every setter
 // checks kind, range and choice and throws UsageError naming `where`, the parameter, what was

@@ -72,6 +72,12 @@ struct Material {
     bool conserve = false;                // deform-*: the energy-conserving form
 };
 
+// The method that a renderer draws the material with. `normal-map` stands for what engines ship,
+// and where nothing is anisotropic (one alpha, no strength, no anisotropy texture) they evaluate
+// the isotropic D(n~.h), which is the rotated lobe: `gram-schmidt` there, as every rotation is the
+// same.
+Method drawn_method(const Material& material);
+
 struct Instance {
     int mesh = 0;      // index into Scene::meshes
     int material = 0;  // index into Scene::materials

@@ -9,7 +9,15 @@ namespace burnish {
 
 // The numbers are those of shading/names.glsl (a test holds them together).
 enum class Mdf { ashikhmin_shirley = 0, ward = 1, beckmann = 2, ggx = 3 };
-enum class Brdf { microfacet = 0, microfacet_separable = 1, ashikhmin_shirley = 2, ward_gmd = 3 };
+enum class Brdf {
+    microfacet = 0,
+    microfacet_separable = 1,
+    ashikhmin_shirley = 2,
+    ward_gmd = 3,
+    ward = 4,
+    ward_duer = 5,
+    cook_torrance = 6
+};
 enum class Method {
     none = 0,
     normal_map = 1,

@@ -1,11 +1,14 @@
-// Light from everywhere: a cube map of radiance with mips, and one of irradiance.
+// Light from everywhere: cube maps of radiance with mips, of radiance blurred by lobes, and of
+// irradiance.
 
 uniform samplerCube u_environment;
+uniform samplerCube u_lobes;           // level l: blurred by GGX of alpha u_lobe_alpha 2^l; 0 sharp
 uniform samplerCube u_irradiance;      // irradiance / pi
 uniform vec2 u_environment_turn;       // (cos, sin) of the rotation about +y
 uniform float u_environment_scale;     // stored values times this are radiance
 uniform float u_environment_face;      // texels a side of a face
 uniform float u_environment_last_lod;
+uniform float u_lobe_alpha;
 
 // From the world into the turned environment.
 vec3 environment_direction(vec3 w) {
@@ -25,4 +28,13 @@ vec3 environment_irradiance(vec3 n) {
 float environment_lod(float solid_angle) {
     float texels = solid_angle * (6.0 / (4.0 * kPi)) * u_environment_face * u_environment_face;
     return clamp(0.5 * log2(max(texels, 1.0)), 0.0, u_environment_last_lod);
+}
+
+vec3 lobe_radiance(vec3 w, float lod) {
+    return textureLod(u_lobes, environment_direction(w), lod).rgb * u_environment_scale;
+}
+
+// The level of the lobe map for a round lobe of roughness alpha facing its direction.
+float lobe_lod(float alpha) {
+    return max(log2(alpha / u_lobe_alpha), 0.0);
 }

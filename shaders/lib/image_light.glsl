@@ -1,5 +1,5 @@
 // The specular term under the environment. IMAGE_LIGHT: 0 off, 1 importance sampling of the perturbed
-// lobe, 2 the bent reflection vector of today's engines.
+// lobe, 2 the bent reflection vector of today's engines, 3 look-ups of the lobe map along its axis.
 #if IMAGE_LIGHT == 1
 
 uniform int u_image_samples;
@@ -59,10 +59,11 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     keep = keep * keep;
     vec3 bent = normalize(mix(across, p.n, keep * keep));
     vec3 wi = reflect(-wo, bent);
-    // The lobe of reflected directions peaks at 1 / (4 pi alpha^2) a steradian.
-    float lod = environment_lod(4.0 * kPi * narrow);
-    vec3 radiance = environment_radiance(from_axes(a, wi), lod);
+    // Perceptual roughness is sqrt(alpha): the lobe is as wide as alpha = roughness^2.
+    vec3 radiance = lobe_radiance(from_axes(a, wi), lobe_lod(narrow));
     return radiance * split_sum(specular_fresnel(m, 1.0), roughness, max(dot(p.n, wo), 0.0));
 }
 
+#elif IMAGE_LIGHT == 3
+#include "shaders/lib/prefiltered_light.glsl"
 #endif

@@ -2,9 +2,7 @@
 // compile time; METAL: nothing is diffuse.
 
 // What the smooth interface lets through to the diffuse base and back, as Schlick has it:
-// (1 - F(n~.wi)) (1 - F(|n~.wo|)). At most 1 - F, so that with the specular term no energy is gained.
-// The absolute value: wo may be below the perturbed horizon, where a surface of that normal could not
-// be seen at all; mirrored, the term stays continuous and does not go black.
+// (1 - F(n~.wi)) (1 - F(n~.wo)). At most 1 - F, so that with the specular term no energy is gained.
 float diffuse_through(float cosine) {
     return 1.0 - fresnel_schlick(u_dielectric_f0, cosine);
 }
@@ -28,7 +26,7 @@ vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
         float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
         vec3 f = specular_fresnel(m, cos_h) * brdf_eval(BRDF, m.lobe, p, wi, wo);
 #ifndef METAL
-        f += diffuse_color(m) * (diffuse_through(abs(dot(p.n, wo))) * diffuse_through(cos_i) / kPi);
+        f += diffuse_color(m) * (diffuse_through(max(dot(p.n, wo), 0.0)) * diffuse_through(cos_i) / kPi);
 #endif
         sum += irradiance * f * cos_i;
     }
@@ -37,12 +35,12 @@ vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
 #endif
 
 #if IMAGE_LIGHT > 0
-// Constant light all around gives exactly base (1 - mean F) (1 - F(|n~.wo|)); the cosine-weighted mean
+// Constant light all around gives exactly base (1 - mean F) (1 - F(n~.wo)); the cosine-weighted mean
 // of Schlick's term is f0 + (1 - f0)/21.
 vec3 lit_by_environment(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 sum = image_specular(s, m, a, p, wo);
 #ifndef METAL
-    float through = (1.0 - u_dielectric_f0) * (20.0 / 21.0) * diffuse_through(abs(dot(p.n, wo)));
+    float through = (1.0 - u_dielectric_f0) * (20.0 / 21.0) * diffuse_through(max(dot(p.n, wo), 0.0));
     sum += diffuse_color(m) * environment_irradiance(from_axes(a, p.n)) *
            (through * occlusion_at(s));
 #endif
@@ -63,8 +61,11 @@ vec4 shade(Surface s) {
     m.n = vec3(m.n.x * m.direction.x + m.n.y * m.direction.y,
                m.n.y * m.direction.x - m.n.x * m.direction.y, m.n.z);
 #endif
-    Perturbation p = perturb_make(METHOD, m.n, m.grooves_along_x, CONSERVE);
     vec3 wo = to_axes(a, s.to_eye);
+#ifdef HAS_NORMAL_MAP
+    m.n = normal_facing(m.n, wo);
+#endif
+    Perturbation p = perturb_make(METHOD, m.n, m.grooves_along_x, CONSERVE);
     vec3 radiance = emission_at(s);
 #if LIGHTS > 0
     radiance += lit_by_lights(s, m, a, p, wo);

@@ -9,10 +9,10 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
-#include <system_error>
 
 #include "burnish/error.hpp"
 #include "burnish/progress.hpp"
+#include "core/files.hpp"
 
 namespace burnish {
 namespace {
@@ -23,7 +23,7 @@ static_assert(kBlockBytes > kLongestCsvRecord);
 constexpr std::string_view kBlanks = " \t";
 
 [[noreturn]] void throw_unreadable(const std::string& name) {
-    throw Error(name, "", "a readable file", std::generic_category().message(errno));
+    throw Error(name, "", "a readable file", reason_of(errno));
 }
 
 std::string_view trimmed(std::string_view text) {

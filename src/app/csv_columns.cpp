@@ -92,32 +92,58 @@ struct Chunk {
     std::exception_ptr error;
 };
 
-void append_row(const CsvRecord& record, const CsvLayout& layout, const CsvTask& task,
-                std::vector<std::string_view>& fields, std::string& text) {
-    if (record.is_data()) {
-        if (!split_csv_record(record.text, fields)) {
-            throw Error(layout.file, place_of(record), "closed quotes", shown(record.text));
-        }
-        if (fields.size() != layout.field_count) {
-            throw Error(layout.file, place_of(record),
-                        std::to_string(layout.field_count) + " fields, as in the header",
-                        std::to_string(fields.size()));
-        }
-        text += record.text;
-        task.evaluate(CsvRow(layout, record, fields), text);
-    } else {
-        text += record.text;
+void append_fields(const CsvRecord& record, const CsvLayout& layout,
+                   std::vector<std::string_view>& row_fields,
+                   std::vector<std::string_view>& fields) {
+    if (!split_csv_record(record.text, row_fields)) {
+        throw Error(layout.file, place_of(record), "closed quotes", shown(record.text));
     }
-    text += record.end;
+    if (row_fields.size() != layout.field_count) {
+        throw Error(layout.file, place_of(record),
+                    std::to_string(layout.field_count) + " fields, as in the header",
+                    std::to_string(row_fields.size()));
+    }
+    fields.insert(fields.end(), row_fields.begin(), row_fields.end());
+}
+
+// What is to be added to each data record before `bad`, the first one with broken fields.
+std::vector<std::string> added_to(std::span<const CsvRecord> records, const CsvLayout& layout,
+                                  const CsvTask& task, std::exception_ptr& bad) {
+    std::vector<std::string_view> fields, row_fields;
+    std::vector<const CsvRecord*> data;
+    try {
+        for (const CsvRecord& record : records) {
+            if (!record.is_data()) continue;
+            append_fields(record, layout, row_fields, fields);
+            data.push_back(&record);
+        }
+    } catch (...) {
+        bad = std::current_exception();
+    }
+    std::vector<CsvRow> rows;
+    rows.reserve(data.size());
+    const std::span<const std::string_view> all(fields);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        rows.emplace_back(layout, *data[i],
+                          all.subspan(i * layout.field_count, layout.field_count));
+    }
+    std::vector<std::string> added(rows.size());
+    task.evaluate(rows, added);
+    return added;
 }
 
 void evaluate_rows(std::span<const CsvRecord> records, const CsvLayout& layout, const CsvTask& task,
                    Chunk& chunk) {
     chunk.text.clear();
     try {
-        std::vector<std::string_view> fields;
+        std::exception_ptr bad;
+        const std::vector<std::string> added = added_to(records, layout, task, bad);
+        if (bad) std::rethrow_exception(bad);
+        std::size_t next = 0;
         for (const CsvRecord& record : records) {
-            append_row(record, layout, task, fields, chunk.text);
+            chunk.text += record.text;
+            if (record.is_data()) chunk.text += added[next++];
+            chunk.text += record.end;
         }
     } catch (...) {
         // Kept for its turn: rows before this one may have gone wrong as well.
@@ -191,7 +217,7 @@ Float too_large_or_too_small(const std::string& digits) {
 }  // namespace
 
 std::string_view CsvRow::text(std::size_t column) const {
-    const std::size_t place = layout_.columns[column].place;
+    const std::size_t place = layout_->columns[column].place;
     return place == CsvLayout::kAbsent ? std::string_view() : csv_content(fields_[place]);
 }
 
@@ -229,8 +255,8 @@ std::size_t CsvRow::choice(std::size_t column, std::span<const std::string_view>
 }
 
 void CsvRow::fail(std::size_t column, std::string_view expected, std::string_view found) const {
-    throw Error(layout_.file,
-                place_of(record_) + ", column " + std::string(layout_.columns[column].name),
+    throw Error(layout_->file,
+                place_of(*record_) + ", column " + std::string(layout_->columns[column].name),
                 expected, found);
 }
 

@@ -35,7 +35,7 @@ class CsvRow {
   public:
     CsvRow(const CsvLayout& layout, const CsvRecord& record,
            std::span<const std::string_view> fields)
-        : layout_(layout), record_(record), fields_(fields) {}
+        : layout_(&layout), record_(&record), fields_(fields) {}
 
     // Empty when the column is absent.
     std::string_view text(std::size_t column) const;
@@ -51,8 +51,8 @@ class CsvRow {
                            std::string_view found) const;
 
   private:
-    const CsvLayout& layout_;
-    const CsvRecord& record_;
+    const CsvLayout* layout_;
+    const CsvRecord* record_;
     std::span<const std::string_view> fields_;
 };
 
@@ -60,8 +60,10 @@ struct CsvTask {
     std::span<const std::string_view> required;
     std::span<const std::string_view> optional;
     std::span<const std::string_view> adds;
-    // Appends ",value" for each of `adds`; called from several threads at once.
-    std::function<void(const CsvRow& row, std::string& line)> evaluate;
+    // Appends ",value" for each of `adds` to added[i], which belongs to rows[i]; for many rows at
+    // once, so that they can be computed together, and from several threads at once. Throws for the
+    // first bad row.
+    std::function<void(std::span<const CsvRow> rows, std::span<std::string> added)> evaluate;
 };
 
 // "-" is the standard input or output; any other output is written whole or not at all and may be

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <exception>
 #include <type_traits>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "burnish/error.hpp"
 #include "shading/brdf_models.hpp"
 #include "shading/mdf.hpp"
+#include "shading/mdf_batch.hpp"
 
 namespace burnish {
 namespace {
@@ -65,24 +67,79 @@ constexpr std::array<std::string_view, 10> kMdfReads = {"mdf", "p0", "p1", "meth
                                                         "ny",  "nz", "hx", "hy",     "hz"};
 constexpr std::array<std::string_view, 3> kMdfAdds = {"D", "D_proj", "D_conserving"};
 
+// Rows of one distribution and method, to be evaluated together.
 template <typename Float>
-void append_mdf_values(const CsvRow& row, std::string& line) {
-    namespace column = mdf_column;
-    const auto mdf = static_cast<Mdf>(row.choice(column::mdf, mdf_names()));
-    const auto method = static_cast<Method>(row.choice(column::method, method_names()));
-    const auto parameters = mdf_parameters(mdf);
-    const auto p0 = shape_parameter<Float>(row, column::p0, parameters[0]);
-    const auto p1 = shape_parameter<Float>(row, column::p1, parameters[1]);
-    const auto n = direction<Float>(row, column::nx);
-    const auto h = direction<Float>(row, column::hx);
-    if (!(n.z > Float(0))) {
-        row.fail(column::nz, "a normal of the upper hemisphere, nz > 0",
-                 shown(row.text(column::nz)));
+struct MdfGroup {
+    std::vector<std::size_t> rows;
+    std::array<std::vector<Float>, 8> in;   // p0 p1 nx ny nz hx hy hz
+    std::array<std::vector<Float>, 3> out;  // in the order of kMdfAdds
+
+    void add(std::size_t row, Float p0, Float p1, Direction<Float> n, Direction<Float> h) {
+        rows.push_back(row);
+        const Float values[] = {p0, p1, n.x, n.y, n.z, h.x, h.y, h.z};
+        for (std::size_t i = 0; i < in.size(); ++i) in[i].push_back(values[i]);
     }
-    const MdfValues<Float> values = mdf_values(mdf, p0, p1, method, n, h);
-    append_value(row, column::mdf, values.D, line);
-    append_value(row, column::mdf, values.D_proj, line);
-    append_value(row, column::mdf, values.D_conserving, line);
+    void evaluate(Mdf mdf, Method method) {
+        for (auto& column : out) column.resize(rows.size());
+        mdf_values(mdf, method,
+                   MdfRows<Float>{in[0], in[1], {in[2], in[3], in[4]}, {in[5], in[6], in[7]}},
+                   MdfResults<Float>{out[0], out[1], out[2]});
+    }
+};
+
+template <typename Float>
+class MdfGroups {
+  public:
+    void add(const CsvRow& row, std::size_t index) {
+        namespace column = mdf_column;
+        const std::size_t mdf = row.choice(column::mdf, mdf_names());
+        const std::size_t method = row.choice(column::method, method_names());
+        const auto parameters = mdf_parameters(static_cast<Mdf>(mdf));
+        const auto p0 = shape_parameter<Float>(row, column::p0, parameters[0]);
+        const auto p1 = shape_parameter<Float>(row, column::p1, parameters[1]);
+        const auto n = direction<Float>(row, column::nx);
+        const auto h = direction<Float>(row, column::hx);
+        if (!(n.z > Float(0))) {
+            row.fail(column::nz, "a normal of the upper hemisphere, nz > 0",
+                     shown(row.text(column::nz)));
+        }
+        groups_[mdf * method_names().size() + method].add(index, p0, p1, n, h);
+    }
+    // The values of every row added, in the order of the rows.
+    std::vector<std::array<Float, 3>> values(std::size_t count) {
+        std::vector<std::array<Float, 3>> result(count);
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            MdfGroup<Float>& group = groups_[g];
+            group.evaluate(static_cast<Mdf>(g / method_names().size()),
+                           static_cast<Method>(g % method_names().size()));
+            for (std::size_t i = 0; i < group.rows.size(); ++i) {
+                result[group.rows[i]] = {group.out[0][i], group.out[1][i], group.out[2][i]};
+            }
+        }
+        return result;
+    }
+
+  private:
+    std::vector<MdfGroup<Float>> groups_{mdf_names().size() * method_names().size()};
+};
+
+template <typename Float>
+void add_mdf_values(std::span<const CsvRow> rows, std::span<std::string> added) {
+    MdfGroups<Float> groups;
+    std::size_t good = 0;
+    std::exception_ptr bad;
+    try {
+        for (; good < rows.size(); ++good) groups.add(rows[good], good);
+    } catch (...) {
+        bad = std::current_exception();  // unless the value of a row before it cannot be written
+    }
+    const auto values = groups.values(good);
+    for (std::size_t i = 0; i < good; ++i) {
+        for (const Float value : values[i]) {
+            append_value(rows[i], mdf_column::mdf, value, added[i]);
+        }
+    }
+    if (bad) std::rethrow_exception(bad);
 }
 
 // ---- brdf ---------------------------------------------------------------------------------------
@@ -127,6 +184,11 @@ void append_brdf_value(const CsvRow& row, std::string& line) {
     append_value(row, column::brdf, function_of<Float>(model)(p, wi, wo), line);
 }
 
+template <typename Float>
+void add_brdf_values(std::span<const CsvRow> rows, std::span<std::string> added) {
+    for (std::size_t i = 0; i < rows.size(); ++i) append_brdf_value<Float>(rows[i], added[i]);
+}
+
 }  // namespace
 
 std::span<const std::string_view> precision_names() {
@@ -146,14 +208,14 @@ std::span<const std::string_view> brdf_table_names() {
 void eval_mdf_table(const EvalRequest& request, const Progress& progress) {
     const bool single = request.precision == Precision::f32;
     const CsvTask task{
-        kMdfReads, {}, kMdfAdds, single ? append_mdf_values<float> : append_mdf_values<double>};
+        kMdfReads, {}, kMdfAdds, single ? add_mdf_values<float> : add_mdf_values<double>};
     add_csv_columns(request.input, request.output, task, progress);
 }
 
 void eval_brdf_table(const EvalRequest& request, const Progress& progress) {
     const bool single = request.precision == Precision::f32;
     const CsvTask task{kBrdfReads, kBrdfMayRead, kBrdfAdds,
-                       single ? append_brdf_value<float> : append_brdf_value<double>};
+                       single ? add_brdf_values<float> : add_brdf_values<double>};
     add_csv_columns(request.input, request.output, task, progress);
 }
 

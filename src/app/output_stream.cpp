@@ -4,17 +4,17 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
 #include "burnish/error.hpp"
 #include "burnish/progress.hpp"
+#include "core/files.hpp"
 
 namespace burnish {
 namespace {
 
 [[noreturn]] void throw_unwritable(const std::string& name) {
-    throw Error(name, "", "a file that can be written", std::generic_category().message(errno));
+    throw Error(name, "", "a file that can be written", reason_of(errno));
 }
 
 }  // namespace

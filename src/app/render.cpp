@@ -38,9 +38,25 @@ void check(const RenderRequest& request) {
         throw UsageError("--compare", "", "two or more methods", "one");
     if (sheet && request.turntable > 0)
         throw UsageError("--compare", "", "no --turntable beside it", "both");
+    if (sheet && request.stage.values.is_set("method"))
+        throw UsageError("--compare", "", "no --method beside it", "both");
+    for (const Method method : request.compare)
+        if (std::count(request.compare.begin(), request.compare.end(), method) > 1)
+            throw UsageError("--compare", "", "each method once",
+                             fmt::format("{} again", name_of(method)));
     if (sheet && holds_linear(request.output))
         throw UsageError(request.output.string(), "", "a .png, .jpg or .tif for a labelled sheet",
                          request.output.extension().string());
+}
+
+// What the output cannot hold of what was asked for; empty: nothing.
+std::string warning_of_lost_transparency(const RenderRequest& request, const Stage& stage) {
+    if (stage.options.background != gpu::BackgroundKind::transparent) return "";
+    if (!request.compare.empty()) return "--background transparent: a comparison sheet is opaque";
+    if (holds_alpha(request.output)) return "";
+    return fmt::format(
+        "--background transparent: {} keeps no transparency (.png, .tif and .exr do)",
+        request.output.extension().string());
 }
 
 // Part `index` of `count` equal parts of a longer work.
@@ -69,6 +85,7 @@ Sheet comparison_sheet(const std::vector<Method>& methods, const std::vector<Ima
         grain == methods.end() ? methods.size() - 1
                                : static_cast<std::size_t>(grain - methods.begin());
     const std::string reference_name(name_of(methods[reference]));
+    const float gain = difference_gain(pictures[reference], pictures);
     std::vector<std::vector<SheetCell>> rows(2);
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const std::string name(name_of(methods[i]));
@@ -77,9 +94,10 @@ Sheet comparison_sheet(const std::vector<Method>& methods, const std::vector<Ima
             rows[1].push_back({Image{}, "differences are against this"});
             continue;
         }
-        rows[1].push_back({difference_image(pictures[reference], pictures[i]),
-                           fmt::format("{} minus {}, RMSE {:.4f}", name, reference_name,
-                                       rmse(pictures[i], pictures[reference]))});
+        rows[1].push_back(
+            {difference_image(pictures[reference], pictures[i], gain),
+             fmt::format("{} minus {}, shown x{:g}; RMSE {:.4f}", name, reference_name, gain,
+                         rmse(pictures[i], pictures[reference]))});
     }
     return compose_sheet(rows);
 }
@@ -136,6 +154,8 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     const Metadata metadata = metadata_of(request, stage, context);
 
     RenderReport report{{}, stage.scene.warnings, context.renderer()};
+    const std::string lost = warning_of_lost_transparency(request, stage);
+    if (!lost.empty()) report.warnings.push_back(lost);
     if (!request.compare.empty()) {
         render_comparison(request, stage, renderer, metadata, progress, report.warnings);
         report.written = {request.output};

@@ -101,6 +101,18 @@ gpu::RenderOptions render_options(const ParameterValues& values) {
     return options;
 }
 
+Environment load_environment_of(const StageRequest& request, const std::string& of_file) {
+    const std::string& name = request.environment.empty() ? of_file : request.environment;
+    if (name == "none") return {};
+    if (name.empty()) return load_environment(std::string(kDefaultEnvironment));
+    if (!request.environment.empty()) return load_environment(name);
+    try {
+        return load_environment(name);
+    } catch (const Error& error) {
+        throw Error(request.input + ": environment: " + error.what());
+    }
+}
+
 }  // namespace
 
 Light parse_light(std::string_view word) {
@@ -115,6 +127,9 @@ Light parse_light(std::string_view word) {
     } else {
         const std::vector<double> n = parse_numbers(word, word);
         require_count(n, 2, word);
+        if (std::abs(n[1]) > 90.0)
+            throw UsageError("--light", "elevation", "a number from -90 to 90",
+                             fmt::format("{:g}", n[1]));
         light.type = LightType::directional;
         light.direction = -direction_at(n[0], n[1]);
         light.intensity = static_cast<float>(light_intensity(n, 2));
@@ -126,9 +141,10 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
                     bool all_around) {
     if (values.is_set("camera_index")) {
         const int index = values.integer("camera_index");
-        if (index >= static_cast<int>(scene.cameras.size()))
-            throw UsageError("--camera-index", "",
-                             fmt::format("less than the file's {} cameras", scene.cameras.size()),
+        const std::size_t count = scene.cameras.size();
+        if (count == 0) throw UsageError("--camera-index: the file has no cameras");
+        if (index >= static_cast<int>(count))
+            throw UsageError("--camera-index", "", fmt::format("at most {}", count - 1),
                              std::to_string(index));
         return scene.cameras[static_cast<std::size_t>(index)];
     }
@@ -181,19 +197,21 @@ Camera turned(const Camera& camera, double angle_rad) {
 }
 
 Stage set_stage(const StageRequest& request, bool all_around) {
+    require_one_roughness(request.values, true);
     Stage stage;
-    std::string environment = request.environment;
+    std::string environment;
     if (!is_builtin(request.input) && is_scene_file(request.input)) {
         SceneFile file = load_scene_file(request.input);
         stage.scene = std::move(file.scene);
         stage.values = std::move(file.values);
-        if (environment.empty()) environment = file.environment;
+        environment = file.environment;
         stage.values.merge(request.values);
     } else {
         stage.values = request.values;
         stage.scene = load_model(request.input, stage.values.integer("triangles"));
     }
     apply_material_parameters(stage.scene, stage.values);
+    warn_of_odd_normal_maps(stage.scene);
     if (stage.scene.instances.empty())
         throw Error(request.input, "", "something to draw", "no triangles");
     if (!request.lights.empty()) {
@@ -201,8 +219,7 @@ Stage set_stage(const StageRequest& request, bool all_around) {
         for (const std::string& word : request.lights)
             if (word != "none") stage.scene.lights.push_back(parse_light(word));
     }
-    if (environment != "none")
-        stage.environment = load_environment(environment.empty() ? "builtin:studio" : environment);
+    stage.environment = load_environment_of(request, environment);
     stage.options = render_options(stage.values);
     stage.camera = place_camera(stage.scene, stage.values,
                                 static_cast<double>(stage.options.width) / stage.options.height,

@@ -12,6 +12,8 @@
 
 namespace burnish {
 
+inline constexpr std::string_view kDefaultEnvironment = "builtin:studio";
+
 struct Stage {
     Scene scene;
     Environment environment;          // empty radiance: none

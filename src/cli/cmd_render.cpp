@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -22,7 +24,9 @@ Examples:
   burnish render model.glb --env sky.hdr -o picture.png
   burnish render builtin:sphere --metal steel --alpha-x 0.08 --alpha-y 0.4 \
       --normal-map builtin:bumps --compare none,normal-map,deform-smooth,follow-grain -o sheet.png
-  burnish render scene.json --turntable 48 -o turn.png)";
+  burnish render scene.json --turntable 24 --samples 4 --size 480x270 -o turn.png
+Without a GPU a picture of the default size and samples takes about a minute on two cores;
+--samples 8 is a preview.)";
 
 struct Flags {
     RenderRequest request;
@@ -30,12 +34,6 @@ struct Flags {
     std::string size;
     std::string compare;
 };
-
-std::string flag_of(std::string_view parameter) {
-    std::string flag = "--" + std::string(parameter);
-    std::replace(flag.begin(), flag.end(), '_', '-');
-    return flag;
-}
 
 std::string_view heading(ParameterGroup group) {
     switch (group) {
@@ -48,12 +46,51 @@ std::string_view heading(ParameterGroup group) {
     return "";
 }
 
+// What stands behind the flag in its help.
+std::string value_name(const Parameter& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::real:
+            return "NUMBER";
+        case ParameterKind::integer:
+            return "INTEGER";
+        case ParameterKind::choice:
+            return "NAME";
+        case ParameterKind::color:
+            return "COLOR";
+        case ParameterKind::vector:
+            return "X,Y,Z";
+        case ParameterKind::text:
+            return "FILE";
+        case ParameterKind::boolean:
+            return "";
+    }
+    return "";
+}
+
+// "0.001 to 1.5"; empty for what has no range, and for positions, whose range is no choice of
+// anybody's.
+std::string range_of(const Parameter& parameter) {
+    const bool has_range = parameter.kind == ParameterKind::real ||
+                           parameter.kind == ParameterKind::integer ||
+                           parameter.kind == ParameterKind::color;
+    if (!has_range) return "";
+    const auto plain = [](double number) {  // never 1e+06
+        return std::abs(number) >= 1.0 ? fmt::format("{:.10g}", number)
+                                       : fmt::format("{:g}", number);
+    };
+    return (parameter.kind == ParameterKind::color ? "each " : "") + plain(parameter.low) + " to " +
+           plain(parameter.high);
+}
+
 std::string help_of(const Parameter& parameter) {
     std::string text(parameter.help);
     if (!parameter.unit.empty()) text += fmt::format(" [{}]", parameter.unit);
-    if (!parameter.choices.empty())
-        text += fmt::format(": {}", fmt::join(parameter.choices, ", "));
-    if (!parameter.default_text.empty()) text += fmt::format(" (default {})", parameter.default_text);
+    if (!parameter.choices.empty()) text += fmt::format(": {}", fmt::join(parameter.choices, ", "));
+    std::vector<std::string> facts;
+    if (const std::string range = range_of(parameter); !range.empty()) facts.push_back(range);
+    if (!parameter.default_text.empty())
+        facts.push_back(fmt::format("default {}", parameter.default_text));
+    if (!facts.empty()) text += fmt::format(" ({})", fmt::join(facts, "; "));
     return text;
 }
 
@@ -69,7 +106,7 @@ void add_parameter_flags(CLI::App& command, const std::shared_ptr<Flags>& flags)
             parameter.kind == ParameterKind::boolean
                 ? command.add_flag_callback(flag, [set] { set("true"); }, help_of(parameter))
                 : command.add_option_function<std::string>(flag, set, help_of(parameter))
-                      ->type_name("");
+                      ->type_name(value_name(parameter));
         option->group(std::string(heading(parameter.group)));
     }
 }
@@ -78,8 +115,31 @@ void set_size(ParameterValues& values, const std::string& size) {
     const std::size_t x = size.find('x');
     if (x == std::string::npos)
         throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(size));
+    if (values.is_set("width") || values.is_set("height"))
+        throw UsageError("--size", "", "no --width or --height beside it", "both");
     values.set("width", size.substr(0, x), "--size");
     values.set("height", size.substr(x + 1), "--size");
+}
+
+struct Range {
+    int low, high;
+};
+
+// A flag for a whole number, checked in our words.
+CLI::Option* add_integer(CLI::App& command, const std::string& flag, int& target, Range range,
+                         const std::string& help) {
+    const auto set = [&target, flag, range](const std::string& text) {
+        int value = 0;
+        const char* end = text.data() + text.size();
+        const auto [stop, status] = std::from_chars(text.data(), end, value);
+        if (status != std::errc{} || stop != end || value < range.low || value > range.high)
+            throw UsageError(flag, "",
+                             fmt::format("a whole number from {} to {}", range.low, range.high),
+                             shown(text));
+        target = value;
+    };
+    return command.add_option_function<std::string>(
+        flag, set, fmt::format("{} ({} to {})", help, range.low, range.high));
 }
 
 std::vector<Method> parse_methods(const std::string& list) {
@@ -119,12 +179,18 @@ void add_render_command(CLI::App& parent, Session& session) {
                         "torus, drape")
         ->required()
         ->type_name("MODEL|SCENE");
-    command->add_option("-o,--output", flags->output,
-                        ".png, .jpg, .tif (tone mapped) or .exr (linear)")
+    command
+        ->add_option(
+            "-o,--output", flags->output,
+            ".png, .jpg, .tif (tone mapped) or .exr (linear); with --turntable the "
+            "pictures are numbered: turn.exr is written as turn_0000.exr, turn_0001.exr ...")
         ->required()
         ->type_name("FILE");
-    command->add_option("--env", request.stage.environment,
-                        "lat-long .hdr or .exr, builtin:studio (default), builtin:white or none")
+    command
+        ->add_option("--env", request.stage.environment,
+                     "lat-long .hdr or .exr; builtin:studio (default), builtin:white; "
+                     "builtin:black: dark, black behind the model; none: dark, "
+                     "--background-color behind it")
         ->type_name("FILE");
     command->add_option("--light", request.stage.lights,
                         "AZIMUTH,ELEVATION[,INTENSITY] in degrees and lux, point:X,Y,Z[,INTENSITY], "
@@ -135,16 +201,17 @@ void add_render_command(CLI::App& parent, Session& session) {
         ->allow_extra_args(false);
     command->add_option("--size", flags->size, "WIDTHxHEIGHT: --width and --height in one")
         ->type_name("WxH");
-    command->add_option("--compare", flags->compare,
-                        "METHOD,METHOD,...: one labelled sheet with difference images")
+    command
+        ->add_option("--compare", flags->compare,
+                     "METHOD,METHOD,...: one labelled sheet with difference images; instead of "
+                     "--method")
         ->type_name("LIST");
-    command->add_option("--turntable", request.turntable, "N pictures of a full turn")
-        ->type_name("N")
-        ->check(CLI::Range(1, 9999));
-    command->add_option("--gl-device", request.gl_device,
-                        "GL device by its number in `burnish info --devices`")
-        ->type_name("N")
-        ->check(CLI::Range(0, 255));
+    add_integer(*command, "--turntable", request.turntable, {1, 9999},
+                "pictures of a full turn, numbered from OUT_0000")
+        ->type_name("COUNT");
+    add_integer(*command, "--gl-device", request.gl_device, {0, 255},
+                "GL device by its number in `burnish info --devices`")
+        ->type_name("NUMBER");
     add_parameter_flags(*command, flags);
     command->footer(kExamples);
     command->callback([flags, &session] { run(*flags, session); });

@@ -32,7 +32,10 @@ void add_eval_command(CLI::App& parent, Session& session, const std::string& des
     command->add_option("--in", flags->request.input, "table to read, CSV; - is standard input")
         ->required()
         ->type_name("FILE");
-    command->add_option("--out", flags->request.output, "table to write, CSV; - is standard output")
+    command
+        ->add_option("--out", flags->request.output,
+                     "table to write, CSV; - is standard output; may be the table that is read, "
+                     "which is then replaced once all of it is done")
         ->required()
         ->type_name("FILE");
     command->add_option("--precision", flags->precision, "f32 or f64: arithmetic and digits")

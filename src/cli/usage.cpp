@@ -74,13 +74,31 @@ std::string unknown_word(const Apps& chain, const std::string& word) {
     return line + "; there are: " + listed(known);
 }
 
+// CLI11's complaints, which start with the flag, in the words of all our others.
+std::string in_our_words(const CLI::ParseError& error) {
+    const std::string text = one_line(error.what());
+    const std::string flag = text.substr(0, text.find(": "));
+    if (error.get_name() == "RequiredError")
+        return text.substr(0, text.find(' ')) + ": expected a value, found none";
+    if (error.get_name() == "ArgumentMismatch") {
+        if (text.find("At Most 1 ") == std::string::npos)
+            return flag + ": expected a value, found none";
+        return flag + ": expected once, found " + text.substr(text.rfind(' ') + 1) + " times";
+    }
+    const std::size_t equals = text.find(" = ");
+    if (error.get_name() == "ConversionError" && equals != std::string::npos)
+        return text.substr(text.find(": ") + 2, equals - text.find(": ") - 2) +
+               ": expected a switch without a value, found " + shown(text.substr(equals + 3));
+    return text;
+}
+
 }  // namespace
 
 UsageError usage_error(const CLI::App& root, const CLI::ParseError& error) {
     const Apps chain = recognised(root);
     const std::vector<std::string> unknown = root.remaining(true);
     if (!unknown.empty()) return UsageError(unknown_word(chain, unknown.front()));
-    return UsageError(prefix_of(chain) + one_line(error.what()));
+    return UsageError(prefix_of(chain) + in_our_words(error));
 }
 
 void require_command(CLI::App& app) {

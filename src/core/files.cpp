@@ -15,9 +15,6 @@
 #include "burnish/error.hpp"
 
 namespace burnish {
-namespace {
-
-namespace fs = std::filesystem;
 
 std::string reason_of(int error_number) {
     switch (error_number) {
@@ -40,6 +37,10 @@ std::string reason_of(int error_number) {
             return std::generic_category().message(error_number);
     }
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 [[noreturn]] void throw_unreadable(const fs::path& path, std::string_view found) {
     throw Error(path.string(), "", "a readable file", found);

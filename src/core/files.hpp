@@ -12,6 +12,9 @@
 
 namespace burnish {
 
+// An errno in the words of all messages about files: "no such file or folder".
+std::string reason_of(int error_number);
+
 // Whole file (or pipe). Throws Error "<path>: expected a readable file, found <reason>"; missing
 // files, directories, devices and files over `limit_bytes` included.
 std::vector<std::byte> read_file(const std::filesystem::path& path,

@@ -54,6 +54,7 @@ bool is_image_file(const std::filesystem::path& path);  // by content
 void write_image(const std::filesystem::path& path, const Image& image,
                  const std::map<std::string, std::string>& metadata);
 bool holds_linear(const std::filesystem::path& path);             // .exr
+bool holds_alpha(const std::filesystem::path& path);              // all but .jpg
 void require_image_extension(const std::filesystem::path& path);  // UsageError unless one of ours
 
 // The sRGB curve (IEC 61966-2-1), continued linearly below 0 and by its power above 1.

@@ -141,6 +141,10 @@ bool holds_linear(const std::filesystem::path& path) {
     return format_of_extension(path) == ImageFormat::exr;
 }
 
+bool holds_alpha(const std::filesystem::path& path) {
+    return format_of_extension(path) != ImageFormat::jpeg;
+}
+
 void require_image_extension(const std::filesystem::path& path) {
     require_format(path);
 }

@@ -269,6 +269,32 @@ Sheet compose_sheet(const Rows& rows, const SheetOptions& options) {
     return sheet;
 }
 
+float difference_gain(const Image& reference, const std::vector<Image>& others) {
+    constexpr float kVisible = 1.0f / 255.0f;  // less is no difference in an 8-bit picture
+    constexpr double kClipped = 0.02;
+    constexpr std::array kNice = {32.0f, 24.0f, 16.0f, 12.0f, 8.0f, 6.0f,
+                                  4.0f,  3.0f,  2.0f,  1.5f,  1.0f};
+    std::vector<float> sizes;
+    const int colors = std::min(reference.channels, 3);
+    for (const Image& other : others) {
+        check_same_size(reference, other);
+        for (int y = 0; y < other.height; ++y) {
+            for (int x = 0; x < other.width; ++x) {
+                const float size =
+                    std::abs(largest_difference(reference.at(x, y), other.at(x, y), colors));
+                if (size > kVisible) sizes.push_back(size);  // false for NaN
+            }
+        }
+    }
+    if (sizes.empty()) return 1.0f;
+    const auto high = sizes.begin() + static_cast<std::ptrdiff_t>(
+                                          (1.0 - kClipped) * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), high, sizes.end());
+    for (const float gain : kNice)
+        if (gain * *high <= 1.0f) return gain;
+    return 1.0f;
+}
+
 Image difference_image(const Image& a, const Image& b, float gain) {
     check_same_size(a, b);
     Image result(a.width, a.height, 3);

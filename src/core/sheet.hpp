@@ -40,6 +40,11 @@ Sheet compose_sheet(const std::vector<std::vector<SheetCell>>& rows,
 // most counts, so that a shift of hue shows too. Alpha is ignored; NaN in either shows magenta.
 Image difference_image(const Image& a, const Image& b, float gain = 4.0f);
 
+// One gain for the differences of `others` from `reference`: the largest of 1, 1.5, 2, 3, 4, 6 ...
+// 32 at which no more than 2 % of the pixels that differ visibly reach the full colour; 1 when none
+// does. NaN does not count.
+float difference_gain(const Image& reference, const std::vector<Image>& others);
+
 // Root mean square difference over the colour channels (alpha ignored); NaN when either holds one.
 double rmse(const Image& a, const Image& b);
 

@@ -35,13 +35,15 @@ std::vector<SurfaceVariant> variants() {
         v.lights = 1;
         v.image_light = 1;
         list.push_back(v);
+        v.image_light = 3;
+        list.push_back(v);
     }
-    for (int brdf = 0; brdf <= static_cast<int>(Brdf::ward_gmd); ++brdf) {
+    for (int brdf = 0; brdf <= static_cast<int>(Brdf::cook_torrance); ++brdf) {
         for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
             SurfaceVariant v;
             v.brdf = static_cast<Brdf>(brdf);
             v.mdf = static_cast<Mdf>(mdf);
-            v.image_light = mdf % 3;
+            v.image_light = mdf;
             v.lights = mdf;
             v.conductor = v.metal = mdf % 2 == 1;
             list.push_back(v);
@@ -54,6 +56,8 @@ std::vector<SurfaceVariant> variants() {
     list.push_back(v);
     v.alpha_mode = AlphaMode::blend;
     v.image_light = 2;
+    list.push_back(v);
+    v.image_light = 3;
     list.push_back(v);
     return list;
 }
@@ -85,7 +89,7 @@ void write_all(Writer& writer) {
             if (v.can_resolve()) writer.write(dialect, v.defines(), "resolve.frag");
         }
         for (const char* stage :
-             {"fullscreen.vert", "background.frag", "accumulate.frag", "gouraud.frag"}) {
+             {"fullscreen.vert", "background.frag", "accumulate.frag", "gouraud.frag", "prefilter.frag"}) {
             writer.write(dialect, "", stage);
         }
         writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");

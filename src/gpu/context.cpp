@@ -179,7 +179,7 @@ std::vector<Candidate> candidates(int wanted) {
     const std::vector<DeviceInfo> infos = list_devices();
     const int count = static_cast<int>(devices.size());
     if (wanted >= count || wanted < -1) {
-        throw Error("GL device", "",
+        throw Error("--gl-device", "",
                     count == 0 ? std::string("no number, since EGL lists no devices")
                                : "a number from 0 to " + std::to_string(count - 1),
                     std::to_string(wanted));

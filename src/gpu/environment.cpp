@@ -75,6 +75,19 @@ EnvironmentMaps::EnvironmentMaps(const Context& context, const Environment& envi
     check_gl("uploading the environment");
 }
 
+void EnvironmentMaps::require_lobes(ProgramCache& programs, GLuint empty_vertex_array) {
+    if (lobes_) return;
+    Program& program = programs.get("fullscreen.vert", "prefilter.frag", "");
+    program.use();
+    bind(program, 1.0f, 0.0f);
+    program.set("u_depth", 0.0f);
+    for (const GLenum test :
+         {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) {
+        glDisable(test);
+    }
+    lobes_.emplace(program, static_cast<int>(face_), empty_vertex_array);
+}
+
 void EnvironmentMaps::bind(Program& program, float intensity, float rotation) const {
     glActiveTexture(GL_TEXTURE0 + kEnvironmentUnit);
     glBindTexture(GL_TEXTURE_CUBE_MAP, radiance_.get());
@@ -82,6 +95,13 @@ void EnvironmentMaps::bind(Program& program, float intensity, float rotation) co
     glActiveTexture(GL_TEXTURE0 + kIrradianceUnit);
     glBindTexture(GL_TEXTURE_CUBE_MAP, irradiance_.get());
     glBindSampler(kIrradianceUnit, sampler_.get());
+    if (lobes_) {
+        glActiveTexture(GL_TEXTURE0 + kLobeUnit);
+        glBindTexture(GL_TEXTURE_CUBE_MAP, lobes_->texture());
+        glBindSampler(kLobeUnit, sampler_.get());
+        program.set("u_lobe_alpha", lobes_->first_alpha());
+    }
+    program.set("u_lobes", static_cast<int>(kLobeUnit));
     program.set("u_environment", static_cast<int>(kEnvironmentUnit));
     program.set("u_irradiance", static_cast<int>(kIrradianceUnit));
     program.set("u_environment_turn", glm::vec2(std::cos(rotation), std::sin(rotation)));

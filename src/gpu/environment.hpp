@@ -1,9 +1,13 @@
-// An environment on the device: a cube map of radiance with all its mips and one of irradiance.
+// An environment on the device: a cube map of radiance with all its mips, one of irradiance and, when
+// asked for, one of radiance blurred by lobes.
 #pragma once
+
+#include <optional>
 
 #include "burnish/scene.hpp"
 #include "gpu/context.hpp"
 #include "gpu/handles.hpp"
+#include "gpu/lobe_map.hpp"
 #include "gpu/program.hpp"
 
 namespace burnish::gpu {
@@ -12,13 +16,16 @@ class EnvironmentMaps {
   public:
     EnvironmentMaps(const Context& context, const Environment& environment);
 
-    // Binds both to their units and sets the uniforms of shaders/lib/environment.glsl.
+    // Makes the lobe map unless there is one. Changes framebuffer, viewport and raster state.
+    void require_lobes(ProgramCache& programs, GLuint empty_vertex_array);
+    // Binds all to their units and sets the uniforms of shaders/lib/environment.glsl.
     void bind(Program& program, float intensity, float rotation) const;
     float last_lod() const { return last_lod_; }
 
   private:
     GlTexture radiance_;
     GlTexture irradiance_;
+    std::optional<LobeMap> lobes_;
     Sampler sampler_;
     float scale_ = 1.0f;  // stored values times this are radiance
     float face_ = 1.0f;

@@ -113,7 +113,7 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     v.vertex_color = vertex_color;
     v.alpha_mode = m.alpha_mode;
     // Without a perturbed normal all methods are one.
-    v.method = v.normal_map ? m.method : Method::none;
+    v.method = v.normal_map ? drawn_method(m) : Method::none;
     v.conserve = m.conserve && v.method == Method::deform_smooth;
     return v;
 }

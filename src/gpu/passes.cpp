@@ -105,6 +105,15 @@ void Painter::set_common(Program& program, const Frame& frame) {
     }
 }
 
+void Painter::set_surface(Program& program, const Frame& frame, int material) {
+    const Material& m = scene_.materials[static_cast<std::size_t>(material)];
+    set_common(program, frame);
+    set_material(program, m, scene_.textures, lod_bias(frame.options->samples));
+    if (frame.options->image_light != ImageLight::prefiltered) return;
+    albedos_.bind(m.brdf, m.mdf);
+    program.set("u_albedo", static_cast<int>(kAlbedoUnit));
+}
+
 void Painter::draw_fullscreen(Program& program, float depth) {
     program.set("u_depth", depth);
     glBindVertexArray(empty_.get());
@@ -130,6 +139,11 @@ void Painter::clear(const Frame& frame, Targets& targets) {
 }
 
 void Painter::paint(const Frame& frame, Targets& targets) {
+    const ImageLight light = frame.options->image_light;
+    if (scene_.environment &&
+        (light == ImageLight::prefiltered || light == ImageLight::bent_normal)) {
+        scene_.environment->require_lobes(programs_, empty_.get());
+    }
     clear(frame, targets);
     std::vector<std::size_t> forward(scene_.items.size());
     std::iota(forward.begin(), forward.end(), std::size_t{0});
@@ -198,9 +212,7 @@ void Painter::resolve_material(const Frame& frame, Targets& targets, int materia
     const SurfaceVariant variant = variant_for(frame, material, false);
     Program& program = programs_.get("fullscreen.vert", "resolve.frag", variant.defines());
     program.use();
-    set_common(program, frame);
-    set_material(program, scene_.materials[static_cast<std::size_t>(material)], scene_.textures,
-                 lod_bias(frame.options->samples));
+    set_surface(program, frame, material);
     set_rays(program, frame.view);
     targets.bind_gbuffer_textures(program);
     draw_fullscreen(program, 1.0f);
@@ -221,9 +233,7 @@ void Painter::paint_item(const Frame& frame, const DrawItem& item) {
     const SurfaceVariant variant = variant_for(frame, item.material, color);
     Program& program = programs_.get("surface.vert", "surface.frag", variant.defines());
     program.use();
-    set_common(program, frame);
-    set_material(program, scene_.materials[static_cast<std::size_t>(item.material)],
-                 scene_.textures, lod_bias(frame.options->samples));
+    set_surface(program, frame, item.material);
     place(program, item);
 }
 

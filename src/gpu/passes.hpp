@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "gpu/albedo_table.hpp"
 #include "gpu/environment.hpp"
 #include "gpu/geometry.hpp"
 #include "gpu/lights.hpp"
@@ -58,6 +59,7 @@ class Painter {
     void paint_background(const Frame& frame);
     void paint_blended(const Frame& frame);
     void set_common(Program& program, const Frame& frame);
+    void set_surface(Program& program, const Frame& frame, int material);
     SurfaceVariant variant_for(const Frame& frame, int material, bool vertex_color) const;
     bool shows_environment(const Frame& frame) const;
     bool defers(const Frame& frame) const;
@@ -66,6 +68,7 @@ class Painter {
 
     DeviceScene& scene_;
     ProgramCache programs_;
+    AlbedoTables albedos_;
     VertexArray empty_;
 };
 

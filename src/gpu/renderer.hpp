@@ -26,7 +26,8 @@ namespace burnish::gpu {
 enum class ImageLight {
     off,
     importance,  // the specular sees the perturbed anisotropic MDF: importance sampled, filtered
-    bent_normal  // what today's engines do (Filament, three.js, glTF sample renderer): comparison
+    bent_normal,  // what today's engines do (Filament, three.js, glTF sample renderer): comparison
+    prefiltered  // the same lobe by a few look-ups along its major axis: for real time
 };
 enum class BackgroundKind { environment, color, transparent };
 

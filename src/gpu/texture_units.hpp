@@ -14,6 +14,8 @@ inline constexpr GLuint kPackedUnit = 8;  // images of gbuffer.frag
 inline constexpr GLuint kPositionUnit = 9;
 inline constexpr GLuint kSumUnit = 10;
 inline constexpr GLuint kLatestUnit = 11;
+inline constexpr GLuint kLobeUnit = 12;
+inline constexpr GLuint kAlbedoUnit = 13;
 inline constexpr GLuint kScratchUnit = 15;  // uploads
 
 }  // namespace burnish::gpu

@@ -98,12 +98,27 @@ class Guard {
     std::vector<std::set<std::string>> keys_;  // of each value the parser is inside of
 };
 
+// "[0, 0, 0]", with what is long or nested shortened.
+std::string described_list(const json& list) {
+    constexpr std::size_t kShown = 4, kLongest = 24;
+    std::string text = "[";
+    for (std::size_t i = 0; i < std::min(list.size(), kShown); ++i) {
+        const json& entry = list[i];
+        std::string shown = entry.is_structured() ? (entry.is_array() ? "[...]" : "{...}")
+                            : entry.is_string()   ? "\"...\""
+                                                  : entry.dump();
+        if (shown.size() > kLongest) shown = shown.substr(0, kLongest) + "...";
+        text += (i > 0 ? ", " : "") + shown;
+    }
+    return text + (list.size() > kShown ? fmt::format(", ...] ({} entries)", list.size()) : "]");
+}
+
 std::string described(const json& value) {
     switch (value.type()) {
         case json::value_t::object:
             return "an object";
         case json::value_t::array:
-            return fmt::format("a list of {}", value.size());
+            return described_list(value);
         case json::value_t::string:
             return shown(value.get_ref<const std::string&>());
         default:

@@ -71,8 +71,7 @@ std::optional<glm::vec2> roughness_pair(const Material& material, const Paramete
     };
     const bool has_alpha = values.is_set("alpha_x") || values.is_set("alpha_y");
     const bool has_e = values.is_set("e_x") || values.is_set("e_y");
-    if (has_alpha && has_e)
-        throw UsageError("alpha_x, alpha_y and e_x, e_y say the same thing: give one pair only");
+    require_one_roughness(values, false);
     if (has_alpha)
         return pair_of("alpha_x", "alpha_y", [](double a) { return static_cast<float>(a); });
     if (has_e) return pair_of("e_x", "e_y", alpha_from_exponent);
@@ -147,6 +146,21 @@ void warn_of_missing_coordinates(Scene& scene, std::size_t first, std::size_t en
 }
 
 }  // namespace
+
+void require_one_roughness(const ParameterValues& values, bool as_flags) {
+    const auto set_among = [&](std::initializer_list<std::string_view> names) {
+        std::string list;
+        for (const std::string_view name : names) {
+            if (!values.is_set(name)) continue;
+            list += (list.empty() ? "" : " ") + (as_flags ? flag_of(name) : std::string(name));
+        }
+        return list;
+    };
+    const std::string alphas = set_among({"alpha_x", "alpha_y"});
+    const std::string exponents = set_among({"e_x", "e_y"});
+    if (alphas.empty() || exponents.empty()) return;
+    throw UsageError(alphas + " and " + exponents + " say the same thing: give one pair only");
+}
 
 void apply_material_parameters(Scene& scene, std::size_t first, std::size_t count,
                                const ParameterValues& values) {

@@ -14,7 +14,8 @@ using Group = ParameterGroup;
 // "none" and then conductor_names(), in that order (a test holds them together).
 constexpr std::array<std::string_view, 8> kMetals = {"none",      "gold",  "silver", "copper",
                                                      "aluminium", "steel", "brass",  "titanium"};
-constexpr std::array<std::string_view, 3> kImageLights = {"off", "importance", "bent-normal"};
+constexpr std::array<std::string_view, 4> kImageLights = {"off", "importance", "bent-normal",
+                                                          "prefiltered"};
 constexpr std::array<std::string_view, 2> kScratchDirections = {"keep", "follow"};
 constexpr std::array<std::string_view, 3> kBackgrounds = {"environment", "color", "transparent"};
 

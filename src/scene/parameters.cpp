@@ -14,15 +14,15 @@
 
 namespace burnish {
 
-namespace {
-
-using Kind = ParameterKind;
-
 std::string flag_of(std::string_view name) {
     std::string flag = "--" + std::string(name);
     std::replace(flag.begin(), flag.end(), '_', '-');
     return flag;
 }
+
+namespace {
+
+using Kind = ParameterKind;
 
 // The start of an error line: `where` itself when it already ends in the parameter's name (a flag,
 // a key path of a scene file), else `where` and the name, else the flag.

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <glm/common.hpp>
 
 #include "burnish/error.hpp"
+#include "core/files.hpp"
 #include "scene/load.hpp"
 
 namespace burnish {
@@ -51,6 +53,12 @@ Scene scene_of_builtin(const std::string& name, int triangles) {
 
 }  // namespace
 
+Method drawn_method(const Material& m) {
+    const bool isotropic = !m.anisotropy_texture &&
+                           (m.alpha ? m.alpha->x == m.alpha->y : m.anisotropy_strength == 0.0f);
+    return m.method == Method::normal_map && isotropic ? Method::gram_schmidt : m.method;
+}
+
 Bounds bounds_of(const Scene& scene) {
     std::vector<Bounds> boxes;
     boxes.reserve(scene.meshes.size());
@@ -73,10 +81,10 @@ Scene load_model(const std::string& path_or_builtin, int triangles) {
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
     // Other names are told by content: a binary glTF starts with its name.
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(path_or_builtin, "", "a readable file", "none");
+    if (!file) throw Error(path_or_builtin, "", "a readable file", reason_of(errno));
     char magic[4] = {};
     if (file.read(magic, 4) && std::string_view(magic, 4) == "glTF") return load_gltf(path);
-    throw Error(path_or_builtin, "", "a model (.gltf, .glb, .obj or builtin:<name>)",
+    throw Error(path_or_builtin, "", "a model (.gltf, .glb, .obj, a scene .json or builtin:<name>)",
                 extension.empty() ? "a name without extension" : shown(extension));
 }
 

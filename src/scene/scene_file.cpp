@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "burnish/error.hpp"
+#include "burnish/shading_names.hpp"
 #include "core/files.hpp"
 #include "scene/json_text.hpp"
 #include "scene/load.hpp"
@@ -32,15 +33,19 @@ constexpr double kFar = 1e6;                        // metres, as in the paramet
 constexpr double kSmallest = 1e-6, kLargest = 1e6;  // scale factors
 constexpr std::string_view kBuiltin = "builtin:";
 
-std::string quoted_names(const std::vector<std::string>& names) {
-    std::string out;
-    for (const std::string& name : names) out.append(out.empty() ? "" : " ").append(name);
-    return out;
+// Refuses a name that is none of `known`, with the nearest one when there is one.
+[[noreturn]] void refuse_name(const JsonPlace& place, std::span<const std::string_view> known,
+                              const std::string& kind) {
+    const std::string_view nearest = nearest_name(known, place.text());
+    throw Error(place.file(), place.path(), fmt::format("{} ({})", kind, fmt::join(known, " ")),
+                nearest.empty()
+                    ? shown(place.text())
+                    : fmt::format("{}; did you mean '{}'?", shown(place.text()), nearest));
 }
 
 // A file named by a scene file lies beside it, unless its path is absolute.
 std::string beside(const std::filesystem::path& scene_file, const std::string& name) {
-    if (name.starts_with(kBuiltin)) return name;
+    if (name.starts_with(kBuiltin) || name == "none") return name;
     return (scene_file.parent_path() / name).string();
 }
 
@@ -87,7 +92,7 @@ ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::p
             if (only_material && parameter->group != ParameterGroup::material)
                 throw Error(place.file(), member.path(), "a parameter of materials", shown(key));
             std::string text = text_of(member, *parameter);
-            if (key == "normal_map" && text != "none") text = beside(file, text);
+            if (key == "normal_map") text = beside(file, text);
             if (key == "scratch" && !is_scratch_preset(text)) text = beside(file, text);
             values.set(key, text, place.file() + ": " + member.path());
         } catch (const UsageError& error) {
@@ -121,7 +126,7 @@ LightType read_light_type(const JsonPlace& place) {
     constexpr std::array<std::string_view, 3> kTypes = {"directional", "point", "spot"};
     const std::string name = place.text();
     const auto found = std::find(kTypes.begin(), kTypes.end(), name);
-    if (found == kTypes.end()) place.fail("directional, point or spot");
+    if (found == kTypes.end()) refuse_name(place, kTypes, "a type of light");
     return static_cast<LightType>(found - kTypes.begin());
 }
 
@@ -192,6 +197,8 @@ class SceneFileReader {
         constexpr std::array<std::string_view, 7> kKeys = {
             "format", "version", "objects", "materials", "lights", "environment", "parameters"};
         root_.require_object();
+        if (!root_.has("format"))
+            throw Error(file_, "format", fmt::format("\"{}\"", kFormat), "none");
         if (root_.at("format").text() != kFormat) root_.at("format").fail("burnish-scene");
         if (root_.at("version").value() != 1) root_.at("version").fail("1");
         root_.require_object(kKeys);
@@ -239,10 +246,9 @@ class SceneFileReader {
         if (place.has("material")) {
             set = place.at("material").text();
             if (!sets_.contains(set)) {
-                std::vector<std::string> names;
+                std::vector<std::string_view> names;
                 for (const auto& [name, values] : sets_) names.push_back(name);
-                place.at("material")
-                    .fail("a name under \"materials\" (" + quoted_names(names) + ")");
+                refuse_name(place.at("material"), names, "a name under \"materials\"");
             }
         }
         LoadedModel& model = loaded(place.at("model"));
@@ -256,7 +262,9 @@ class SceneFileReader {
         LoadedModel model;
         try {
             model.rest = load_model(name, out_.values.integer("triangles"));
-        } catch (const UsageError& error) {
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const Error& error) {
             throw Error(file_ + ": " + place.path() + ": " + error.what());
         }
         model.first_mesh = static_cast<int>(out_.scene.meshes.size());
@@ -283,6 +291,8 @@ class SceneFileReader {
                   &material.normal_texture, &material.occlusion_texture, &material.emissive_texture,
                   &material.anisotropy_texture})
                 if (*use) use->texture += model.first_texture;
+            if (!set.empty() && model.rest.materials.size() == 1) material.name = set;
+            if (!set.empty() && model.rest.materials.size() > 1) material.name += " as " + set;
             out_.scene.materials.push_back(material);
         }
         ParameterValues values = common_;
@@ -295,7 +305,9 @@ class SceneFileReader {
                const JsonPlace& place) {
         try {
             apply_material_parameters(out_.scene, first, model.rest.materials.size(), values);
-        } catch (const UsageError& error) {
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const Error& error) {
             throw Error(file_ + ": " + place.path() + ": " + error.what());
         }
     }

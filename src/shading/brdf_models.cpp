@@ -3,79 +3,99 @@
 #include <array>
 #include <cstddef>
 
-#include "burnish/f32.hpp"
-#include "burnish/f64.hpp"
+#include "shading/brdf_rows.hpp"
 
 namespace burnish {
 namespace {
 
+constexpr ShapeParameter kShare{"ks", 0.0, 1.0};
+constexpr ShapeParameter kF0{"F0", 0.0, 1.0};
+constexpr ShapeParameter kAlphaX{"alpha_x", kLeastAlpha, kMostAlpha};
+constexpr ShapeParameter kAlphaY{"alpha_y", kLeastAlpha, kMostAlpha};
+// What scales a power of a cosine: an exponent n asks for up to (n + 2)/(2 pi).
+constexpr ShapeParameter kScale{"ks", 0.0, kMostExponent};
+
 constexpr std::array<ShapeParameter, 3> kExponentsAndF0 = {
-    {{"e_x", 0.0, kMostExponent}, {"e_y", 0.0, kMostExponent}, {"F0", 0.0, 1.0}}};
-constexpr std::array<ShapeParameter, 3> kAlphasAndF0 = {
-    {{"alpha_x", kLeastAlpha, kMostAlpha}, {"alpha_y", kLeastAlpha, kMostAlpha}, {"F0", 0.0, 1.0}}};
-constexpr std::array<ShapeParameter, 3> kStrengthAndAlphas = {
-    {{"ks", 0.0, 1.0}, {"alpha_x", kLeastAlpha, kMostAlpha}, {"alpha_y", kLeastAlpha, kMostAlpha}}};
+    {{"e_x", 0.0, kMostExponent}, {"e_y", 0.0, kMostExponent}, kF0}};
+constexpr std::array<ShapeParameter, 3> kAlphasAndF0 = {{kAlphaX, kAlphaY, kF0}};
+constexpr std::array<ShapeParameter, 3> kStrengthAndAlphas = {{kShare, kAlphaX, kAlphaY}};
+constexpr std::array<ShapeParameter, 3> kCookTorrance = {
+    {kShare, {"m", kLeastAlpha, kMostAlpha}, kF0}};
+constexpr std::array<ShapeParameter, 2> kPhong = {{kScale, {"alpha", 0.0, kMostExponent}}};
+constexpr std::array<ShapeParameter, 5> kLafortune = {{kScale,
+                                                       {"Cx", -10.0, 10.0},
+                                                       {"Cy", -10.0, 10.0},
+                                                       {"Cz", -10.0, 10.0},
+                                                       {"n", 0.0, kMostExponent}}};
+constexpr std::array<ShapeParameter, 3> kHe = {{{"sigma", 0.0, 5.0}, {"tau", 0.1, 1000.0}, kF0}};
+constexpr std::array<ShapeParameter, 2> kDiffuse = {{{"Rd", 0.0, 1.0}, {"Rs", 0.0, 1.0}}};
 
 constexpr std::array<std::string_view, 2> kSmithNames = {"correlated", "separable"};
 
-// What has to be named by precision; every other function is found through these types.
-template <typename Float>
-struct Maths;
+// A function template of one precision, named once.
+#define BURNISH_BOTH(...) __VA_ARGS__<float>, __VA_ARGS__<double>
 
-template <>
-struct Maths<float> {
-    static f32::Lobe lobe(int mdf, float p0, float p1) { return f32::lobe_make(mdf, p0, p1); }
-    static f32::Perturbation unperturbed() {
-        return f32::perturb_make(f32::kMethodNone, {0.0f, 0.0f, 1.0f}, true, false);
-    }
-    static float schlick(float f0, float cosine) { return f32::fresnel_schlick(f0, cosine); }
-};
-
-template <>
-struct Maths<double> {
-    static f64::Lobe lobe(int mdf, double p0, double p1) { return f64::lobe_make(mdf, p0, p1); }
-    static f64::Perturbation unperturbed() {
-        return f64::perturb_make(f64::kMethodNone, {0.0, 0.0, 1.0}, true, false);
-    }
-    static double schlick(double f0, double cosine) { return f64::fresnel_schlick(f0, cosine); }
-};
-
-template <typename Float>
-using Parameters = std::span<const Float, kMostBrdfParameters>;
-
-// p: the lobe's two numbers and F0.
-template <typename Float, Brdf brdf, Mdf mdf>
-Float lobe_and_schlick(Parameters<Float> p, Direction<Float> wi, Direction<Float> wo) {
-    const Float value =
-        brdf_eval(static_cast<int>(brdf), Maths<Float>::lobe(static_cast<int>(mdf), p[0], p[1]),
-                  Maths<Float>::unperturbed(), wi, wo);
-    const Float wi_h = length(wi + wo) / Float(2);
-    return value * Maths<Float>::schlick(p[2], wi_h);
-}
-
-// p: ks and the lobe's two numbers; no Fresnel of its own.
-template <typename Float>
-Float ward_gmd(Parameters<Float> p, Direction<Float> wi, Direction<Float> wo) {
-    const int brdf = static_cast<int>(Brdf::ward_gmd);
-    const int mdf = static_cast<int>(Mdf::beckmann);  // brdf_mdf of brdf.glsl
-    return p[0] * brdf_eval(brdf, Maths<Float>::lobe(mdf, p[1], p[2]), Maths<Float>::unperturbed(),
-                            wi, wo);
+template <Mdf mdf, std::size_t first, std::size_t second>
+constexpr BrdfModel with_lobe_sampler(std::string_view name,
+                                      std::span<const ShapeParameter> parameters,
+                                      BrdfFunction<float> value_f32,
+                                      BrdfFunction<double> value_f64) {
+    return {name,
+            parameters,
+            value_f32,
+            value_f64,
+            {sample_lobe<float, mdf, first, second>, lobe_density<float, mdf, first, second>},
+            {sample_lobe<double, mdf, first, second>, lobe_density<double, mdf, first, second>}};
 }
 
 template <Brdf brdf, Mdf mdf>
 constexpr BrdfModel lobe_model(std::string_view name) {
     const bool exponents = mdf == Mdf::ashikhmin_shirley;
-    return {name, exponents ? kExponentsAndF0 : kAlphasAndF0, lobe_and_schlick<float, brdf, mdf>,
-            lobe_and_schlick<double, brdf, mdf>};
+    return with_lobe_sampler<mdf, 0, 1>(name, exponents ? kExponentsAndF0 : kAlphasAndF0,
+                                        lobe_and_schlick<float, brdf, mdf>,
+                                        lobe_and_schlick<double, brdf, mdf>);
 }
 
-constexpr std::array<BrdfModel, 5> kModels = {{
+template <Brdf brdf>
+constexpr BrdfModel ward_model(std::string_view name) {
+    return with_lobe_sampler<Mdf::beckmann, 1, 2>(
+        name, kStrengthAndAlphas, ward_family<float, brdf>, ward_family<double, brdf>);
+}
+
+constexpr std::array<BrdfModel, 13> kModels = {{
     lobe_model<Brdf::ashikhmin_shirley, Mdf::ashikhmin_shirley>("ashikhmin-shirley"),
-    {"ward-gmd", kStrengthAndAlphas, ward_gmd<float>, ward_gmd<double>},
+    {"ashikhmin-shirley-diffuse",
+     kDiffuse,
+     BURNISH_BOTH(coupled_diffuse),
+     {sample_cosine<float>, cosine_density<float>},
+     {sample_cosine<double>, cosine_density<double>}},
+    with_lobe_sampler<Mdf::ashikhmin_shirley, 0, 1>("ashikhmin-premoze-shirley", kExponentsAndF0,
+                                                    BURNISH_BOTH(ashikhmin_premoze_shirley)),
+    ward_model<Brdf::ward>("ward"),
+    ward_model<Brdf::ward_duer>("ward-duer"),
+    ward_model<Brdf::ward_gmd>("ward-gmd"),
+    with_lobe_sampler<Mdf::beckmann, 1, 1>("cook-torrance", kCookTorrance,
+                                           BURNISH_BOTH(cook_torrance)),
+    {"lafortune",
+     kLafortune,
+     BURNISH_BOTH(lafortune),
+     {sample_lafortune<float>, lafortune_density<float>},
+     {sample_lafortune<double>, lafortune_density<double>}},
+    {"phong",
+     kPhong,
+     BURNISH_BOTH(phong),
+     {sample_phong<float>, phong_density<float>},
+     {sample_phong<double>, phong_density<double>}},
+    {"he",
+     kHe,
+     BURNISH_BOTH(he),
+     {sample_he<float>, he_density<float>},
+     {sample_he<double>, he_density<double>}},
     lobe_model<Brdf::microfacet, Mdf::ggx>("ggx"),
     lobe_model<Brdf::microfacet_separable, Mdf::ggx>("ggx-separable"),
     lobe_model<Brdf::microfacet, Mdf::beckmann>("beckmann"),
 }};
+#undef BURNISH_BOTH
 
 // In the order of Mdf.
 template <Brdf brdf>

@@ -17,11 +17,23 @@ template <typename Float>
 using BrdfFunction = Float (*)(std::span<const Float, kMostBrdfParameters> p, Direction<Float> wi,
                                Direction<Float> wo);
 
+// Directions `wi` for a given `wo`. The density is per solid angle; its integral is below 1 where
+// draws are thrown away (density 0), and a drawn `wi` may lie below the horizon.
+template <typename Float>
+struct BrdfSampler {
+    // xi: uniform in [0, 1).
+    Direction<Float> (*sample)(std::span<const Float, kMostBrdfParameters> p, Direction<Float> wo,
+                               std::span<const Float, 3> xi, Float& density);
+    BrdfFunction<Float> density;
+};
+
 struct BrdfModel {
     std::string_view name;
     std::span<const ShapeParameter> parameters;  // p0, p1, ...
     BrdfFunction<float> value_f32;
     BrdfFunction<double> value_f64;
+    BrdfSampler<float> sampler_f32;
+    BrdfSampler<double> sampler_f64;
 };
 
 // Every model that a name alone tells, in the order of help texts.

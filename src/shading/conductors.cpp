@@ -44,6 +44,14 @@ Conductor conductor_preset(std::string_view name) {
     return conductors()[static_cast<std::size_t>(index_of_name(kNames, name, "metal", ""))];
 }
 
+std::string_view conductor_name(const Conductor& conductor) {
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        const Conductor& preset = conductors()[i];
+        if (preset.eta == conductor.eta && preset.k == conductor.k) return kNames[i];
+    }
+    return {};
+}
+
 glm::vec3 normal_reflectance(const Conductor& conductor) {
     const glm::vec3 below = conductor.eta - 1.0f;
     const glm::vec3 above = conductor.eta + 1.0f;

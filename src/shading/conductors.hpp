@@ -16,6 +16,9 @@ std::span<const std::string_view> conductor_names();
 // a metal that is not in the list.
 Conductor conductor_preset(std::string_view name);
 
+// The name of the preset with these numbers; empty when there is none.
+std::string_view conductor_name(const Conductor& conductor);
+
 // Reflectance at normal incidence, ((n-1)^2 + k^2) / ((n+1)^2 + k^2) per channel.
 glm::vec3 normal_reflectance(const Conductor& conductor);
 

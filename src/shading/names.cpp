@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kMdfNames = {"ashikhmin-shirley", "ward", "beckmann",
                                                        "ggx"};
-constexpr std::array<std::string_view, 4> kBrdfNames = {"microfacet", "microfacet-separable",
-                                                        "ashikhmin-shirley", "ward-gmd"};
+constexpr std::array<std::string_view, 7> kBrdfNames = {
+    "microfacet", "microfacet-separable", "ashikhmin-shirley", "ward-gmd", "ward",
+    "ward-duer",  "cook-torrance"};
 constexpr std::array<std::string_view, 9> kMethodNames = {
     "none",       "normal-map",   "gram-schmidt",  "rotate-exact", "rotate-approx",
     "rotate-arc", "follow-grain", "deform-linear", "deform-smooth"};

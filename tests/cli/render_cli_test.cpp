@@ -102,15 +102,81 @@ TEST(RenderCommand, WrongWordsAreUsageErrorsThatSuggest) {
     expect_complaint(run_burnish(render({"builtin:sphere", "--alpha-x", "9"}, out)), 2,
                      {"--alpha-x", "0.001 to 1.5", "9"});
     expect_complaint(run_burnish(render({"builtin:sphere", "--alpha-x", ".1", "--e-x", "9"}, out)),
-                     2, {"alpha", "e_"});
+                     2, {"--alpha-x and --e-x say the same thing"});
     expect_complaint(run_burnish(render({"builtin:sphere", "--light", "up"}, out)), 2,
                      {"--light", "up"});
     expect_complaint(run_burnish({"render", "builtin:sphere", "--size", "0x10", "-o", out}), 2,
                      {"--size", "1 to 16384"});
     expect_complaint(run_burnish(render({"builtin:sphere"}, folder.path("a.bmp"))), 2, {".png"});
     expect_complaint(run_burnish(render({"builtin:sphere", "--camera-index", "3"}, out)), 2,
-                     {"--camera-index", "3"});
+                     {"--camera-index: the file has no cameras"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--light", "10,95"}, out)), 2,
+                     {"--light", "-90 to 90", "95"});
+    expect_complaint(run_burnish({"render", "builtin:sphere", "--turntable", "0", "-o", out}), 2,
+                     {"--turntable: expected a whole number from 1 to 9999, found \"0\""});
+    expect_complaint(run_burnish({"render", out, "-o", out}), 1, {"no such file or folder"});
+    expect_complaint(run_burnish({"render", folder.write("in.png", "x"), "-o", out}), 1,
+                     {"in.png", "scene .json"});
+    fs::remove(folder.path("in.png"));
     EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderCommand, WhatSaysTheSameTwiceIsRefused) {
+    const Folder folder;
+    const std::string out = folder.path("a.png");
+    for (const std::string side : {"--width", "--height"}) {
+        expect_complaint(run_burnish(render({"builtin:sphere", side, "100"}, out)), 2,
+                         {"--size", "--width"});
+        expect_complaint(
+            run_burnish({"render", "builtin:sphere", side, "100", "--size", "32x32", "-o", out}), 2,
+            {"--size", "--width"});
+    }
+    expect_complaint(
+        run_burnish(
+            render({"builtin:sphere", "--compare", "none,follow-grain", "--method", "none"}, out)),
+        2, {"--compare: expected no --method"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--compare", "none,none"}, out)), 2,
+                     {"--compare: expected each method once, found none again"});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--samples", "4"}, out)), 2,
+                     {"render: --samples: expected once, found 2 times"});
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderCommand, WarnsOfTransparencyThatTheOutputCannotKeep) {
+    const Folder folder;
+    const std::vector<std::string> transparent = {"builtin:plane", "--background", "transparent"};
+    const Outcome jpeg = run_burnish(render(transparent, folder.path("a.jpg")));
+    EXPECT_EQ(jpeg.exit_code, 0);
+    EXPECT_NE(jpeg.complaint.find("warning: --background transparent: .jpg"), std::string::npos)
+        << jpeg.complaint;
+    EXPECT_EQ(run_burnish(render(transparent, folder.path("a.png"))).complaint, "");
+}
+
+TEST(RenderCommand, WarnsOfANormalMapThatIsNone) {
+    const Folder folder;
+    write_image(folder.path("grey.png"), Image(4, 4, 3, 0.6f), {});
+    const Outcome outcome = run_burnish(
+        render({"builtin:plane", "--normal-map", folder.path("grey.png")}, folder.path("a.png")));
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.complaint.find("does not look like a tangent-space normal map"),
+              std::string::npos)
+        << outcome.complaint;
+}
+
+TEST(RenderCommand, FaultsOfASceneFileNameItAndTheKey) {
+    const Folder folder;
+    const std::string scene = R"({"format": "burnish-scene", "version": 1,
+        "objects": [{"model": "builtin:plane"}], "environment": "no.hdr"})";
+    expect_complaint(run_burnish(render({folder.write("s.json", scene)}, folder.path("a.png"))), 1,
+                     {"s.json: environment: ", "no.hdr", "no such file or folder"});
+}
+
+TEST(RenderCommand, HelpHasNamesRangesAndDefaults) {
+    const std::string help = run_burnish({"render", "--help"}).output;
+    for (const char* part : {"--alpha-x NUMBER", "(0.001 to 1.5)", "--samples INTEGER",
+                             "(1 to 65536; default 64)", "--metal NAME", "--normal-map FILE",
+                             "--size WxH", "--turntable COUNT", "turn_0000.exr", "builtin:black"})
+        EXPECT_NE(help.find(part), std::string::npos) << part;
 }
 
 TEST(RenderCommand, BrokenFilesAreOneLine) {
@@ -158,6 +224,42 @@ TEST(InfoCommand, SaysWhatThereIs) {
     const Outcome studio = run_burnish({"info", "builtin:studio"});
     EXPECT_NE(studio.output.find("mean radiance"), std::string::npos) << studio.output;
     expect_complaint(run_burnish({"info"}), 2, {"--devices"});
+}
+
+TEST(InfoCommand, SaysWhatASceneFileSays) {
+    const Outcome cup = run_burnish(
+        {"info", (fs::path(BURNISH_SOURCE_DIR) / "examples/scenes/brushed_cup.json").string()});
+    EXPECT_EQ(cup.exit_code, 0);
+    for (const char* part : {"material turned copper: metal copper, alpha (0.08, 0.35)",
+                             "environment: builtin:studio", "camera of the picture: at ("})
+        EXPECT_NE(cup.output.find(part), std::string::npos) << part << "\n" << cup.output;
+    EXPECT_EQ(cup.output.find("base colour"), std::string::npos) << cup.output;
+}
+
+TEST(InfoCommand, GroupsMaterialsThatDifferInNumbersAlone) {
+    const Folder folder;
+    std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib m.mtl\n", mtl;
+    for (int i = 0; i < 20; ++i) {
+        const std::string name = "paint" + std::to_string(i);
+        obj += "usemtl " + name + "\nf 1 2 3\n";
+        mtl += "newmtl " + name + "\nKd 0.5 0." + std::to_string(100 + i) + " 0.5\n";
+    }
+    folder.write("m.mtl", mtl);
+    const Outcome info = run_burnish({"info", folder.write("m.obj", obj)});
+    EXPECT_EQ(info.exit_code, 0) << info.complaint;
+    EXPECT_NE(info.output.find("paint0 .. paint19 (20 materials)"), std::string::npos)
+        << info.output;
+    EXPECT_NE(info.output.find(".."), std::string::npos);
+    EXPECT_EQ(info.output.find("paint7"), std::string::npos) << info.output;
+}
+
+TEST(InfoCommand, KeepsToWhatTheFileSaysOfItself) {
+    const Folder folder;
+    write_image(folder.path("a.exr"), Image(4, 4, 3, 0.5f), {{"burnish:command", "x"}});
+    const Outcome info = run_burnish({"info", folder.path("a.exr")});
+    EXPECT_NE(info.output.find("burnish:command: x"), std::string::npos) << info.output;
+    EXPECT_EQ(info.output.find("oiio:"), std::string::npos) << info.output;
+    EXPECT_EQ(info.output.find("screenWindow"), std::string::npos) << info.output;
 }
 
 }  // namespace

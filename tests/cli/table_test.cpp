@@ -181,7 +181,7 @@ TEST_F(Table, StandardInputAndOutput) {
 TEST_F(Table, InputsThatCannotBeRead) {
     const std::string out = folder_.path("out.csv");
     expect_complaint(run_burnish({"mdf", "eval", "--in", folder_.path("none.csv"), "--out", out}),
-                     1, {"none.csv", "No such file"});
+                     1, {"none.csv", "no such file"});
     expect_complaint(run_burnish({"mdf", "eval", "--in", folder_.path(""), "--out", out}), 1,
                      {"readable file"});
     expect_complaint(run_burnish({"mdf", "eval", "--in", "/dev/zero", "--out", out}), 1,
@@ -207,7 +207,7 @@ TEST_F(Table, AFileSizeLimitIsAnErrorNotADeath) {
     const std::string out = folder_.write("out.csv", "old");
     expect_complaint(
         run_burnish({"mdf", "eval", "--in", in, "--out", out}, {.file_size_limit = 65536}), 1,
-        {"out.csv", "too large"});
+        {"out.csv", "file size limit"});
     EXPECT_EQ(contents_of(out), "old");
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"in.csv", "out.csv"}));
 }

@@ -65,10 +65,17 @@ TEST(Usage, UnexpectedWordsAreRefused) {
 }
 
 TEST(Usage, MissingValuesAreNamed) {
-    expect_complaint(run_burnish({"mdf", "eval", "--in", "a"}), 2, {"--out", "required"});
-    expect_complaint(run_burnish({"mdf", "eval", "--out", "b", "--in"}), 2, {"--in"});
+    expect_complaint(run_burnish({"mdf", "eval", "--in", "a"}), 2,
+                     {"mdf eval: --out: expected a value, found none"});
+    expect_complaint(run_burnish({"mdf", "eval", "--out", "b", "--in"}), 2,
+                     {"mdf eval: --in: expected a value, found none"});
     expect_complaint(run_burnish({"mdf", "eval", "--in", "a", "--in", "b", "--out", "c"}), 2,
-                     {"--in"});
+                     {"mdf eval: --in: expected once, found 2 times"});
+    expect_complaint(run_burnish({"render", "builtin:plane", "-o", "a.png", "--conserve=maybe"}), 2,
+                     {"--conserve: expected", "maybe"});
+    expect_complaint(run_burnish({"render", "-o", "a.png"}), 2, {"render: input: expected"});
+    expect_complaint(run_burnish({"mdf", "eval", "--in", "no.csv", "--out", "b"}), 1,
+                     {"no.csv: expected a readable file, found no such file or folder"});
 }
 
 TEST(Usage, UnknownChoicesSuggestTheNearest) {

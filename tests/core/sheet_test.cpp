@@ -126,6 +126,30 @@ TEST(Difference, GrowsInLightnessUpToOneOverGain) {
               difference_image(a, Image(1, 1, 1, 0.9f), 4.0f).pixels);
 }
 
+// Differences of 1/256 .. n/256 over one row.
+Image even_steps(int n) {
+    Image image(n, 1, 1);
+    for (int x = 0; x < n; ++x) image.at(x, 0)[0] = static_cast<float>(x + 1) / 256.0f;
+    return image;
+}
+
+TEST(Difference, GainClipsNoMoreThanAFewOfThePixelsThatDiffer) {
+    const Image black(200, 1, 1, 0.0f);
+    // The 98 % quantile of 1..200 of 256 is 0.77: times 1 it fits, times 1.5 it does not.
+    EXPECT_EQ(difference_gain(black, {even_steps(200)}), 1.0f);
+    const Image low(20, 1, 1, 0.0f);
+    EXPECT_EQ(difference_gain(low, {even_steps(20)}), 12.0f);  // 19/256 x 12 = 0.89
+    // One pixel in a hundred may clip, one in ten may not; all the same is no difference at all.
+    Image spiked(100, 1, 1, 0.1f);
+    spiked.at(50, 0)[0] = 0.9f;
+    const Image flat(100, 1, 1, 0.0f);
+    EXPECT_EQ(difference_gain(flat, {spiked}), 8.0f);
+    for (int x = 0; x < 10; ++x) spiked.at(x, 0)[0] = -0.9f;
+    EXPECT_EQ(difference_gain(flat, {spiked}), 1.0f);
+    EXPECT_EQ(difference_gain(flat, {flat, Image(100, 1, 1, 0.001f)}), 1.0f);
+    EXPECT_EQ(difference_gain(flat, {Image(100, 1, 1, std::nanf(""))}), 1.0f);
+}
+
 TEST(Difference, ShowsNanInMagenta) {
     const Image a(1, 1, 3, 0.0f), b(1, 1, 3, std::numeric_limits<float>::quiet_NaN());
     EXPECT_EQ(difference_image(a, b).pixels, (std::vector<float>{1.0f, 0.0f, 1.0f}));

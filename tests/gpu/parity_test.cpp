@@ -178,7 +178,7 @@ TEST_F(Parity, EveryDistributionAndMethodAgrees) {
 }
 
 TEST_F(Parity, EveryModelAgrees) {
-    for (int brdf = 0; brdf <= f32::kBrdfWardGmd; ++brdf) {
+    for (int brdf = 0; brdf <= f32::kBrdfCookTorrance; ++brdf) {
         const Worst worst = compare(f32::kMdfGgx, brdf, f32::kMethodFollowGrain, {0.5f, 0.2f});
         EXPECT_LT(worst.f, kBound) << name_of(static_cast<Brdf>(brdf));
         EXPECT_LT(worst.pdf, kBound) << name_of(static_cast<Brdf>(brdf));

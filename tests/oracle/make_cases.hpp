@@ -56,4 +56,10 @@ struct BrdfCase {
 // `n` cases. Models take turns.
 std::vector<BrdfCase> brdf_cases(unsigned seed, std::size_t n);
 
+// `n` cases of one of the models of further_brdfs.hpp or of ggx-separable. Exponents 0 .. 10000,
+// alphas 0.01 .. 1, |Cx|, |Cy|, |Cz| <= 2 with |(Cx ix, Cy iy, Cz iz)| near 1 or below where n is
+// large, sigma 0.001 .. 5 (g 1e-4 .. 4000), tau 0.1 .. 1000. Kinds as above, and
+//   skimming i, o or both 89.9 degrees from n
+std::vector<BrdfCase> further_cases(const std::string& brdf, unsigned seed, std::size_t n);
+
 }  // namespace burnish::oracle

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "further_brdfs.hpp"
+
 namespace burnish::oracle {
 
 namespace {
@@ -330,10 +332,6 @@ long double mdf_wobble(const std::string& mdf, long double p0, long double p1,
 
 namespace {
 
-long double schlick(long double f0, long double cosine) {
-    return f0 + (1 - f0) * powl(std::max(1 - cosine, 0.0L), 5);  // rounding: cosine may exceed 1
-}
-
 // Smith's Lambda. slope^2 = (ax^2 wx^2 + ay^2 wy^2) / wz^2 is the variance-like slope seen from w.
 long double smith_lambda(const std::string& mdf, long double alpha_x, long double alpha_y, Vec3 w) {
     const long double slope = sqrtl(sqr(alpha_x * w.x) + sqr(alpha_y * w.y)) / w.z;
@@ -387,7 +385,9 @@ long double brdf_eval(const std::string& brdf, std::array<long double, 5> p, Vec
     if (brdf == "ggx") return lit ? microfacet("ggx", true, p[0], p[1], p[2], i, o) : 0;
     if (brdf == "ggx-separable") return lit ? microfacet("ggx", false, p[0], p[1], p[2], i, o) : 0;
     if (brdf == "beckmann") return lit ? microfacet("beckmann", true, p[0], p[1], p[2], i, o) : 0;
-    unknown("brdf", brdf);
+    const std::vector<std::string>& further = further_brdf_names();
+    if (std::find(further.begin(), further.end(), brdf) == further.end()) unknown("brdf", brdf);
+    return lit ? further_brdf_eval(brdf, p, i, o) : 0;
 }
 
 long double brdf_wobble(const std::string& brdf, std::array<long double, 5> p, Vec3 i_in, Vec3 o_in,

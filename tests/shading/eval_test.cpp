@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "brdf_cases.hpp"
 #include "shading/brdf_models.hpp"
 #include "shading/mdf.hpp"
 
@@ -77,17 +78,13 @@ TEST(BrdfModels, NamesAreUniqueAndParametersFit) {
 }
 
 TEST(BrdfModels, FloatFollowsDouble) {
-    for (const BrdfModel& model : brdf_models()) {
-        std::array<double, kMostBrdfParameters> p{};
+    for (const test::BrdfCase& c : test::brdf_cases()) {
         std::array<float, kMostBrdfParameters> q{};
-        for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-            p[i] = model.parameters[i].high > 2 ? 30.0 : 0.3;
-            q[i] = static_cast<float>(p[i]);
-        }
-        const double full = model.value_f64(p, tilted<double>(50, 10), tilted<double>(40, 170));
-        const float single = model.value_f32(q, tilted<float>(50, 10), tilted<float>(40, 170));
+        for (std::size_t i = 0; i < q.size(); ++i) q[i] = static_cast<float>(c.p[i]);
+        const double full = c.f(tilted<double>(50, 10), tilted<double>(40, 170));
+        const float single = c.model->value_f32(q, tilted<float>(50, 10), tilted<float>(40, 170));
         EXPECT_GT(full, 0.0);
-        EXPECT_NEAR(single, full, 1e-5 * full) << model.name;
+        EXPECT_NEAR(single, full, 1e-5 * full) << test::label(c);
     }
 }
 

@@ -2,72 +2,11 @@
 // against a plate that is really tilted.
 #include <gtest/gtest.h>
 
+#include "highlight.hpp"
 #include "lobes_under_test.hpp"
 
 namespace burnish::test {
 namespace {
-
-using Radiance = std::function<double(vec3 wi)>;
-
-double angle_deg(vec3 a, vec3 b) {
-    return std::atan2(f64::length(f64::cross(a, b)), f64::dot(a, b)) * 180 / kPi;
-}
-
-// The direction that maximises `radiance`: a grid over the sphere, then ever finer ones around the
-// best point.
-vec3 brightest(const Radiance& radiance) {
-    vec3 best{0, 0, 1};
-    double best_value = -1;
-    double reach = kPi;
-    vec3 center = direction(1e-4, 0.3);
-    for (int level = 0; level < 12; ++level) {
-        const Axes axes(center);
-        const int rings = level == 0 ? 360 : 24;
-        const int sectors = level == 0 ? 720 : 48;
-        for (int i = 0; i < rings; ++i) {
-            for (int j = 0; j < sectors; ++j) {
-                const vec3 wi = axes.at(reach * i / rings, 2 * kPi * j / sectors);
-                const double value = radiance(wi);
-                if (value > best_value) {
-                    best_value = value;
-                    best = wi;
-                }
-            }
-        }
-        center = best;
-        reach = level == 0 ? 0.02 : reach * 0.4;
-    }
-    return best;
-}
-
-Radiance mapped_plate(const LobeCase& c, int method, vec3 n, vec3 wo) {
-    const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
-    const f64::Perturbation p = perturbation(c, method, n);
-    return [=](vec3 wi) {
-        return f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, wi, wo) * f64::dot(p.n, wi);
-    };
-}
-
-// A plate whose geometry lies in the plane of normal n: an unperturbed lobe in the frame that its
-// own surface has. The height field z = -(n.x x + n.y y)/n.z carries the tangent to
-// (1, 0, -n.x/n.z) and the bitangent to (0, 1, -n.y/n.z); grooves keep to their carried direction.
-Radiance tilted_plate(const LobeCase& c, vec3 n, vec3 wo) {
-    const bool along_x = c.mdf == f64::kMdfAshikhminShirley ? c.p0 >= c.p1 : c.p0 <= c.p1;
-    const vec3 carried = along_x ? vec3{1, 0, -n.x / n.z} : vec3{0, 1, -n.y / n.z};
-    const vec3 groove = f64::normalize(carried);
-    const vec3 across = f64::cross(n, groove);
-    const vec3 x_axis = along_x ? groove : -across;
-    const vec3 y_axis = f64::cross(n, x_axis);
-    const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
-    const f64::Perturbation flat = f64::perturb_make(f64::kMethodNone, {0, 0, 1}, true, false);
-    const auto local = [=](vec3 w) {
-        return vec3{f64::dot(x_axis, w), f64::dot(y_axis, w), f64::dot(n, w)};
-    };
-    return [=](vec3 wi) {
-        return f64::brdf_eval(f64::kBrdfMicrofacet, lobe, flat, local(wi), local(wo)) *
-               f64::dot(n, wi);
-    };
-}
 
 TEST(Highlight, SeenAlongThePerturbedNormalItIsTheMirrorDirection) {
     for (const LobeCase& c : {LobeCase{f64::kMdfGgx, 0.1, 0.5}, LobeCase{f64::kMdfBeckmann, 0.4, 0.1},

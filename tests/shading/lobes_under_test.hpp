@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "burnish/shading_names.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
+#include "burnish/shading_names.hpp"
 
 namespace burnish::test {
 
@@ -22,9 +22,12 @@ struct LobeCase {
 };
 
 inline std::vector<LobeCase> lobe_cases() {
-    return {{f64::kMdfAshikhminShirley, 200, 10}, {f64::kMdfAshikhminShirley, 1, 40},
-            {f64::kMdfWard, 0.15, 0.5},           {f64::kMdfWard, 0.4, 0.2},
-            {f64::kMdfBeckmann, 0.15, 0.5},       {f64::kMdfGgx, 0.15, 0.5},
+    return {{f64::kMdfAshikhminShirley, 200, 10},
+            {f64::kMdfAshikhminShirley, 1, 40},
+            {f64::kMdfWard, 0.15, 0.5},
+            {f64::kMdfWard, 0.4, 0.2},
+            {f64::kMdfBeckmann, 0.15, 0.5},
+            {f64::kMdfGgx, 0.15, 0.5},
             {f64::kMdfGgx, 0.8, 0.3}};
 }
 
