@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
         burnish::bench::measure_frames(report);
         burnish::bench::measure_loading(report);
         burnish::bench::measure_first_picture(report);
+        burnish::bench::measure_scratches(report);
         burnish::bench::measure_distributions(report);
         const std::string text = to_markdown(report);
         std::fputs(text.c_str(), stdout);

@@ -28,6 +28,7 @@ std::string to_markdown(const Report& report);
 void measure_frames(Report& report);
 void measure_loading(Report& report);
 void measure_first_picture(Report& report);
+void measure_scratches(Report& report);
 void measure_distributions(Report& report);
 
 }  // namespace burnish::bench

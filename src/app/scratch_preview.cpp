@@ -87,9 +87,9 @@ Sheet scratch_preview(const ScratchMaps& maps) {
     const int corner = (maps.size - side) / 4;
     const Part part{corner, corner, side};
     const float rms = rms_slope_of(maps);
-    const auto [low, high] =
-        std::minmax_element(maps.height.pixels.begin(), maps.height.pixels.end());
-    const float range = std::max(*high - *low, 1e-12f);
+    const auto ends = std::minmax_element(maps.height.pixels.begin(), maps.height.pixels.end());
+    const float low = *ends.first, high = *ends.second;
+    const float range = std::max(high - low, 1e-12f);
     const Image lit = part_image(part, [&](int x, int y, float* rgb) {
         const auto [sx, sy] = slope_at(maps, x, y);
         grey(relief(sx, sy, rms), rgb);
@@ -102,7 +102,7 @@ Sheet scratch_preview(const ScratchMaps& maps) {
         rgb[2] = 0.5f + scale;
     });
     const Image heights = part_image(
-        part, [&](int x, int y, float* rgb) { grey((*maps.height.at(x, y) - *low) / range, rgb); });
+        part, [&](int x, int y, float* rgb) { grey((*maps.height.at(x, y) - low) / range, rgb); });
     const Image directions = part_image(
         part, [&](int x, int y, float* rgb) { direction_color(maps.direction.at(x, y), rgb); });
     const double part_mm = maps.tile_mm * side / maps.size;
@@ -111,8 +111,8 @@ Sheet scratch_preview(const ScratchMaps& maps) {
           {tile_relief(maps, 2), "relief, two by two tiles"},
           {lit, fmt::format("relief, texel by texel ({:.3g} mm)", part_mm)}},
          {{normals, "normal"},
-          {heights, fmt::format("height, {:.3g} to {:.3g} mm", static_cast<double>(*low),
-                                static_cast<double>(*high))},
+          {heights, fmt::format("height, {:.3g} to {:.3g} mm", static_cast<double>(low),
+                                static_cast<double>(high))},
           {directions, "groove direction (red along x, cyan along y)"}}});
 }
 

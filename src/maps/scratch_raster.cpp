@@ -21,36 +21,52 @@ constexpr double kFlat = 0.01;
 constexpr float kGrooveShare = 0.6f;
 constexpr float kLipScale = (2.0f / kGrooveShare) * (1.0f - kGrooveShare);
 
+float larger(float a, float b) {
+    return a > b ? a : b;
+}
+
+float smaller(float a, float b) {
+    return a < b ? a : b;
+}
+
 // Depth at q = |v| / half width, 0..1, as a share of the depth; negative is a lip.
 template <ScratchProfile profile>
 float profile_depth(float q, float a, float b, float c) {
     if constexpr (profile == ScratchProfile::round) {
         const float q2 = q * q;
-        return b * (1.0f - q2) / (std::sqrt(a - b * q2) + c);
+        // 1e-12: a hemisphere's rim is upright, nothing over nothing.
+        return b * (1.0f - q2) / (std::sqrt(larger(a - b * q2, 1e-12f)) + c);
     } else if constexpr (profile == ScratchProfile::v) {
         return 1.0f - q;
     } else {
         const float u = q * (1.0f / kGrooveShare);
         const float s = (q - kGrooveShare) * (1.0f / (1.0f - kGrooveShare));
-        return q < kGrooveShare ? 1.0f - u * u : -kLipScale * s * (1.0f - s) * (1.0f - s);
+        const float floor = 1.0f - u * u, lip = -kLipScale * s * (1.0f - s) * (1.0f - s);
+        return q < kGrooveShare ? floor : lip;
     }
 }
 
-// atan(x) / x: series below 1/4 (the next term is under 2e-8), the library beyond.
-float arc_ratio(float y, float x) {
-    const float t = y / x;
-    if (x > 0.0f && std::abs(t) < 0.25f) {
-        const float t2 = t * t;
-        return t * (1.0f - t2 * (1.0f / 3.0f -
-                                 t2 * (1.0f / 5.0f -
-                                       t2 * (1.0f / 7.0f - t2 * (1.0f / 9.0f - t2 / 11.0f)))));
-    }
-    return std::atan2(y, x);
+// How a stroke runs: what is known of all its texels chooses the loop.
+enum class Run {
+    straight,
+    arc,  // within kArcTurn of its middle
+    ring  // any part of a circle
+};
+
+// tan of the largest angle from the middle for which the series of atan is cut at t^11: the next
+// term is under 1e-7 of it.
+constexpr float kArcTurn = 0.3f;
+
+float series_atan(float t) {
+    const float t2 = t * t;
+    return t * (1.0f - t2 * (1.0f / 3.0f -
+                             t2 * (1.0f / 5.0f -
+                                   t2 * (1.0f / 7.0f - t2 * (1.0f / 9.0f - t2 * (1.0f / 11.0f))))));
 }
 
 // The stroke relative to a block, in float: positions inside a block keep their digits.
 struct Pen {
-    float mx, my, tx, ty, nx, ny, k, half_length, inverse_width, inverse_taper, taper_begin, depth;
+    float mx, my, tx, ty, nx, ny, k, inverse_k, inverse_width, inverse_taper, taper_begin, depth;
     float a, b, c;
 };
 
@@ -58,39 +74,65 @@ struct Span {
     int begin, end;
 };
 
-template <ScratchProfile profile>
-void draw_span(const Pen& pen, Span span, int y, BlockBuffers& block) {
-    const float dy = static_cast<float>(y) + 0.5f - pen.my;
-    const std::size_t row = block.at(0, y);
-    for (int x = span.begin; x < span.end; ++x) {
-        const float dx = static_cast<float>(x) + 0.5f - pen.mx;
-        const float dt = dx * pen.tx + dy * pen.ty, dn = dx * pen.nx + dy * pen.ny;
-        float v = dn, s = dt, lx = pen.nx, ly = pen.ny, squared = 1.0f;
-        if (pen.k != 0.0f) {
+// What a stroke leaves on the texels of a row: heights, and (lx, ly)^2 over `squared` the double
+// angle of the left normal. Arithmetic alone, so that compilers work on several texels at a time.
+struct RowOfTexels {
+    float h[kBlock], c2[kBlock], s2[kBlock];
+};
+
+template <ScratchProfile profile, Run run>
+void compute_span(const Pen& pen, int begin, int count, float dy, RowOfTexels& out) {
+    const Pen p = pen;
+    for (int i = 0; i < count; ++i) {
+        const float dx = static_cast<float>(begin + i) + 0.5f - p.mx;
+        const float dt = dx * p.tx + dy * p.ty, dn = dx * p.nx + dy * p.ny;
+        float v = dn, s = dt, lx = p.nx, ly = p.ny, squared = 1.0f;
+        if constexpr (run != Run::straight) {
             // From the arc's centre: left of the arc by v, along it by s.
-            const float along = pen.k * dt, out = 1.0f - pen.k * dn;
-            squared = out * out + along * along;
-            v = (2.0f * dn - pen.k * (dx * dx + dy * dy)) / (1.0f + std::sqrt(squared));
-            s = arc_ratio(along, out) / pen.k;
-            lx = pen.nx - pen.k * dx;
-            ly = pen.ny - pen.k * dy;
+            const float along = p.k * dt, ahead = 1.0f - p.k * dn;
+            squared = ahead * ahead + along * along;
+            v = (2.0f * dn - p.k * (dx * dx + dy * dy)) / (1.0f + std::sqrt(squared));
+            lx = p.nx - p.k * dx;
+            ly = p.ny - p.k * dy;
+            if constexpr (run == Run::arc) {
+                // Texels further round, behind the centre too, are held beyond the stroke's end.
+                // 1e-30: at the centre itself.
+                const float least = std::abs(along) * (1.0f / kArcTurn) + 1e-30f;
+                s = series_atan(along / larger(ahead, least)) * p.inverse_k;
+            } else {
+                s = std::atan2(along, ahead) * p.inverse_k;
+            }
         }
         // Width and depth shrink together along the taper, as an ellipsoid's section does.
-        const float over = std::max(std::abs(s) - pen.taper_begin, 0.0f) * pen.inverse_taper;
-        const float left = 1.0f - over * over;
-        if (left <= 0.0f) continue;
-        const float envelope = std::sqrt(left);
-        const float q = std::abs(v) * pen.inverse_width / envelope;
-        if (q >= 1.0f) continue;
-        const float h = -pen.depth * envelope * profile_depth<profile>(q, pen.a, pen.b, pen.c);
-        const std::size_t i = row + static_cast<std::size_t>(x);
-        block.groove[i] = std::min(block.groove[i], h);
-        if constexpr (profile == ScratchProfile::burr) block.lip[i] = std::max(block.lip[i], h);
-        if (std::abs(h) > block.score[i]) {
-            block.score[i] = std::abs(h);
-            // From the left normal (lx, ly), y down: the tangent, y up, is (-ly, -lx).
-            block.c2[i] = (ly * ly - lx * lx) / squared;
-            block.s2[i] = 2.0f * lx * ly / squared;
+        const float over = larger(std::abs(s) - p.taper_begin, 0.0f) * p.inverse_taper;
+        // 1e-12: where nothing is left q is large and cut off, not nothing over nothing.
+        const float envelope = std::sqrt(larger(1.0f - over * over, 1e-12f));
+        const float q = smaller(std::abs(v) * p.inverse_width / envelope, 1.0f);
+        out.h[i] = -p.depth * envelope * profile_depth<profile>(q, p.a, p.b, p.c);
+        // From the left normal (lx, ly), y down: the tangent, y up, is (-ly, -lx). 1e-12: a stroke
+        // may cover the centre of its own circle.
+        const float inverse = 1.0f / larger(squared, 1e-12f);
+        out.c2[i] = (ly * ly - lx * lx) * inverse;
+        out.s2[i] = 2.0f * lx * ly * inverse;
+    }
+}
+
+template <ScratchProfile profile, Run run>
+void draw_span(const Pen& pen, Span span, int y, BlockBuffers& block) {
+    RowOfTexels texels;
+    const int count = span.end - span.begin;
+    compute_span<profile, run>(pen, span.begin, count, static_cast<float>(y) + 0.5f - pen.my,
+                               texels);
+    const std::size_t row = block.at(span.begin, y);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(count, 0)); ++i) {
+        const float h = texels.h[i];
+        block.groove[row + i] = smaller(block.groove[row + i], h);
+        if constexpr (profile == ScratchProfile::burr)
+            block.lip[row + i] = larger(block.lip[row + i], h);
+        if (std::abs(h) > block.score[row + i]) {
+            block.score[row + i] = std::abs(h);
+            block.c2[row + i] = texels.c2[i];
+            block.s2[row + i] = texels.s2[i];
         }
     }
 }
@@ -126,8 +168,8 @@ int band_intervals(const TexelStroke& stroke, double dy, double (&intervals)[2][
     return 2;
 }
 
-template <ScratchProfile profile>
-void draw(const TexelStroke& stroke, double x, double y, BlockBuffers& block) {
+template <ScratchProfile profile, Run run>
+void draw_run(const TexelStroke& stroke, double x, double y, BlockBuffers& block) {
     const auto f = [](double value) { return static_cast<float>(value); };
     const double taper = stroke.half_length - stroke.taper_begin;
     const Pen pen{f(x),
@@ -137,7 +179,7 @@ void draw(const TexelStroke& stroke, double x, double y, BlockBuffers& block) {
                   f(stroke.nx),
                   f(stroke.ny),
                   f(stroke.k),
-                  f(stroke.half_length),
+                  f(stroke.k == 0.0 ? 0.0 : 1.0 / stroke.k),
                   f(1.0 / stroke.half_width),
                   f(1.0 / taper),
                   f(stroke.taper_begin),
@@ -147,7 +189,8 @@ void draw(const TexelStroke& stroke, double x, double y, BlockBuffers& block) {
                   f(stroke.cap_c)};
     const int low_y = std::max(0, static_cast<int>(std::floor(y + stroke.low_y)));
     const int high_y = std::min(block.height, static_cast<int>(std::ceil(y + stroke.high_y)) + 1);
-    const double low_x = x + stroke.low_x, high_x = x + stroke.high_x;
+    const double low_x = x + static_cast<double>(stroke.low_x);
+    const double high_x = x + static_cast<double>(stroke.high_x);
     for (int row = low_y; row < high_y; ++row) {
         double intervals[2][2];
         const int count = band_intervals(stroke, row + 0.5 - y, intervals);
@@ -156,9 +199,19 @@ void draw(const TexelStroke& stroke, double x, double y, BlockBuffers& block) {
             const double to = std::min({x + intervals[i][1], high_x, block.width - 0.5});
             const Span span{std::max(0, static_cast<int>(std::ceil(from - 0.5))),
                             std::min(block.width, static_cast<int>(std::floor(to - 0.5)) + 1)};
-            draw_span<profile>(pen, span, row, block);
+            draw_span<profile, run>(pen, span, row, block);
         }
     }
+}
+
+template <ScratchProfile profile>
+void draw(const TexelStroke& stroke, double x, double y, BlockBuffers& block) {
+    if (stroke.k == 0.0) return draw_run<profile, Run::straight>(stroke, x, y, block);
+    // The series has to reach a little beyond the end, where the taper cuts the stroke off.
+    const double turn = 1.02 * std::tan(std::min(stroke.half_length * std::abs(stroke.k), 1.5));
+    if (turn < static_cast<double>(kArcTurn))
+        return draw_run<profile, Run::arc>(stroke, x, y, block);
+    draw_run<profile, Run::ring>(stroke, x, y, block);
 }
 
 // Steps along a stroke, short enough for each to lie within one block and its neighbours.

@@ -127,10 +127,10 @@ void aim(ScratchLayer& layer, ScratchField field, double angle_deg, double range
 // Grinding belt: dense fine lines in one direction, a few that cut deeper.
 std::vector<ScratchLayer> brushed() {
     ScratchLayer fine =
-        layer_of(700, lognormal(14, 0.5), lognormal(0.06, 0.35), lognormal(0.0028, 0.5));
+        layer_of(420, lognormal(14, 0.5), lognormal(0.09, 0.35), lognormal(0.0065, 0.5));
     aim(fine, ScratchField::constant, 0, 1.2);
     ScratchLayer deeper =
-        layer_of(25, lognormal(18, 0.5), lognormal(0.09, 0.3), lognormal(0.007, 0.4));
+        layer_of(18, lognormal(18, 0.5), lognormal(0.12, 0.3), lognormal(0.015, 0.4));
     aim(deeper, ScratchField::constant, 0, 2.5);
     deeper.profile = ScratchProfile::v;
     return {fine, deeper};
@@ -139,10 +139,10 @@ std::vector<ScratchLayer> brushed() {
 // Handling: hairlines of every direction, short and long.
 std::vector<ScratchLayer> fine_random() {
     ScratchLayer hair =
-        layer_of(60, lognormal(4.5, 0.7), lognormal(0.05, 0.3), lognormal(0.0035, 0.5));
+        layer_of(22, lognormal(5, 0.7), lognormal(0.1, 0.3), lognormal(0.012, 0.5));
     hair.curvature_per_mm = {Shape::normal, 0.0, 0.03};
     ScratchLayer faint =
-        layer_of(160, lognormal(2.5, 0.6), lognormal(0.05, 0.25), lognormal(0.0016, 0.4));
+        layer_of(70, lognormal(2.5, 0.6), lognormal(0.07, 0.25), lognormal(0.005, 0.4));
     faint.curvature_per_mm = {Shape::normal, 0.0, 0.05};
     return {hair, faint};
 }
@@ -159,7 +159,7 @@ std::vector<ScratchLayer> deep_gouges() {
     nick.profile = ScratchProfile::burr;
     nick.curvature_per_mm = {Shape::normal, 0.0, 0.05};
     ScratchLayer hair =
-        layer_of(30, lognormal(5, 0.6), lognormal(0.05, 0.3), lognormal(0.0025, 0.5));
+        layer_of(20, lognormal(5, 0.6), lognormal(0.08, 0.3), lognormal(0.007, 0.5));
     hair.curvature_per_mm = {Shape::normal, 0.0, 0.03};
     return {gouge, nick, hair};
 }
@@ -167,10 +167,10 @@ std::vector<ScratchLayer> deep_gouges() {
 // Turned or spun against an abrasive: concentric about the middle of the tile, a full face.
 std::vector<ScratchLayer> circular_brushed() {
     ScratchLayer fine =
-        layer_of(800, lognormal(11, 0.5), lognormal(0.06, 0.35), lognormal(0.0028, 0.5));
+        layer_of(450, lognormal(12, 0.5), lognormal(0.09, 0.35), lognormal(0.0065, 0.5));
     aim(fine, ScratchField::circular, 0, 0.8);
     ScratchLayer deeper =
-        layer_of(30, lognormal(16, 0.5), lognormal(0.09, 0.3), lognormal(0.007, 0.4));
+        layer_of(20, lognormal(17, 0.5), lognormal(0.12, 0.3), lognormal(0.015, 0.4));
     aim(deeper, ScratchField::circular, 0, 1.2);
     deeper.profile = ScratchProfile::v;
     return {fine, deeper};
@@ -179,10 +179,10 @@ std::vector<ScratchLayer> circular_brushed() {
 // A buffing pad: shallow arcs of a few millimetres' radius, any direction.
 std::vector<ScratchLayer> swirl_marks() {
     ScratchLayer arcs =
-        layer_of(110, lognormal(9, 0.5), lognormal(0.045, 0.25), lognormal(0.0022, 0.45));
+        layer_of(45, lognormal(8, 0.5), lognormal(0.09, 0.25), lognormal(0.008, 0.45));
     arcs.curvature_per_mm = lognormal(0.16, 0.5);
     ScratchLayer wide =
-        layer_of(8, lognormal(16, 0.4), lognormal(0.06, 0.25), lognormal(0.004, 0.4));
+        layer_of(4, lognormal(16, 0.4), lognormal(0.11, 0.25), lognormal(0.014, 0.4));
     wide.curvature_per_mm = lognormal(0.09, 0.3);
     return {arcs, wide};
 }
@@ -192,14 +192,14 @@ std::vector<ScratchLayer> swirl_marks() {
 std::vector<ScratchLayer> tool_marks() {
     ScratchLayer furrow =
         layer_of(11, {Shape::normal, 30, 0.8}, lognormal(0.5, 0.1), lognormal(0.016, 0.2));
-    furrow.curvature_per_mm = constant_spread(0.04);
+    furrow.curvature_per_mm = constant_spread(0.014);
     furrow.taper = 0.25;
     aim(furrow, ScratchField::constant, 90, 0.25);
     furrow.placement = ScratchPlacement::even;
     furrow.passes = 2;
     ScratchLayer drag =
         layer_of(40, {Shape::normal, 28, 2}, lognormal(0.06, 0.3), lognormal(0.0025, 0.4));
-    drag.curvature_per_mm = constant_spread(0.04);
+    drag.curvature_per_mm = constant_spread(0.014);
     drag.taper = 0.6;
     aim(drag, ScratchField::constant, 90, 0.4);
     drag.placement = ScratchPlacement::even;

@@ -90,11 +90,16 @@ void store_normal(std::array<float, 2> slope, float* rgb) {
 
 std::array<float, 2> slope_at(const ScratchMaps& maps, int x, int y) {
     const int n = maps.size;
-    const auto h = [&](int column, int row) { return *maps.height.at(column, row); };
-    const auto per_mm = static_cast<float>(0.5 * n / maps.tile_mm);
     const int left = x > 0 ? x - 1 : n - 1, right = x + 1 < n ? x + 1 : 0;
-    const int above = y > 0 ? y - 1 : n - 1, below = y + 1 < n ? y + 1 : 0;
-    return {per_mm * (h(right, y) - h(left, y)), per_mm * (h(x, above) - h(x, below))};
+    const float* above = maps.height.at(0, y > 0 ? y - 1 : n - 1);
+    const float* here = maps.height.at(0, y);
+    const float* below = maps.height.at(0, y + 1 < n ? y + 1 : 0);
+    const auto per_mm = static_cast<float>(n / (32.0 * maps.tile_mm));
+    const float dx = 3.0f * ((above[right] - above[left]) + (below[right] - below[left])) +
+                     10.0f * (here[right] - here[left]);
+    const float dy = 3.0f * ((above[left] - below[left]) + (above[right] - below[right])) +
+                     10.0f * (above[x] - below[x]);
+    return {per_mm * dx, per_mm * dy};
 }
 
 SlopeMoments slope_moments(const ScratchMaps& maps, int x, int y) {
