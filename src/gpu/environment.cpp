@@ -99,7 +99,7 @@ void EnvironmentMaps::bind(Program& program, float intensity, float rotation) co
         glActiveTexture(GL_TEXTURE0 + kLobeUnit);
         glBindTexture(GL_TEXTURE_CUBE_MAP, lobes_->texture());
         glBindSampler(kLobeUnit, sampler_.get());
-        program.set("u_lobe_alpha", lobes_->first_alpha());
+        program.set("u_lobe_log2_alpha", std::log2(lobes_->first_alpha()));
     }
     program.set("u_lobes", static_cast<int>(kLobeUnit));
     program.set("u_environment", static_cast<int>(kEnvironmentUnit));
