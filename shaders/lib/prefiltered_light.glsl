@@ -7,12 +7,11 @@
 // line through its middle that the reflection stretches most.
 
 // Equal shares of the lobe. Fitted on spheres under two real environments (docs/image-light.md): how
-// far towards the rim of the cap the outermost reach, and the width of the lobe that is read against
-// that of the share, at the middle and what the rim adds. A share is narrower than its round lobe.
-const int kLookUps = 6;
+// far towards the rim of the cap the outermost reach, and the width of what is read against that of the
+// lobe beside the axis. A round lobe is narrower than it, or neighbours would blur along the axis.
+const int kLookUps = 7;
 const float kReach = 0.92;
 const float kWidth = 0.6;
-const float kWidthRim = 0.06;
 
 uniform sampler3D u_albedo;  // albedo_table.hpp
 
@@ -151,12 +150,11 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
         vec3 turn = beside(hk, across * scale);
         // The cap is 2 cos(half the angle from its middle) as wide here as a unit step.
         float blur2 = reflected_dot(eye, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
-        float width = kWidth + kWidthRim * area;
         vec3 gi = turns(p) ? wi : perturb_direction(p, wi);
         float share = masks() ? masking / (masking + smith_lambda(lobe, gi))
                               : min(gi.z / max(go.z, 1e-3), 1.0);
         share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;
-        vec3 radiance = lobe_radiance(from_axes(axes, wi), lobe_lod(width * width * blur2));
+        vec3 radiance = lobe_radiance(from_axes(axes, wi), lobe_lod(kWidth * kWidth * blur2));
         sum += specular_fresnel(m, wo_h) * radiance * share;
         energy += share;
     }

@@ -52,8 +52,8 @@ std::vector<float> albedo_table(Brdf brdf, Mdf mdf) {
             const float along = node(index % kAlbedoAlphas, kAlbedoAlphas);
             const float across = node(index / kAlbedoAlphas % kAlbedoAlphas, kAlbedoAlphas);
             const float cosine = node(index / (kAlbedoAlphas * kAlbedoAlphas), kAlbedoCosines);
-            const f32::Lobe lobe = f32::lobe_from_alpha(
-                distribution, std::max(along * along, kLow), std::max(across * across, kLow));
+            const f32::Lobe lobe = f32::lobe_from_alpha(distribution, std::max(along * along, kLow),
+                                                        std::max(across * across, kLow));
             table[i] = albedo(model, lobe, std::max(cosine, kLow));
         }
     });

@@ -65,7 +65,8 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
                                  ? light.direction / travel_length
                                  : glm::vec3(0, 0, -1);
     const bool directional = light.type == LightType::directional;
-    const bool one = directional || (light.type == LightType::spot && light.outer_cone < kWidestSpot);
+    const bool one =
+        directional || (light.type == LightType::spot && light.outer_cone < kWidestSpot);
     const auto needed = static_cast<std::size_t>(one ? 1 : 6);
     if (maps_.size() + needed > kMostShadowMaps || !usable(light.position)) {
         of_light_.emplace_back(-1.0f, 0.0f);
@@ -73,8 +74,7 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
     }
     of_light_.emplace_back(static_cast<float>(maps_.size()), static_cast<float>(needed));
     if (directional) {
-        const glm::mat4 view =
-            glm::lookAt(center - 2.0f * radius * travel, center, up_for(travel));
+        const glm::mat4 view = glm::lookAt(center - 2.0f * radius * travel, center, up_for(travel));
         const glm::mat4 clip =
             glm::ortho(-radius, radius, -radius, radius, 0.9f * radius, 3.1f * radius);
         maps_.push_back({clip * view, 2.0f * radius});
