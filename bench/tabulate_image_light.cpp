@@ -36,6 +36,7 @@ std::string table() {
             for (const float tilt : {0.0f, 15.0f, 30.0f, 45.0f}) {
                 text += row(context, environment, {Mdf::ggx, Method::follow_grain, alpha, tilt});
             }
+            if (alpha == alphas[1]) continue;  // methods and distributions once
             for (int m = static_cast<int>(Method::normal_map);
                  m <= static_cast<int>(Method::deform_smooth); ++m) {
                 const auto method = static_cast<Method>(m);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <initializer_list>
 
 #include "burnish/error.hpp"
 #include "gpu/cube_map.hpp"
@@ -81,8 +82,8 @@ void EnvironmentMaps::require_lobes(ProgramCache& programs, GLuint empty_vertex_
     program.use();
     bind(program, 1.0f, 0.0f);
     program.set("u_depth", 0.0f);
-    for (const GLenum test :
-         {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) {
+    for (const GLenum test : std::initializer_list<GLenum>{GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND,
+                                                           GL_CULL_FACE, GL_SCISSOR_TEST}) {
         glDisable(test);
     }
     lobes_.emplace(program, static_cast<int>(face_), empty_vertex_array);
