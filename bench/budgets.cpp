@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
     try {
         burnish::bench::Report report;
         burnish::bench::measure_frames(report);
+        burnish::bench::measure_image_light(report);
         burnish::bench::measure_loading(report);
         burnish::bench::measure_first_picture(report);
         burnish::bench::measure_scratches(report);

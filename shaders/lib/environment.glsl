@@ -2,13 +2,13 @@
 // irradiance.
 
 uniform samplerCube u_environment;
-uniform samplerCube u_lobes;           // level l: blurred by GGX of alpha u_lobe_alpha 2^l; 0 sharp
+uniform samplerCube u_lobes;           // level l: blurred by GGX of alpha 2^(u_lobe_log2_alpha + l); 0 sharp
 uniform samplerCube u_irradiance;      // irradiance / pi
 uniform vec2 u_environment_turn;       // (cos, sin) of the rotation about +y
 uniform float u_environment_scale;     // stored values times this are radiance
 uniform float u_environment_face;      // texels a side of a face
 uniform float u_environment_last_lod;
-uniform float u_lobe_alpha;
+uniform float u_lobe_log2_alpha;
 
 // From the world into the turned environment.
 vec3 environment_direction(vec3 w) {
@@ -30,11 +30,12 @@ float environment_lod(float solid_angle) {
     return clamp(0.5 * log2(max(texels, 1.0)), 0.0, u_environment_last_lod);
 }
 
+// Of the lobe map, in units of u_environment_scale; `w` in the turned environment.
 vec3 lobe_radiance(vec3 w, float lod) {
-    return textureLod(u_lobes, environment_direction(w), lod).rgb * u_environment_scale;
+    return textureLod(u_lobes, w, lod).rgb;
 }
 
 // The level of the lobe map for a round lobe of roughness alpha facing its direction.
-float lobe_lod(float alpha) {
-    return max(log2(alpha / u_lobe_alpha), 0.0);
+float lobe_lod(float alpha2) {
+    return max(0.5 * log2(max(alpha2, kTiny)) - u_lobe_log2_alpha, 0.0);
 }

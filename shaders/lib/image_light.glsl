@@ -60,7 +60,8 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 bent = normalize(mix(across, p.n, keep * keep));
     vec3 wi = reflect(-wo, bent);
     // Perceptual roughness is sqrt(alpha): the lobe is as wide as alpha = roughness^2.
-    vec3 radiance = lobe_radiance(from_axes(a, wi), lobe_lod(narrow));
+    vec3 towards = environment_direction(from_axes(a, wi));
+    vec3 radiance = lobe_radiance(towards, lobe_lod(narrow * narrow)) * u_environment_scale;
     return radiance * split_sum(specular_fresnel(m, 1.0), roughness, max(dot(p.n, wo), 0.0));
 }
 

@@ -1,5 +1,6 @@
 // Punctual lights as KHR_lights_punctual has them. LIGHTS: how many, at compile time (0 to 16);
-// POSITION: one of them has a place, so that shading must know where the surface is.
+// POSITION: one of them has a place or casts a shadow, so that shading must know where the surface
+// is. SHADOW_MAPS: how many there are (shadow_maps.hpp).
 #if LIGHTS > 0
 
 uniform vec4 u_light_place[LIGHTS];      // xyz: position, or towards a directional light; w: 0 or 1
@@ -25,5 +26,38 @@ vec3 light_direction(int i, vec3 position, out vec3 irradiance) {
     return wi;
 #endif
 }
+
+#if defined(SHADOW_MAPS) && SHADOW_MAPS > 0
+uniform sampler2DArrayShadow u_shadow_maps;
+uniform mat4 u_shadow_clip[SHADOW_MAPS];
+uniform float u_shadow_texel[SHADOW_MAPS];  // side in the world, at distance 1 of lights with a place
+uniform vec2 u_shadow_of_light[LIGHTS];     // first map or -1, number of maps
+
+int face_towards(vec3 d) {
+    vec3 l = abs(d);
+    if (l.x >= l.y && l.x >= l.z) { return d.x > 0.0 ? 0 : 1; }
+    if (l.y >= l.z) { return d.y > 0.0 ? 2 : 3; }
+    return d.z > 0.0 ? 4 : 5;
+}
+
+// 1 where light i reaches the position, 0 in its shadow; `normal` unit, `wi` towards the light.
+// The place looked up lies off the surface by what a texel covers on it, most at grazing light: a
+// texel holds one depth for all it covers, and the look-up reads two by two.
+float light_reaches(int i, vec3 position, vec3 normal, vec3 wi) {
+    if (u_shadow_of_light[i].x < 0.0) { return 1.0; }
+    int map = int(u_shadow_of_light[i].x);
+    if (u_shadow_of_light[i].y > 1.0) { map += face_towards(position - u_light_place[i].xyz); }
+    float depth = (u_shadow_clip[map] * vec4(position, 1.0)).w;
+    float cosine = dot(normal, wi);
+    float side = cosine < 0.0 ? -1.0 : 1.0;
+    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    float off = u_shadow_texel[map] * depth * (0.5 + 2.0 * sine);
+    vec4 clip = u_shadow_clip[map] * vec4(position + normal * (side * off), 1.0);
+    if (clip.w <= 0.0) { return 1.0; }
+    vec3 place = clip.xyz / clip.w * 0.5 + 0.5;
+    if (any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(1.0)))) { return 1.0; }
+    return texture(u_shadow_maps, vec4(place.xy, float(map), place.z));
+}
+#endif
 
 #endif

@@ -6,15 +6,12 @@
 // that fill the cap c.z > -w.z evenly (Dupuy & Benyoub 2023). A look-up is a point of the cap on the
 // line through its middle that the reflection stretches most.
 
-#ifndef STUDY
-const int kLookUps = 5;
-// Distance from the middle of the cap, as the square root of the area within.
-const float kPlace[kLookUps] = float[kLookUps](-0.8, -0.4, 0.0, 0.4, 0.8);
-const float kShare[kLookUps] = float[kLookUps](0.2, 0.2, 0.2, 0.2, 0.2);
-const float kWiden = 1.0;
-#define PLACE(i) kPlace[i]
-#define SHARE(i) kShare[i]
-#endif
+// Equal shares of the lobe. Fitted on spheres under two real environments (docs/image-light.md): how
+// far towards the rim of the cap the outermost reach, and the width of what is read against that of the
+// lobe beside the axis. A round lobe is narrower than it, or neighbours would blur along the axis.
+const int kLookUps = 7;
+const float kReach = 0.92;
+const float kWidth = 0.6;
 
 uniform sampler3D u_albedo;  // albedo_table.hpp
 
@@ -98,44 +95,70 @@ float albedo_towards(float ax, float ay, vec3 v) {
     return textureLod(u_albedo, (clamp(place, 0.0, 1.0) * (nodes - 1.0) + 0.5) / nodes, 0.0).r;
 }
 
+// Rotations: the look-ups are worked out against the turned axes, where h = m.
+bool turns(Perturbation p) {
+    return p.method != kMethodNormalMap && p.method != kMethodDeformLinear &&
+           p.method != kMethodDeformSmooth;
+}
+
+// The models with a Smith term.
+bool masks() {
+    return BRDF == kBrdfMicrofacet || BRDF == kBrdfMicrofacetSeparable;
+}
+
 vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     Lobe lobe = lobe_for_sampling(m.lobe, p);
-    LobeMapping map = mapping_of(p);
     float ax = lobe_alpha_x(lobe);
     float ay = lobe_alpha_y(lobe);
-    vec3 w = normalize(vec3(ax * dot(map.x, wo), ay * dot(map.y, wo), dot(map.z, wo)));
-    vec3 top = mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z));
-    float top_scale = inversesqrt(max(dot(top, top), kTiny));
-    vec3 h = top * top_scale;
-    MajorAxis axis = major_axis(wo, h, beside(h, map.x * ax), beside(h, map.y * ay));
+    LobeMapping map = mapping_of(p);
+    vec3 v = vec3(dot(map.x, wo), dot(map.y, wo), dot(map.z, wo));
+    vec3 go = turns(p) ? v : perturb_direction(p, wo);
+    Axes axes = a;
+    if (turns(p)) {
+        axes.x = from_axes(a, map.x);
+        axes.y = from_axes(a, map.y);
+        axes.z = from_axes(a, map.z);
+        map.x = vec3(1.0, 0.0, 0.0);
+        map.y = vec3(0.0, 1.0, 0.0);
+        map.z = vec3(0.0, 0.0, 1.0);
+    }
+    vec3 eye = turns(p) ? v : wo;
+    // Without masking all normals count, seen or not.
+    vec3 w = masks() ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
+    vec3 h = normalize(mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z)));
+    MajorAxis axis = major_axis(eye, h, beside(h, map.x * ax), beside(h, map.y * ay));
     vec3 across = map.y * (ay * axis.along.x) - map.x * (ax * axis.along.y);
-    vec3 go = perturb_direction(p, wo);
-    float lambda_o = smith_lambda(m.lobe, go);
+    axes.x = environment_direction(axes.x);
+    axes.y = environment_direction(axes.y);
+    axes.z = environment_direction(axes.z);
+    float masking = 1.0 + smith_lambda(lobe, go);
     vec3 sum = vec3(0.0);
     float energy = 0.0;
     for (int i = 0; i < kLookUps; ++i) {
-        float place = PLACE(i) * axis.spread;
+        float place = (float(2 * i + 1) / float(kLookUps) - 1.0) * (kReach * axis.spread);
         float area = place * place;
-        float z = 1.0 - (1.0 + w.z) * area;
-        float r = sqrt(max(1.0 - z * z, 0.0));
-        r = place < 0.0 ? -r : r;
-        vec3 hk = mapped(map, p, vec3(ax * (r * axis.along.x + w.x), ay * (r * axis.along.y + w.y),
-                                      z + w.z));
+        // z = 1 - (1 + w.z) area; sqrt(1 - z^2) = place sqrt((1 + w.z) (1 + z)).
+        float fall = (1.0 + w.z) * area;
+        float r = place * sqrt(max((1.0 + w.z) * (2.0 - fall), 0.0));
+        vec3 base = vec3(ax * (r * axis.along.x + w.x), ay * (r * axis.along.y + w.y),
+                         1.0 - fall + w.z);
+        vec3 hk = mapped(map, p, base);
         float scale = inversesqrt(max(dot(hk, hk), kTiny));
         hk *= scale;
-        float wo_h = dot(wo, hk);
-        vec3 wi = hk * (2.0 * wo_h) - wo;
+        float wo_h = dot(eye, hk);
+        vec3 wi = hk * (2.0 * wo_h) - eye;
         vec3 turn = beside(hk, across * scale);
         // The cap is 2 cos(half the angle from its middle) as wide here as a unit step.
-        float blur2 = reflected_dot(wo, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
-        vec3 gi = perturb_direction(p, wi);
-        float ratio = (1.0 + lambda_o) / (1.0 + lambda_o + smith_lambda(m.lobe, gi));
-        ratio = gi.z > 0.0 && wo_h > 0.0 ? SHARE(i) * ratio : 0.0;
-        vec3 radiance = lobe_radiance(from_axes(a, wi), lobe_lod(kWiden * sqrt(max(blur2, kTiny))));
-        sum += specular_fresnel(m, wo_h) * radiance * ratio;
-        energy += ratio;
+        float blur2 = reflected_dot(eye, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
+        vec3 gi = turns(p) ? wi : perturb_direction(p, wi);
+        float share = masks() ? masking / (masking + smith_lambda(lobe, gi))
+                              : min(gi.z / max(go.z, 1e-3), 1.0);
+        share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;
+        vec3 radiance = lobe_radiance(from_axes(axes, wi), lobe_lod(kWidth * kWidth * blur2));
+        sum += specular_fresnel(m, wo_h) * radiance * share;
+        energy += share;
     }
-    float albedo = albedo_towards(lobe_alpha_x(m.lobe), lobe_alpha_y(m.lobe), go);
     // 1e-3: less than any look-up's share where the view is above the horizon.
-    return dot(p.n, wo) > 0.0 ? sum * (albedo / max(energy, 1e-3)) : vec3(0.0);
+    float scale = albedo_towards(ax, ay, go) / max(energy, 1e-3);
+    return dot(p.n, wo) > 0.0 ? sum * (scale * u_environment_scale) : vec3(0.0);
 }

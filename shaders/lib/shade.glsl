@@ -21,7 +21,11 @@ vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 irradiance;
-        vec3 wi = to_axes(a, light_direction(i, s.position, irradiance));
+        vec3 towards = light_direction(i, s.position, irradiance);
+        vec3 wi = to_axes(a, towards);
+#if SHADOW_MAPS > 0
+        irradiance *= light_reaches(i, s.position, a.z, towards);
+#endif
         float cos_i = max(dot(p.n, wi), 0.0);
         float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
         vec3 f = specular_fresnel(m, cos_h) * brdf_eval(BRDF, m.lobe, p, wi, wo);
@@ -35,10 +39,21 @@ vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
 #endif
 
 #if IMAGE_LIGHT > 0
+// What an occlusion map leaves of a reflection (Lagarde & de Rousiers, "Moving Frostbite to PBR",
+// 2014): a smooth surface loses less than a rough one, most where it is seen head-on in a deep place.
+float specular_occlusion(float occlusion, float cos_o, Lobe lobe) {
+    float alpha = sqrt(lobe_alpha_x(lobe) * lobe_alpha_y(lobe));
+    float open = pow(max(cos_o + occlusion, 0.0), exp2(-16.0 * min(alpha, 1.0) - 1.0));
+    return clamp(open - 1.0 + occlusion, 0.0, 1.0);
+}
+
 // Constant light all around gives exactly base (1 - mean F) (1 - F(n~.wo)); the cosine-weighted mean
 // of Schlick's term is f0 + (1 - f0)/21.
 vec3 lit_by_environment(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 sum = image_specular(s, m, a, p, wo);
+#ifdef HAS_OCCLUSION_MAP
+    sum *= specular_occlusion(occlusion_at(s), max(dot(p.n, wo), 0.0), m.lobe);
+#endif
 #ifndef METAL
     float through = (1.0 - u_dielectric_f0) * (20.0 / 21.0) * diffuse_through(max(dot(p.n, wo), 0.0));
     sum += diffuse_color(m) * environment_irradiance(from_axes(a, p.n)) *

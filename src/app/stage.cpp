@@ -33,8 +33,10 @@ std::vector<double> parse_numbers(std::string_view text, std::string_view whole)
         double value = 0;
         const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
         if (status != std::errc{} || end != part.data() + part.size() || !std::isfinite(value)) {
-            throw UsageError("--light", "", "AZIMUTH,ELEVATION[,INTENSITY] or "
-                             "point:X,Y,Z[,INTENSITY]", shown(whole));
+            throw UsageError("--light", "",
+                             "AZIMUTH,ELEVATION[,INTENSITY] or "
+                             "point:X,Y,Z[,INTENSITY]",
+                             shown(whole));
         }
         numbers.push_back(value);
         if (comma == text.size()) return numbers;
@@ -61,8 +63,8 @@ bool any_set(const ParameterValues& values, std::initializer_list<std::string_vi
                        [&](std::string_view name) { return values.is_set(name); });
 }
 
-// The least distance from `target` towards `away` (unit) at which every vertex lies within the view,
-// with a little air around it.
+// The least distance from `target` towards `away` (unit) at which every vertex lies within the
+// view, with a little air around it.
 double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, double yfov,
                         double aspect) {
     const glm::vec3 up_hint = std::abs(away.y) < 0.999f ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
@@ -76,8 +78,8 @@ double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, do
         for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
             const glm::vec3 v = glm::vec3(instance.transform * glm::vec4(p, 1.0f)) - target;
             const double depth = glm::dot(v, away);
-            const double reach = std::max(std::abs(glm::dot(v, right)) / tan_x,
-                                          std::abs(glm::dot(v, up)) / tan_y);
+            const double reach =
+                std::max(std::abs(glm::dot(v, right)) / tan_x, std::abs(glm::dot(v, up)) / tan_y);
             distance = std::max(distance, depth + reach);
         }
     }
@@ -91,6 +93,7 @@ gpu::RenderOptions render_options(const ParameterValues& values) {
     options.samples = values.integer("samples");
     options.image_light = static_cast<gpu::ImageLight>(values.choice("image_light"));
     options.image_light_samples = values.integer("image_light_samples");
+    options.shadows = values.boolean("shadows");
     options.environment_intensity = static_cast<float>(values.real("environment_intensity"));
     options.environment_rotation =
         static_cast<float>(glm::radians(values.real("environment_rotation")));
@@ -169,8 +172,8 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
             const int views = all_around ? 24 : 1;
             for (int i = 0; i < views; ++i) {
                 const glm::vec3 from = direction_at(azimuth + 360.0 * i / views, elevation);
-                distance = std::max(distance, framing_distance(scene, camera.target, from,
-                                                               camera.yfov, aspect));
+                distance = std::max(
+                    distance, framing_distance(scene, camera.target, from, camera.yfov, aspect));
             }
         }
         camera.position = camera.target + static_cast<float>(distance) * away;
@@ -221,9 +224,9 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     }
     stage.environment = load_environment_of(request, environment);
     stage.options = render_options(stage.values);
-    stage.camera = place_camera(stage.scene, stage.values,
-                                static_cast<double>(stage.options.width) / stage.options.height,
-                                all_around);
+    stage.camera =
+        place_camera(stage.scene, stage.values,
+                     static_cast<double>(stage.options.width) / stage.options.height, all_around);
     stage.exposure_ev = stage.values.real("exposure");
     stage.tone_map = static_cast<ToneMap>(stage.values.choice("tone_map"));
     return stage;

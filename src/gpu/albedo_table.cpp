@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 
 #include "burnish/f32.hpp"
 #include "core/parallel.hpp"
@@ -52,8 +53,8 @@ std::vector<float> albedo_table(Brdf brdf, Mdf mdf) {
             const float along = node(index % kAlbedoAlphas, kAlbedoAlphas);
             const float across = node(index / kAlbedoAlphas % kAlbedoAlphas, kAlbedoAlphas);
             const float cosine = node(index / (kAlbedoAlphas * kAlbedoAlphas), kAlbedoCosines);
-            const f32::Lobe lobe = f32::lobe_from_alpha(
-                distribution, std::max(along * along, kLow), std::max(across * across, kLow));
+            const f32::Lobe lobe = f32::lobe_from_alpha(distribution, std::max(along * along, kLow),
+                                                        std::max(across * across, kLow));
             table[i] = albedo(model, lobe, std::max(cosine, kLow));
         }
     });
@@ -72,10 +73,12 @@ void AlbedoTables::bind(Brdf brdf, Mdf mdf) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, kAlbedoAlphas, kAlbedoAlphas, kAlbedoCosines, 0, GL_RED,
                  GL_FLOAT, table.data());
-    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+    for (const GLenum name :
+         std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
         glTexParameteri(GL_TEXTURE_3D, name, GL_LINEAR);
     }
-    for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    for (const GLenum name :
+         std::initializer_list<GLenum>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
         glTexParameteri(GL_TEXTURE_3D, name, GL_CLAMP_TO_EDGE);
     }
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);

@@ -21,6 +21,7 @@ SurfaceVariant with_everything() {
     v.lights = 16;
     v.position = true;
     v.image_light = 1;
+    v.shadow_maps = 24;
     return v;
 }
 
@@ -88,8 +89,8 @@ void write_all(Writer& writer) {
             writer.write(dialect, v.defines(), "surface.vert");
             if (v.can_resolve()) writer.write(dialect, v.defines(), "resolve.frag");
         }
-        for (const char* stage :
-             {"fullscreen.vert", "background.frag", "accumulate.frag", "gouraud.frag", "prefilter.frag"}) {
+        for (const char* stage : {"fullscreen.vert", "background.frag", "accumulate.frag",
+                                  "gouraud.frag", "prefilter.frag", "shadow.frag"}) {
             writer.write(dialect, "", stage);
         }
         writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");

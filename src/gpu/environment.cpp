@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <initializer_list>
 
 #include "burnish/error.hpp"
 #include "gpu/cube_map.hpp"
@@ -11,8 +12,8 @@
 namespace burnish::gpu {
 namespace {
 
-// Irradiance is smooth: 16 texels a face hold it to a thousandth.
-constexpr int kIrradianceSize = 16;
+// Irradiance is smooth but where a sun sets: 32 texels a face hold even that to 2 % of its peak.
+constexpr int kIrradianceSize = 32;
 // What irradiance is gathered from: finer levels differ by less than their texels' turn, 3 degrees.
 constexpr int kIrradianceSource = 32;
 
@@ -81,8 +82,8 @@ void EnvironmentMaps::require_lobes(ProgramCache& programs, GLuint empty_vertex_
     program.use();
     bind(program, 1.0f, 0.0f);
     program.set("u_depth", 0.0f);
-    for (const GLenum test :
-         {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) {
+    for (const GLenum test : std::initializer_list<GLenum>{GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND,
+                                                           GL_CULL_FACE, GL_SCISSOR_TEST}) {
         glDisable(test);
     }
     lobes_.emplace(program, static_cast<int>(face_), empty_vertex_array);
@@ -99,7 +100,7 @@ void EnvironmentMaps::bind(Program& program, float intensity, float rotation) co
         glActiveTexture(GL_TEXTURE0 + kLobeUnit);
         glBindTexture(GL_TEXTURE_CUBE_MAP, lobes_->texture());
         glBindSampler(kLobeUnit, sampler_.get());
-        program.set("u_lobe_alpha", lobes_->first_alpha());
+        program.set("u_lobe_log2_alpha", std::log2(lobes_->first_alpha()));
     }
     program.set("u_lobes", static_cast<int>(kLobeUnit));
     program.set("u_environment", static_cast<int>(kEnvironmentUnit));

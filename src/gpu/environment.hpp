@@ -1,5 +1,5 @@
-// An environment on the device: a cube map of radiance with all its mips, one of irradiance and, when
-// asked for, one of radiance blurred by lobes.
+// An environment on the device: a cube map of radiance with all its mips, one of irradiance and,
+// when asked for, one of radiance blurred by lobes.
 #pragma once
 
 #include <optional>

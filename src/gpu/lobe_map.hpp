@@ -13,9 +13,10 @@ namespace burnish::gpu {
 // are half as wide as its lobe, so that bilinear look-ups are smooth.
 class LobeMap {
   public:
-    // `radiance`: a cube map of `size` texels a side with its mips, which `program` (fullscreen.vert,
-    // prefilter.frag) can read as it is set up. Needs no depth buffer; leaves its own framebuffer
-    // bound and the viewport changed. Throws Error when the device cannot render to half floats.
+    // `radiance`: a cube map of `size` texels a side with its mips, which `program`
+    // (fullscreen.vert, prefilter.frag) can read as it is set up. Needs no depth buffer; leaves its
+    // own framebuffer bound and the viewport changed. Throws Error when the device cannot render to
+    // half floats.
     LobeMap(Program& program, int size, GLuint empty_vertex_array);
 
     GLuint texture() const { return texture_.get(); }

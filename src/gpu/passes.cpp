@@ -46,7 +46,8 @@ DeviceScene::DeviceScene(Context& context, const Scene& scene, const Environment
       items(draw_items(scene)),
       bounds(gpu::bounds_of(items)),
       textures(context, scene),
-      lights(scene.lights) {
+      lights(scene.lights),
+      shadows(scene.lights, bounds) {
     for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh);
     if (light != nullptr && !light->radiance.empty()) environment.emplace(context, *light);
 }
@@ -83,7 +84,8 @@ SurfaceVariant Painter::variant_for(const Frame& frame, int material, bool verte
         variant_of(scene_.materials[static_cast<std::size_t>(material)], scene_.textures,
                    vertex_color, frame.variant == ShadingVariant::full);
     v.lights = scene_.lights.count();
-    v.position = scene_.lights.any_positional();
+    v.position = needs_position(frame);
+    v.shadow_maps = casts_shadows(frame) ? scene_.shadows.count() : 0;
     const bool lit = scene_.environment && frame.options->environment_intensity > 0.0f;
     v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
     return v;
@@ -100,6 +102,7 @@ void Painter::set_common(Program& program, const Frame& frame) {
                                        static_cast<float>(std::max(o.samples, 1)));
     program.set("u_seed", o.seed);
     scene_.lights.set(program);
+    if (casts_shadows(frame)) scene_.shadows.bind(program);
     if (scene_.environment) {
         scene_.environment->bind(program, o.environment_intensity, o.environment_rotation);
     }
@@ -119,6 +122,31 @@ void Painter::draw_fullscreen(Program& program, float depth) {
     glBindVertexArray(empty_.get());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
+}
+
+bool Painter::casts_shadows(const Frame& frame) const {
+    return frame.options->shadows && scene_.shadows.count() > 0 &&
+           frame.variant != ShadingVariant::gouraud;
+}
+
+bool Painter::needs_position(const Frame& frame) const {
+    return scene_.lights.any_positional() || casts_shadows(frame);
+}
+
+// Masked surfaces cast the shadow of all their triangles, blended ones none.
+void Painter::draw_shadows(const Frame& frame) {
+    Program& program = programs_.get("surface.vert", "shadow.frag", "");
+    program.use();
+    for (int map = 0; map < scene_.shadows.count(); ++map) {
+        program.set("u_clip_from_world", scene_.shadows.begin(map, frame.sample));
+        set_culling(false, false);
+        for (const DrawItem& item : scene_.items) {
+            if (blended(scene_.materials[static_cast<std::size_t>(item.material)])) continue;
+            program.set("u_world_from_local", item.world_from_local);
+            scene_.meshes[static_cast<std::size_t>(item.mesh)].draw();
+        }
+    }
+    scene_.shadows.end();
 }
 
 void Painter::clear(const Frame& frame, Targets& targets) {
@@ -144,6 +172,7 @@ void Painter::paint(const Frame& frame, Targets& targets) {
         (light == ImageLight::prefiltered || light == ImageLight::bent_normal)) {
         scene_.environment->require_lobes(programs_, empty_.get());
     }
+    if (casts_shadows(frame)) draw_shadows(frame);
     clear(frame, targets);
     std::vector<std::size_t> forward(scene_.items.size());
     std::iota(forward.begin(), forward.end(), std::size_t{0});
@@ -165,7 +194,7 @@ void Painter::paint(const Frame& frame, Targets& targets) {
 // has its number, and a full-screen triangle at the far plane passes where something is nearer.
 void Painter::paint_deferred(const Frame& frame, Targets& targets,
                              std::vector<std::size_t>& forward) {
-    targets.bind_gbuffer(scene_.lights.any_positional());
+    targets.bind_gbuffer(needs_position(frame));
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     std::map<int, Bounds> seen;  // by material
@@ -199,7 +228,7 @@ void Painter::paint_deferred(const Frame& frame, Targets& targets,
 
 void Painter::write_gbuffer(const Frame& frame, const DrawItem& item) {
     const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
-    std::string defines = scene_.lights.any_positional() ? "#define POSITION\n" : "";
+    std::string defines = needs_position(frame) ? "#define POSITION\n" : "";
     if (material.double_sided) defines += "#define DOUBLE_SIDED\n";
     Program& program = programs_.get("surface.vert", "gbuffer.frag", defines);
     program.use();

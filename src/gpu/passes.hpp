@@ -11,6 +11,7 @@
 #include "gpu/lights.hpp"
 #include "gpu/material_state.hpp"
 #include "gpu/renderer.hpp"
+#include "gpu/shadow_maps.hpp"
 #include "gpu/targets.hpp"
 #include "gpu/view.hpp"
 
@@ -26,6 +27,7 @@ struct DeviceScene {
     Bounds bounds;
     TextureStore textures;
     LightUniforms lights;
+    ShadowMaps shadows;
     std::optional<EnvironmentMaps> environment;
 };
 
@@ -48,6 +50,7 @@ class Painter {
     void accumulate(Targets& targets);
 
   private:
+    void draw_shadows(const Frame& frame);
     void clear(const Frame& frame, Targets& targets);
     // Items that were shaded once a pixel are left out of `forward`.
     void paint_deferred(const Frame& frame, Targets& targets, std::vector<std::size_t>& forward);
@@ -63,6 +66,8 @@ class Painter {
     SurfaceVariant variant_for(const Frame& frame, int material, bool vertex_color) const;
     bool shows_environment(const Frame& frame) const;
     bool defers(const Frame& frame) const;
+    bool casts_shadows(const Frame& frame) const;
+    bool needs_position(const Frame& frame) const;
     bool can_defer(const Frame& frame, const DrawItem& item) const;
     void draw_fullscreen(Program& program, float depth);
 

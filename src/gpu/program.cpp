@@ -131,6 +131,11 @@ void Program::set(const char* name, std::span<const glm::vec3> values) {
     if (values.empty()) return;
     glUniform3fv(location(name), static_cast<GLsizei>(values.size()), &values[0].x);
 }
+void Program::set(const char* name, std::span<const glm::mat4> values) {
+    if (values.empty()) return;
+    glUniformMatrix4fv(location(name), static_cast<GLsizei>(values.size()), GL_FALSE,
+                       &values[0][0].x);
+}
 void Program::set(const char* name, std::span<const glm::vec4> values) {
     if (values.empty()) return;
     glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values[0].x);

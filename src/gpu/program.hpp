@@ -42,6 +42,7 @@ class Program {
     void set(const char* name, std::span<const glm::vec2> values);
     void set(const char* name, std::span<const glm::vec3> values);
     void set(const char* name, std::span<const glm::vec4> values);
+    void set(const char* name, std::span<const glm::mat4> values);
 
   private:
     GLint location(const char* name);

@@ -7,7 +7,7 @@
 //   Where the VIEW is below the perturbed horizon the specular term is 0 and the diffuse one stays.
 // - The diffuse term is base (1 - metallic) / pi (1 - F(n~.wi)) (1 - F(|n~.wo|)), F Schlick's with
 //   the dielectric F0; under an environment the first factor is its cosine-weighted mean.
-// - Occlusion maps darken the diffuse image light only.
+// - Occlusion maps darken image light only, its reflections by the rule in shade.glsl.
 // - Blended instances are sorted back to front by the middle of their boxes, their triangles are
 //   not.
 // - Back faces of double-sided materials have their whole tangent frame turned over: the sheet seen
@@ -25,9 +25,9 @@ namespace burnish::gpu {
 
 enum class ImageLight {
     off,
-    importance,  // the specular sees the perturbed anisotropic MDF: importance sampled, filtered
+    importance,   // the specular sees the perturbed anisotropic MDF: importance sampled, filtered
     bent_normal,  // what today's engines do (Filament, three.js, glTF sample renderer): comparison
-    prefiltered  // the same lobe by a few look-ups along its major axis: for real time
+    prefiltered   // the same lobe by a few look-ups along its major axis: for real time
 };
 enum class BackgroundKind { environment, color, transparent };
 
@@ -52,6 +52,7 @@ struct RenderOptions {
     BackgroundKind background = BackgroundKind::environment;
     glm::vec3 background_color{0.05f};  // linear; also when there is no environment
     float background_blur = 0.0f;       // 0..1
+    bool shadows = false;               // of punctual lights; they are never darkened otherwise
     unsigned seed = 0;
     int tile_size = 0;  // pixels a side; 0: chosen, so that memory is bounded
     SurfacePass surface_pass = SurfacePass::automatic;

@@ -68,7 +68,7 @@ ShaderStage assemble_text(ShaderDialect dialect, std::string_view defines, std::
         stage.text =
             "#version 300 es\nprecision highp float;\nprecision highp int;\n"
             "precision highp sampler2D;\nprecision highp samplerCube;\n"
-            "precision highp sampler3D;\n";
+            "precision highp sampler3D;\nprecision highp sampler2DArrayShadow;\n";
     }
     stage.text += defines;
     append_expanded(stage, name, text);

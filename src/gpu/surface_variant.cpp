@@ -21,6 +21,7 @@ std::string SurfaceVariant::defines() const {
     lines += conserve ? "#define CONSERVE true\n" : "#define CONSERVE false\n";
     lines += grooves_along_x ? "#define GROOVES_ALONG_X true\n" : "#define GROOVES_ALONG_X false\n";
     lines += define("LIGHTS", lights);
+    lines += define("SHADOW_MAPS", shadow_maps);
     lines += define("IMAGE_LIGHT", image_light);
     const std::pair<bool, const char*> switches[] = {
         {conductor, "CONDUCTOR"},

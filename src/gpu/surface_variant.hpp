@@ -30,7 +30,8 @@ struct SurfaceVariant {
     AlphaMode alpha_mode = AlphaMode::opaque;
     int lights = 0;
     bool position = false;  // a light asks where the surface is
-    int image_light = 0;    // 0 off, 1 importance, 2 bent normal, 3 prefiltered
+    int shadow_maps = 0;
+    int image_light = 0;  // 0 off, 1 importance, 2 bent normal, 3 prefiltered
 
     // Whether gbuffer.frag holds all that shading needs.
     bool can_resolve() const {

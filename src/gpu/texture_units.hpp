@@ -16,6 +16,7 @@ inline constexpr GLuint kSumUnit = 10;
 inline constexpr GLuint kLatestUnit = 11;
 inline constexpr GLuint kLobeUnit = 12;
 inline constexpr GLuint kAlbedoUnit = 13;
+inline constexpr GLuint kShadowUnit = 14;
 inline constexpr GLuint kScratchUnit = 15;  // uploads
 
 }  // namespace burnish::gpu

@@ -94,11 +94,16 @@ void add_render(Table& t) {
     t.integer("width", 1, 16384, "1280", "px", "picture width");
     t.integer("height", 1, 16384, "720", "px", "picture height");
     t.integer("samples", 1, 65536, "64", "", "jittered samples a pixel");
-    t.choice("image_light", kImageLights, "importance", "how the environment lights the surface");
+    t.choice(
+        "image_light", kImageLights, "importance",
+        "how the environment lights the surface: prefiltered is for turning a model, importance "
+        "exact");
     t.integer("image_light_samples", 1, 1024, "16", "",
               "environment samples for each sample of a pixel");
+    t.boolean("shadows", "true", "lights cast shadows");
     t.real("exposure", -20, 20, "0", "EV", "brightness, in powers of two");
-    t.choice("tone_map", tone_map_names(), "khronos-neutral", "how radiance becomes display colour");
+    t.choice("tone_map", tone_map_names(), "khronos-neutral",
+             "how radiance becomes display colour");
     t.choice("background", kBackgrounds, "environment", "what is behind the model");
     t.color("background_color", 1e6, "0.05,0.05,0.05",
             "for background color: r,g,b linear or #rrggbb");
