@@ -143,16 +143,26 @@ Light random_light(Random& random) {
     return light;
 }
 
-void vary(Material& m, Random& random) {
+// What shaders are compiled for.
+void vary_models(Material& m, Random& random) {
     m.mdf = static_cast<Mdf>(below(random, mdf_names().size()));
     m.brdf = static_cast<Brdf>(below(random, brdf_names().size()));
     m.method = static_cast<Method>(below(random, method_names().size()));
     m.conserve = one_in(random, 2);
     m.alpha_mode = static_cast<AlphaMode>(below(random, 3));
-    m.alpha_cutoff = static_cast<float>(between(random, 0, 1));
-    m.base_color.a = static_cast<float>(between(random, 0, 1));
-    m.occlusion_strength = static_cast<float>(between(random, 0, 1));
-    m.anisotropy_strength = static_cast<float>(between(random, 0, 1));
+}
+
+void vary_factors(Material& m, Random& random) {
+    const auto unit = [&] { return static_cast<float>(between(random, 0, 1)); };
+    m.alpha_cutoff = unit();
+    m.base_color = {unit(), unit(), unit(), unit()};
+    m.metallic = unit();
+    m.roughness = unit();
+    m.occlusion_strength = unit();
+    m.anisotropy_strength = unit();
+    m.anisotropy_rotation = static_cast<float>(between(random, -7, 7));
+    if (m.alpha)
+        m.alpha = glm::vec2(value_within(random, 0.001, 1.5), value_within(random, 0.001, 1.5));
     // Beyond the table's 16: files may say so, with either sign.
     if (one_in(random, 4)) m.normal_scale = static_cast<float>(between(random, -100, 100));
     if (one_in(random, 4)) m.emissive = glm::vec3(static_cast<float>(between(random, 0, 1e4)));
@@ -160,8 +170,9 @@ void vary(Material& m, Random& random) {
 
 void vary(Camera& camera, Random& random) {
     const glm::vec3 away = camera.position - camera.target;
-    camera.position =
-        camera.target + away * static_cast<float>(std::pow(10.0, between(random, -1, 1)));
+    // Nearer, and the target's rounding would swallow the step; farther, and nothing is seen.
+    const auto distance = static_cast<float>(std::pow(10.0, between(random, -1.5, 1.5)));
+    camera.position = camera.target + distance * glm::normalize(away);
     camera.orthographic = one_in(random, 4);
     camera.ymag = static_cast<float>(between(random, 0.01, 3));
 }
@@ -206,14 +217,21 @@ Stage random_stage(Random& random) {
     return stage;
 }
 
-void redraw(Stage& stage, Random& random) {
-    for (Material& material : stage.scene.materials) vary(material, random);
-    vary(stage.camera, random);
+void change_models(Stage& stage, Random& random) {
+    for (Material& material : stage.scene.materials) vary_models(material, random);
     gpu::RenderOptions& options = stage.options;
     options.image_light = static_cast<gpu::ImageLight>(below(random, 4));
     options.background = static_cast<gpu::BackgroundKind>(below(random, 3));
-    options.background_blur = static_cast<float>(between(random, 0, 1));
     options.surface_pass = static_cast<gpu::SurfacePass>(below(random, 3));
+}
+
+void change_numbers(Stage& stage, Random& random) {
+    for (Material& material : stage.scene.materials) vary_factors(material, random);
+    vary(stage.camera, random);
+    gpu::RenderOptions& options = stage.options;
+    options.environment_intensity = static_cast<float>(value_within(random, 0, 1e6));
+    options.environment_rotation = static_cast<float>(between(random, -7, 7));
+    options.background_blur = static_cast<float>(between(random, 0, 1));
     options.tile_size = one_in(random, 4) ? static_cast<int>(16 + below(random, 64)) : 0;
     options.seed = static_cast<unsigned>(random());
 }

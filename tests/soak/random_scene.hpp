@@ -11,7 +11,7 @@ namespace burnish::soak {
 
 using Random = std::mt19937_64;
 
-// `count` different numbers from 0.
+// One of the `count` numbers from 0.
 inline std::size_t below(Random& random, std::size_t count) {
     return static_cast<std::size_t>(random() % count);
 }
@@ -23,9 +23,10 @@ double between(Random& random, double low, double high);
 // A stage of a built-in mesh, small and quick to draw.
 Stage random_stage(Random& random);
 
-// Other factors on the stage's materials, another camera, other options: what a renderer takes
-// without being made anew.
-void redraw(Stage& stage, Random& random);
+// What a renderer takes without being made anew: other methods and models, for which it compiles
+// shaders; other factors, another camera, other numbers, which cost nothing.
+void change_models(Stage& stage, Random& random);
+void change_numbers(Stage& stage, Random& random);
 
 Environment random_environment(Random& random);
 

@@ -23,8 +23,9 @@ namespace burnish::soak {
 namespace {
 
 constexpr int kNoDevice = 77;
-constexpr int kPicturesOfAStage = 4;  // programs and uploads cost more than small pictures
-constexpr std::uint64_t kStagesOfAContext = 100;
+// Shaders take longer to compile than small pictures to draw.
+constexpr int kModelsOfAStage = 2, kPicturesOfAModel = 8;
+constexpr std::uint64_t kStagesOfAContext = 25;
 
 struct Settings {
     double seconds = 5.0;
@@ -93,13 +94,15 @@ void run_broken(gpu::Context& context, Random& random, Counts& counts) {
 void run_stage(gpu::Context& context, Random& random, Counts& counts) {
     Stage stage = random_stage(random);
     gpu::Renderer renderer = renderer_of(context, stage);
-    for (int i = 0; i < kPicturesOfAStage; ++i) {
-        if (i > 0) {
-            redraw(stage, random);
+    for (int model = 0; model < kModelsOfAStage; ++model) {
+        for (int picture = 0; picture < kPicturesOfAModel; ++picture) {
+            expect_finite(renderer.render(stage.camera, stage.options));
+            ++counts.pictures;
+            change_numbers(stage, random);
             renderer.set_materials(stage.scene.materials);
         }
-        expect_finite(renderer.render(stage.camera, stage.options));
-        ++counts.pictures;
+        change_models(stage, random);
+        renderer.set_materials(stage.scene.materials);
     }
     ++counts.stages;
 }
