@@ -9,6 +9,7 @@
 #include <set>
 #include <type_traits>
 
+#include "burnish/error.hpp"
 #include "scene/load.hpp"
 
 namespace burnish {
@@ -76,7 +77,7 @@ void warn_of_odd_normal_maps(Scene& scene) {
         scene.warnings.push_back(
             fmt::format("{} does not look like a tangent-space normal map: its mean direction is "
                         "({:.2f}, {:.2f}, {:.2f}), expected near (0, 0, 1)",
-                        texture.name, mean.x, mean.y, mean.z));
+                        one_line(texture.name), mean.x, mean.y, mean.z));
     }
 }
 

@@ -229,15 +229,16 @@ bool has_textures(const Material& material) {
 // Adds one mesh with its material.
 void add_part(Mesh mesh, const Material& material, Scene& scene) {
     mesh.name = material.name;
+    const std::string name = one_line(mesh.name);  // a line of OBJ may hold carriage returns
     const std::size_t mended = repair_frames(mesh);
     if (mended > 0)
         scene.warnings.push_back(
-            fmt::format("{}: {} vertices had broken normals; replaced", mesh.name, mended));
+            fmt::format("{}: {} vertices had broken normals; replaced", name, mended));
     scene.materials.push_back(material);
     if (mesh.texcoord0.empty() && has_textures(material)) {
         drop_textures(scene.materials.back());
         scene.warnings.push_back(
-            fmt::format("{}: no texture coordinates: its textures are not used", mesh.name));
+            fmt::format("{}: no texture coordinates: its textures are not used", name));
     }
     make_tangents(mesh);
     scene.meshes.push_back(std::move(mesh));

@@ -88,6 +88,16 @@ TEST(Obj, ContinuedLinesCommentsAndOddEndings) {
     EXPECT_EQ(scene.meshes[0].positions[2], glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
+// Found by the fuzzer: names with a carriage return broke the line of the warning.
+TEST(Obj, WarningsAreOneLineWhateverTheNames) {
+    const Scene scene =
+        load_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nusemtl cloth\rof gold\nf 1//1 2//1 3//1\n");
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    EXPECT_TRUE(warns(scene, "broken normals"));
+    for (const std::string& line : scene.warnings)
+        EXPECT_EQ(line.find_first_of("\r\n"), std::string::npos) << line;
+}
+
 TEST(Obj, HostileInputIsALineOfError) {
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     EXPECT_NE(error_of(vertices + "f 1 2 4\n").find("from 1 to 3"), std::string::npos);

@@ -1,0 +1,25 @@
+// The tables of `mdf eval` and `brdf eval`. The first byte says which, and in which precision.
+#include <filesystem>
+
+#include "app/eval.hpp"
+#include "harness.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using burnish::Precision;
+    if (size == 0) return -1;
+    const unsigned kind = data[0];
+    const auto path = burnish::fuzz::put("table.csv", burnish::fuzz::Bytes(data + 1, size - 1));
+    const auto output = burnish::fuzz::folder() / "values.csv";
+    const burnish::EvalRequest request{path.string(), output.string(),
+                                       kind % 4 < 2 ? Precision::f64 : Precision::f32};
+    burnish::fuzz::expect_answer([&] {
+        if (kind % 2 == 0)
+            burnish::eval_mdf_table(request, {});
+        else
+            burnish::eval_brdf_table(request, {});
+        // Nothing of the table is lost: names and values are only added.
+        if (std::filesystem::file_size(output) < size - 1)
+            burnish::fuzz::broken("a table that shrank");
+    });
+    return 0;
+}
