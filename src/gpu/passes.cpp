@@ -98,8 +98,12 @@ void Painter::set_common(Program& program, const Frame& frame) {
     program.set("u_tile_origin", glm::ivec2(frame.tile.x, frame.tile.y));
     program.set("u_image_samples", o.image_light_samples);
     program.set("u_frame", static_cast<unsigned>(frame.sample));
-    program.set("u_total_samples", static_cast<float>(o.image_light_samples) *
-                                       static_cast<float>(std::max(o.samples, 1)));
+    // A sample of so many stands for no more than a texel of the sharpest mip.
+    constexpr float kSharp = 1e12f;
+    program.set("u_total_samples", o.filter_image_samples
+                                       ? static_cast<float>(o.image_light_samples) *
+                                             static_cast<float>(std::max(o.samples, 1))
+                                       : kSharp);
     program.set("u_seed", o.seed);
     scene_.lights.set(program);
     if (casts_shadows(frame)) scene_.shadows.bind(program);

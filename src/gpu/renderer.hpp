@@ -47,6 +47,7 @@ struct RenderOptions {
     int samples = 64;              // jittered sub-pixel samples, >= 1
     int image_light_samples = 16;  // environment samples a pixel and sub-pixel sample
     ImageLight image_light = ImageLight::importance;
+    bool filter_image_samples = true;  // false: every sample reads the sharp environment
     float environment_intensity = 1.0f;
     float environment_rotation = 0.0f;  // radians about +y
     BackgroundKind background = BackgroundKind::environment;

@@ -54,6 +54,7 @@ Stage stage_of(const std::string& input, const std::string& environment,
     request.input = input;
     request.environment = environment;
     request.lights = lights;
+    request.values.set("shadows", "false", "shadows");
     for (const auto& [name, text] : settings) request.values.set(name, text, name);
     return set_stage(request);
 }
