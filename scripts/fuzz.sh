@@ -45,7 +45,7 @@ run() {
         -artifact_prefix=$build/findings/"$reader"- \
         "$build/corpus/$reader" "$build/seeds/$reader" >"$log" 2>&1 &
     fuzzer=$!
-    trap 'kill $fuzzer 2>/dev/null' INT TERM
+    trap 'kill $fuzzer 2>/dev/null; exit 130' INT TERM
     spent=0
     while now=$(used $fuzzer) && [ -n "$now" ]; do
         spent=$now
