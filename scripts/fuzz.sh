@@ -16,18 +16,18 @@ cmake --build $build -j "${JOBS:-$(nproc)}" --target burnish_fuzzers
 mkdir -p $build/corpus $build/findings $build/logs
 $build/bin/fuzz_seeds $build/seeds
 
-# Seeds from the sample data: whole files that are small enough to be changed usefully.
+# Seeds from the sample data: files that are whole within -max_len below.
 add_data() {
     reader=$1
     shift
-    [ -d "$data" ] || return 0
-    find "$data" -type f -size -48k \( "$@" \) | while read -r file; do
-        cp -f "$file" "$build/seeds/$reader/$(echo "$file" | tr / _)"
+    [ -d "$data/models" ] || return 0
+    find "$data/models" -type f -size -16k \( "$@" \) | while read -r file; do
+        cp -f "$file" "$build/seeds/$reader/data_$(basename "$file")"
     done
 }
 add_data gltf -name '*.gltf' -o -name '*.glb'
 add_data obj -name '*.obj'
-add_data image -name '*.png' -o -name '*.jpg'
+add_data image -name '*.png'
 
 # Seconds of processor time that a process has used; nothing once it has ended.
 used() {

@@ -7,3 +7,8 @@ float finite_radiance(float v) {
 vec3 finite_radiance(vec3 v) {
     return vec3(finite_radiance(v.x), finite_radiance(v.y), finite_radiance(v.z));
 }
+
+// A share of the pixel. Textures may say anything.
+float finite_coverage(float v) {
+    return isnan(v) ? 1.0 : clamp(v, 0.0, 1.0);
+}

@@ -89,7 +89,8 @@ vec4 shade(Surface s) {
     radiance += lit_by_environment(s, m, a, p, wo);
 #endif
 #ifdef BLEND
-    return vec4(finite_radiance(radiance) * m.alpha, m.alpha);
+    float coverage = finite_coverage(m.alpha);
+    return vec4(finite_radiance(radiance) * coverage, coverage);
 #else
     return vec4(finite_radiance(radiance), 1.0);
 #endif

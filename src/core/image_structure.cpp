@@ -21,6 +21,7 @@ constexpr int kMaxJpegScans = 64;
 
 constexpr std::uint64_t kMaxHdrHeaderBytes = std::uint64_t{1} << 20;
 constexpr int kMaxExrParts = 64;
+constexpr std::uint64_t kLongestExrName = 255;
 
 // ---- JPEG: markers from SOI to EOI --------------------------------------------------------------
 
@@ -125,19 +126,72 @@ void check_exr_attribute(const ByteCursor& file, std::string_view name, std::uin
     }
 }
 
+// A list of names with 16 bytes each, ended by an empty name.
+std::uint64_t length_of_exr_channels(const ByteCursor& file, std::uint64_t value) {
+    constexpr std::uint64_t kChannelBytes = 16;
+    for (std::uint64_t at = value;;) {
+        const std::string_view name = file.text_until(at, '\0', kLongestExrName);
+        at += name.size() + 1;
+        if (name.empty()) return at - value;
+        file.require(at, kChannelBytes);
+        at += kChannelBytes;
+    }
+}
+
+// Texts, each behind its length, that must fill `length` bytes.
+std::uint64_t length_of_exr_texts(const ByteCursor& file, std::uint64_t value,
+                                  std::uint64_t length) {
+    std::uint64_t at = 0;
+    while (at < length) at += 4 + std::uint64_t{file.u32(value + at, false)};
+    return at;
+}
+
+// Decoders read as many bytes as the type says, whatever length stands before them: were it another
+// one, they would see another file than this walk does, and take any four bytes for a length.
+void check_exr_type(const ByteCursor& file, std::string_view type, std::uint64_t value,
+                    std::uint64_t length) {
+    struct Fixed {
+        std::string_view type;
+        std::uint64_t length;
+    };
+    constexpr Fixed kFixed[] = {
+        {"box2f", 16},      {"box2i", 16},   {"chromaticities", 32},
+        {"compression", 1}, {"double", 8},   {"envmap", 1},
+        {"float", 4},       {"int", 4},      {"keycode", 28},
+        {"lineOrder", 1},   {"m33d", 72},    {"m33f", 36},
+        {"m44d", 128},      {"m44f", 64},    {"rational", 8},
+        {"tiledesc", 9},    {"timecode", 8}, {"v2d", 16},
+        {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
+        {"v3f", 12},        {"v3i", 12},     {"deepImageState", 1},
+    };
+    std::uint64_t wanted = length;
+    for (const Fixed& fixed : kFixed)
+        if (type == fixed.type) wanted = fixed.length;
+    if (type == "chlist") wanted = length_of_exr_channels(file, value);
+    if (type == "stringvector") wanted = length_of_exr_texts(file, value, length);
+    if (type == "preview") {  // pixels of four bytes behind their width and height
+        const std::uint64_t pixels =
+            std::uint64_t{file.u32(value, false)} * file.u32(value + 4, false);
+        wanted = pixels <= length ? 8 + 4 * pixels : 0;
+    }
+    if (wanted != length) {
+        file.fail(fmt::format("{} bytes for an attribute of type {}", length, shown(type)));
+    }
+}
+
 // Walks one header and returns the offset behind its end.
 std::uint64_t check_exr_header(const ByteCursor& file, std::uint64_t at, ExrHeader& header) {
-    constexpr std::uint64_t kLongestName = 255;
     for (;;) {
-        const std::string_view name = file.text_until(at, '\0', kLongestName);
+        const std::string_view name = file.text_until(at, '\0', kLongestExrName);
         at += name.size() + 1;
         if (name.empty()) return at;
         header.empty = false;
-        const std::string_view type = file.text_until(at, '\0', kLongestName);
+        const std::string_view type = file.text_until(at, '\0', kLongestExrName);
         at += type.size() + 1;
         const std::uint64_t length = file.u32(at, false);
         at += 4;
         file.require(at, length);
+        check_exr_type(file, type, at, length);
         check_exr_attribute(file, name, at, length, header);
         at += length;
     }

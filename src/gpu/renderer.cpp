@@ -41,7 +41,7 @@ void store(const std::vector<float>& sum, const Tile& tile, int samples, bool tr
             sum.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.width) * 4;
         float* to = image.at(tile.x, image.height - 1 - (tile.y + y));
         for (int x = 0; x < tile.width; ++x, from += 4, to += 4) {
-            const float alpha = transparent ? std::clamp(from[3] * scale, 0.0f, 1.0f) : 1.0f;
+            const float alpha = transparent ? std::min(writable(from[3] * scale), 1.0f) : 1.0f;
             // Sums are premultiplied; below 1e-6 there is nothing but rounding to divide.
             const float each = !transparent ? scale : alpha > 1e-6f ? scale / alpha : 0.0f;
             for (int c = 0; c < 3; ++c) to[c] = writable(from[c] * each);

@@ -120,11 +120,13 @@ Pixels u16_pixels(const Texture& texture, bool es) {
 
 Pixels f32_pixels(const Texture& texture, bool es, TexelRepair repair) {
     Pixels p;
-    // ES filters half floats, not floats, the largest of which is 65504. Normals lie in [0, 1]:
-    // within 16 their squares stay far from overflow, whatever scale is put on them.
+    // ES filters half floats, not floats, the largest of which is 65504. It is the brightest that a
+    // pixel can be, and sums of such texels (filters, mips) stay far from infinity, whose
+    // differences would be NaN. Normals lie in [0, 1]: within 16 their squares stay far from
+    // overflow, whatever scale is put on them.
     p.format = {static_cast<GLenum>(es ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT};
     const bool normals = repair == TexelRepair::flat_normal;
-    const float limit = normals ? 16.0f : es ? 65504.0f : 3.0e38f;
+    const float limit = normals ? 16.0f : 65504.0f;
     p.converted = to_four_channels<float, float>(texture, [limit](float v, bool) {
         return std::isfinite(v) ? std::clamp(v, -limit, limit) : std::nanf("");
     });

@@ -1,11 +1,14 @@
 // Broken and hostile image files: an error of one line, never a crash, a hang or half a picture.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
+#include <span>
+#include <string_view>
 
 #include "burnish/error.hpp"
 #include "core/image_io.hpp"
@@ -90,6 +93,41 @@ TEST_P(Hostile, FlippedBytesAreSurvived) {
         }
         SCOPED_TRACE(seed);
         texels_or_refusal(bytes);
+    }
+}
+
+// Found by the fuzzer: decoders read what the type of an attribute says. One of another length made
+// them take four bytes of something else for the length of the next, and ask for gigabytes.
+TEST(HostileOpenExr, AttributesAreAsLongAsTheirTypes) {
+    const auto exr = std::find_if(encodings().begin(), encodings().end(),
+                                  [](const Encoding& e) { return e.format == "openexr"; });
+    ASSERT_NE(exr, encodings().end());
+    const Bytes good = encode(*exr, sample_picture(24, 18, exr->channels));
+    struct Lie {
+        std::string_view type;  // as the file has it: its end, and the length behind it
+        std::size_t more;
+    };
+    using namespace std::string_view_literals;
+    for (const Lie& lie : {Lie{"compression\0\x01\0\0\0"sv, 1}, Lie{"box2i\0\x10\0\0\0"sv, 3},
+                           Lie{"float\0\x04\0\0\0"sv, 200}, Lie{"chlist\0"sv, 1}}) {
+        const auto type = std::as_bytes(std::span(lie.type));
+        const auto found = std::search(good.begin(), good.end(), type.begin(), type.end());
+        ASSERT_NE(found, good.end()) << lie.type;
+        const std::size_t length =
+            static_cast<std::size_t>(found - good.begin()) + lie.type.find('\0') + 1;
+        Bytes bytes = good;
+        bytes[length] =
+            static_cast<std::byte>(std::to_integer<std::size_t>(bytes[length]) + lie.more);
+        bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(length) + 4, lie.more,
+                     std::byte{0});
+        try {
+            decode_texture(bytes, "hostile.img", ColorSpace::linear);
+            ADD_FAILURE() << lie.type;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string_view(error.what()).find("for an attribute of type"),
+                      std::string_view::npos)
+                << error.what();
+        }
     }
 }
 

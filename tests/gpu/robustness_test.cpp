@@ -102,6 +102,34 @@ TEST_F(Robustness, MeshesWithoutDirectionsStayFinite) {
     expect_finite(scene, "a vertex nowhere");
 }
 
+// Found by the soak: coverage beyond any number, whose filtered differences were NaN.
+TEST_F(Robustness, CoverageStaysAShareOfThePixel) {
+    Scene scene = lit_sphere();
+    scene.materials[0].alpha_mode = AlphaMode::blend;
+    scene.materials[0].base_color_texture.texture = 1;
+    Texture& texture = scene.textures.emplace_back(constant_texture(glm::vec3(0.5f)));
+    constexpr float kHuge = std::numeric_limits<float>::max();
+    const std::vector<glm::vec4> texels = {glm::vec4(1, 1, 1, kHuge), glm::vec4(1, 1, 1, -kHuge),
+                                           glm::vec4(kHuge, 1, 1, 1), glm::vec4(1, 1, 1, 2)};
+    const auto bytes = std::as_bytes(std::span(texels));
+    texture.texels.assign(bytes.begin(), bytes.end());
+    texture.width = texture.height = 2;
+    texture.channels = 4;
+    gpu::Renderer renderer(*context, scene, nullptr);
+    gpu::RenderOptions o = small_picture(24, 24, 2);
+    o.background = gpu::BackgroundKind::transparent;
+    const Image image = renderer.render(camera_on_z(4.0f, 1.1f), o);
+    double covered = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        ASSERT_TRUE(std::isfinite(image.pixels[i])) << i;
+        if (i % 4 != 3) continue;
+        ASSERT_GE(image.pixels[i], 0.0f);
+        ASSERT_LE(image.pixels[i], 1.0f);
+        covered += static_cast<double>(image.pixels[i]);
+    }
+    EXPECT_GT(covered, 24.0);
+}
+
 TEST_F(Robustness, LightsInTheSurfaceStayFinite) {
     Scene scene = lit_sphere();
     scene.lights[0].type = LightType::point;

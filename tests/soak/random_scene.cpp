@@ -257,10 +257,10 @@ std::string break_stage(Stage& stage, Random& random) {
         case 5:
             stage.scene.materials.front().occlusion_texture.texture = 99;
             return "a texture out of range";
-        case 6:
-            stage.scene.textures
-                .at(static_cast<std::size_t>(add_texture(stage.scene, random, ColorSpace::linear)))
-                .texels.pop_back();
+        case 6:  // of a texture in use: others are not looked at
+            stage.scene.materials.front().base_color_texture.texture =
+                add_texture(stage.scene, random, ColorSpace::srgb);
+            stage.scene.textures.back().texels.pop_back();
             return "a texel short";
         case 7:
             stage.options.width = 0;
