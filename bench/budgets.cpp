@@ -1,20 +1,40 @@
 // `make bench`: measures the budgets and writes them beside what was reached.
-// Usage: burnish_bench OUT.md
+// Usage: burnish_bench OUT.md [frames|image-light|loading|first-picture|scratches|distributions
+// ...]
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "report.hpp"
 
+namespace {
+
+using burnish::bench::Report;
+
+constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
+    {"frames", burnish::bench::measure_frames},
+    {"image-light", burnish::bench::measure_image_light},
+    {"loading", burnish::bench::measure_loading},
+    {"first-picture", burnish::bench::measure_first_picture},
+    {"scratches", burnish::bench::measure_scratches},
+    {"distributions", burnish::bench::measure_distributions},
+};
+
+}  // namespace
+
 int main(int argc, char** argv) {
     try {
-        burnish::bench::Report report;
-        burnish::bench::measure_frames(report);
-        burnish::bench::measure_image_light(report);
-        burnish::bench::measure_loading(report);
-        burnish::bench::measure_first_picture(report);
-        burnish::bench::measure_scratches(report);
-        burnish::bench::measure_distributions(report);
+        const std::vector<std::string> chosen(argv + std::min(argc, 2), argv + argc);
+        Report report;
+        for (const auto& [name, measure] : kParts) {
+            if (chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end()) {
+                measure(report);
+            }
+        }
         const std::string text = to_markdown(report);
         std::fputs(text.c_str(), stdout);
         if (argc > 1) std::ofstream(argv[1]) << text;
