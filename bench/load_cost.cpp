@@ -31,12 +31,11 @@ std::vector<std::byte> large_glb() {
     const int smooth_too = writer.add_png(png_gradient(4096, 4096));
     const int rough = writer.add_png(png_noise(4096, 4096, 1));
     const int rough_too = writer.add_png(png_noise(4096, 4096, 2));
-    grid.material = writer.add_material(
-        {{"pbrMetallicRoughness",
-          {{"baseColorTexture", {{"index", smooth}}},
-           {"metallicRoughnessTexture", {{"index", rough}}}}},
-         {"normalTexture", {{"index", smooth_too}}},
-         {"occlusionTexture", {{"index", rough_too}}}});
+    grid.material = writer.add_material({{"pbrMetallicRoughness",
+                                          {{"baseColorTexture", {{"index", smooth}}},
+                                           {"metallicRoughnessTexture", {{"index", rough}}}}},
+                                         {"normalTexture", {{"index", smooth_too}}},
+                                         {"occlusionTexture", {{"index", rough_too}}}});
     writer.add_node(writer.add_mesh(grid));
     return writer.glb();
 }
@@ -52,16 +51,15 @@ void measure_loading(Report& report) {
     const auto path = folder.write("large.glb", large_glb());
     std::vector<double> times;
     for (int i = 0; i < kRuns; ++i) times.push_back(seconds_of([&] { load_gltf(path); }));
-    report.rows.push_back(
-        row_of("load a 1 M-triangle glb with four 4096x4096 PNGs", 3.0, times));
+    report.rows.push_back(row_of("load a 1 M-triangle glb with four 4096x4096 PNGs", 3.0, times));
 }
 
 void measure_first_picture(Report& report) {
     const TemporaryFolder folder;
-    const std::string command =
-        fmt::format("\"{}\" render builtin:sphere --env none --light 40,30 --samples 1 "
-                    "--normal-map builtin:bumps --metal steel -o \"{}\" > /dev/null",
-                    BURNISH_PROGRAM, (folder.path() / "first.png").string());
+    const std::string command = fmt::format(
+        "\"{}\" render builtin:sphere --env none --light 40,30 --samples 1 "
+        "--normal-map builtin:bumps --metal steel -o \"{}\" > /dev/null",
+        BURNISH_PROGRAM, (folder.path() / "first.png").string());
     std::vector<double> times;
     for (int i = 0; i < kRuns; ++i)
         times.push_back(seconds_of([&] {

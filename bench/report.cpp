@@ -29,7 +29,9 @@ std::string processor() {
 
 }  // namespace
 
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+double median(std::vector<double> values) {
+    return quantile(std::move(values), 0.5);
+}
 
 double half_quartile_distance(std::vector<double> values) {
     return 0.5 * (quantile(values, 0.75) - quantile(values, 0.25));
@@ -49,8 +51,8 @@ std::string to_markdown(const Report& report) {
         const std::string verdict = row.budget <= 0             ? ""
                                     : row.reached <= row.budget ? "met"
                                                                 : "**missed**";
-        text += fmt::format("| {} | {} | {:.3f} {} | {:.3f} | {} |\n", row.work, budget, row.reached,
-                            row.unit, row.spread, verdict);
+        text += fmt::format("| {} | {} | {:.3f} {} | {:.3f} | {} |\n", row.work, budget,
+                            row.reached, row.unit, row.spread, verdict);
     }
     return text;
 }

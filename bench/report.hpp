@@ -8,10 +8,10 @@ namespace burnish::bench {
 
 struct Row {
     std::string work;
-    double budget = 0;   // at most; 0: reported only
+    double budget = 0;  // at most; 0: reported only
     double reached = 0;
-    double spread = 0;   // half the distance between the quartiles
-    std::string unit;    // "x" for a ratio, "s" ...
+    double spread = 0;  // half the distance between the quartiles
+    std::string unit;   // "x" for a ratio, "s" ...
 };
 
 struct Report {

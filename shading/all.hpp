@@ -1,5 +1,6 @@
 // The texts in the order in which they build on each other: the one list, read by the C++ faces
 // (include/burnish/f32.hpp, f64.hpp) and by cmake/embed_shaders.cmake for GLSL. No include guard.
+// clang-format off
 #include "shading/names.glsl"
 #include "shading/frame.glsl"
 #include "shading/perturb.glsl"
@@ -19,3 +20,4 @@
 #include "shading/cosine_power.glsl"
 #include "shading/brdf_phong.glsl"
 #include "shading/brdf_lafortune.glsl"
+// clang-format on

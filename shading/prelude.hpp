@@ -37,37 +37,56 @@ using std::sin;
 using std::sqrt;
 
 template <typename Float>
-Float atan(Float y, Float x) { return std::atan2(y, x); }
+Float atan(Float y, Float x) {
+    return std::atan2(y, x);
+}
 template <typename Float>
-Float min(Float a, Float b) { return b < a ? b : a; }
+Float min(Float a, Float b) {
+    return b < a ? b : a;
+}
 template <typename Float>
-Float max(Float a, Float b) { return a < b ? b : a; }
+Float max(Float a, Float b) {
+    return a < b ? b : a;
+}
 template <typename Float>
-Float clamp(Float v, Float low, Float high) { return min(max(v, low), high); }
+Float clamp(Float v, Float low, Float high) {
+    return min(max(v, low), high);
+}
 template <typename Float>
-Float mix(Float a, Float b, Float t) { return a * (Float(1) - t) + b * t; }
+Float mix(Float a, Float b, Float t) {
+    return a * (Float(1) - t) + b * t;
+}
 template <typename Float>
-Float dot(Vec3<Float> a, Vec3<Float> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Float dot(Vec3<Float> a, Vec3<Float> b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 template <typename Float>
 Vec3<Float> cross(Vec3<Float> a, Vec3<Float> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <typename Float>
-Float length(Vec3<Float> a) { return sqrt(dot(a, a)); }
+Float length(Vec3<Float> a) {
+    return sqrt(dot(a, a));
+}
 template <typename Float>
-Vec3<Float> normalize(Vec3<Float> a) { return a * (Float(1) / length(a)); }
+Vec3<Float> normalize(Vec3<Float> a) {
+    return a * (Float(1) / length(a));
+}
 
 // Selects, never branches: per lane in the batched build.
 template <typename T>
-T choose(bool condition, T a, T b) { return condition ? a : b; }
+T choose(bool condition, T a, T b) {
+    return condition ? a : b;
+}
 
 // ln(1 - x) without the loss of 1 - x for small x; x <= 1.
 template <typename Float>
-Float log1m(Float x) { return std::log1p(-x); }
+Float log1m(Float x) {
+    return std::log1p(-x);
+}
 template <typename Float>
-Float erfc(Float x) { return std::erfc(x); }
+Float erfc(Float x) {
+    return std::erfc(x);
+}
 
 }  // namespace burnish::dialect
-
-
-

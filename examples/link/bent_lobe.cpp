@@ -1,5 +1,5 @@
-// Links libburnish: evaluates a brushed lobe under a bent normal with the shared maths, then renders a
-// picture when given a file name.
+// Links libburnish: evaluates a brushed lobe under a bent normal with the shared maths, then
+// renders a picture when given a file name.
 #include <burnish/f64.hpp>
 #include <burnish/render.hpp>
 #include <cmath>

@@ -19,8 +19,11 @@ inline constexpr int kDeformRootSteps = 14;
 inline constexpr Float kLeastCosine = 1e-12f;
 inline constexpr Float kMostValue = 1e30f;
 
+// In this order.
+// clang-format off
 #include "shading/prelude_begin.hpp"
 #include "shading/all.hpp"
 #include "shading/prelude_end.hpp"
+// clang-format on
 
 }  // namespace burnish::f32

@@ -19,8 +19,11 @@ inline constexpr int kDeformRootSteps = 18;
 inline constexpr Float kLeastCosine = 1e-100;
 inline constexpr Float kMostValue = 1e300;
 
+// In this order.
+// clang-format off
 #include "shading/prelude_begin.hpp"
 #include "shading/all.hpp"
 #include "shading/prelude_end.hpp"
+// clang-format on
 
 }  // namespace burnish::f64

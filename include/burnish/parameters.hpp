@@ -1,5 +1,5 @@
-// THE parameter table: every number, choice and switch a person can set, once. It feeds the flags of
-// the command line, the keys of scene files, their ranges, defaults and help.
+// THE parameter table: every number, choice and switch a person can set, once. It feeds the flags
+// of the command line, the keys of scene files, their ranges, defaults and help.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@ enum class ParameterKind { real, integer, boolean, choice, color, vector, text }
 enum class ParameterGroup { material, render, camera, environment, mesh };
 
 struct Parameter {
-    std::string_view name;           // snake_case: scene-file key; the flag is --name with dashes
+    std::string_view name;  // snake_case: scene-file key; the flag is --name with dashes
     ParameterGroup group;
     ParameterKind kind;
-    double low;                      // inclusive range of real and integer, per component of color
-    double high;                     // and vector
-    std::string_view default_text;   // "" : unset, the file or the program decides
-    std::string_view unit;           // "deg", "px", "EV", "" ...
-    std::string_view help;           // one line
+    double low;                     // inclusive range of real and integer, per component of color
+    double high;                    // and vector
+    std::string_view default_text;  // "" : unset, the file or the program decides
+    std::string_view unit;          // "deg", "px", "EV", "" ...
+    std::string_view help;          // one line
     std::span<const std::string_view> choices;  // for choice
 };
 
@@ -37,8 +37,9 @@ std::string flag_of(std::string_view name);              // "alpha_x" -> "--alph
 // expected and what was found; an unknown name suggests the nearest.
 class ParameterValues {
   public:
-    // `where` that ends in the parameter's name (a flag, a key path) stands alone in messages; else the
-    // name is added to it. `text`: "0.2", "true", "follow-grain", "1,0.8,0.3" or "#rrggbb" (sRGB) for colours, "x,y,z".
+    // `where` that ends in the parameter's name (a flag, a key path) stands alone in messages; else
+    // the name is added to it. `text`: "0.2", "true", "follow-grain", "1,0.8,0.3" or "#rrggbb"
+    // (sRGB) for colours, "x,y,z".
     void set(std::string_view name, std::string_view text, std::string_view where);
 
     bool is_set(std::string_view name) const;

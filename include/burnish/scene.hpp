@@ -22,12 +22,12 @@ enum class AlphaMode { opaque, mask, blend };
 
 // A use of a texture by a material.
 struct TextureUse {
-    int texture = -1;                     // index into Scene::textures, -1: none
-    int texcoord = 0;                     // 0 or 1
-    glm::mat3 transform{1.0f};            // KHR_texture_transform: (u', v', 1) = transform (u, v, 1)
+    int texture = -1;           // index into Scene::textures, -1: none
+    int texcoord = 0;           // 0 or 1
+    glm::mat3 transform{1.0f};  // KHR_texture_transform: (u', v', 1) = transform (u, v, 1)
     Wrap wrap_s = Wrap::repeat;
     Wrap wrap_t = Wrap::repeat;
-    bool nearest = false;                 // no filtering asked for
+    bool nearest = false;  // no filtering asked for
     explicit operator bool() const { return texture >= 0; }
 };
 
@@ -43,11 +43,11 @@ struct Material {
     glm::vec4 base_color{1.0f};
     TextureUse base_color_texture;
     float metallic = 1.0f;
-    float roughness = 1.0f;               // perceptual: alpha = roughness^2
+    float roughness = 1.0f;                 // perceptual: alpha = roughness^2
     TextureUse metallic_roughness_texture;  // G roughness, B metallic
     TextureUse normal_texture;
     float normal_scale = 1.0f;
-    bool flip_green = false;              // the normal map is of the +y-down (DirectX) kind
+    bool flip_green = false;  // the normal map is of the +y-down (DirectX) kind
     TextureUse occlusion_texture;
     float occlusion_strength = 1.0f;
     glm::vec3 emissive{0.0f};
@@ -57,19 +57,19 @@ struct Material {
     bool double_sided = false;
 
     // KHR_materials_anisotropy: the lobe is stretched along the tangent turned by the rotation.
-    float anisotropy_strength = 0.0f;     // 0..1
-    float anisotropy_rotation = 0.0f;     // radians, counter-clockwise from the tangent
-    TextureUse anisotropy_texture;        // RG direction, B strength
+    float anisotropy_strength = 0.0f;  // 0..1
+    float anisotropy_rotation = 0.0f;  // radians, counter-clockwise from the tangent
+    TextureUse anisotropy_texture;     // RG direction, B strength
 
     // What glTF has no word for. `alpha` (x along the turned tangent) overrides roughness and
     // anisotropy strength; textures then no longer scale them.
     std::optional<glm::vec2> alpha;
-    std::optional<Conductor> conductor;   // exact Fresnel instead of Schlick with F0 = base colour
+    std::optional<Conductor> conductor;  // exact Fresnel instead of Schlick with F0 = base colour
     float dielectric_f0 = 0.04f;
     Mdf mdf = Mdf::ggx;
     Brdf brdf = Brdf::microfacet;
     Method method = Method::follow_grain;
-    bool conserve = false;                // deform-*: the energy-conserving form
+    bool conserve = false;  // deform-*: the energy-conserving form
 };
 
 // The method that a renderer draws the material with. `normal-map` stands for what engines ship,
@@ -88,12 +88,12 @@ enum class LightType { directional, point, spot };
 
 struct Light {
     LightType type = LightType::directional;
-    glm::vec3 color{1.0f};                // linear, times intensity: radiance scale of the light
-    float intensity = 1.0f;               // lux (directional) or candela (point, spot)
+    glm::vec3 color{1.0f};   // linear, times intensity: radiance scale of the light
+    float intensity = 1.0f;  // lux (directional) or candela (point, spot)
     glm::vec3 position{0.0f};
     glm::vec3 direction{0.0f, 0.0f, -1.0f};  // unit, the way the light travels
-    float range = 0.0f;                   // 0: unbounded
-    float inner_cone = 0.0f;              // radians, spot only
+    float range = 0.0f;                      // 0: unbounded
+    float inner_cone = 0.0f;                 // radians, spot only
     float outer_cone = 0.7853982f;
 };
 
@@ -102,29 +102,29 @@ struct Camera {
     glm::vec3 target{0.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
     bool orthographic = false;
-    float yfov = 0.6f;                    // radians
-    float ymag = 1.0f;                    // half height of an orthographic view, metres
-    float near_plane = 0.0f;              // 0: chosen from the scene's bounds
+    float yfov = 0.6f;        // radians
+    float ymag = 1.0f;        // half height of an orthographic view, metres
+    float near_plane = 0.0f;  // 0: chosen from the scene's bounds
     float far_plane = 0.0f;
 };
 
-// Light from everywhere: a lat-long radiance map, +y up, row 0 at the zenith. The middle of the picture
-// looks along -z (what a camera at +z sees behind the model) and columns run towards +x:
-// u = 1/2 + atan2(x, -z) / (2 pi), v = acos(y) / pi.
+// Light from everywhere: a lat-long radiance map, +y up, row 0 at the zenith. The middle of the
+// picture looks along -z (what a camera at +z sees behind the model) and columns run towards +x: u
+// = 1/2 + atan2(x, -z) / (2 pi), v = acos(y) / pi.
 struct Environment {
     std::string name;
-    Image radiance;                       // RGB
+    Image radiance;  // RGB
 };
 
 struct Scene {
     std::string name;
     std::vector<Mesh> meshes;
-    std::vector<Material> materials;      // never empty when there is an instance
+    std::vector<Material> materials;  // never empty when there is an instance
     std::vector<Texture> textures;
     std::vector<Instance> instances;
     std::vector<Light> lights;
-    std::vector<Camera> cameras;          // those stored in the file, in order
-    std::vector<std::string> warnings;    // what will look different, one line each
+    std::vector<Camera> cameras;        // those stored in the file, in order
+    std::vector<std::string> warnings;  // what will look different, one line each
 };
 
 // Bounds of all instances in world space.

@@ -30,7 +30,7 @@ enum class Method {
     deform_smooth = 8
 };
 
-std::span<const std::string_view> mdf_names();     // in the order of the enumeration
+std::span<const std::string_view> mdf_names();  // in the order of the enumeration
 std::span<const std::string_view> brdf_names();
 std::span<const std::string_view> method_names();
 
@@ -38,7 +38,8 @@ std::string_view name_of(Mdf mdf);
 std::string_view name_of(Brdf brdf);
 std::string_view name_of(Method method);
 
-// Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'? known:
+// Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'?
+// known:
 // ..." when it is not there.
 int index_of_name(std::span<const std::string_view> names, std::string_view name,
                   std::string_view kind, std::string_view where);

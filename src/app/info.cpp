@@ -55,9 +55,9 @@ std::string describe_image(const std::string& path) {
 std::string describe_file(const std::string& path) {
     constexpr std::string_view kBuiltin = "builtin:";
     const auto shapes = builtin_names();
-    const bool mesh = path.starts_with(kBuiltin) &&
-                      std::find(shapes.begin(), shapes.end(), path.substr(kBuiltin.size())) !=
-                          shapes.end();
+    const bool mesh =
+        path.starts_with(kBuiltin) &&
+        std::find(shapes.begin(), shapes.end(), path.substr(kBuiltin.size())) != shapes.end();
     if (!mesh && path.starts_with(kBuiltin)) {
         const Environment environment = load_environment(path);
         return fmt::format("{}: environment, {}x{}\n{}", path, environment.radiance.width,

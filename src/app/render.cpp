@@ -20,7 +20,8 @@ namespace {
 
 using Metadata = std::map<std::string, std::string>;
 
-Metadata metadata_of(const RenderRequest& request, const Stage& stage, const gpu::Context& context) {
+Metadata metadata_of(const RenderRequest& request, const Stage& stage,
+                     const gpu::Context& context) {
     std::string parameters;
     for (const auto& [name, value] : stage.values.set_values())
         parameters += fmt::format("{}{}={}", parameters.empty() ? "" : "; ", name, value);
@@ -81,9 +82,9 @@ void set_method(std::vector<Material>& materials, Method method) {
 // among them, else the last.
 Sheet comparison_sheet(const std::vector<Method>& methods, const std::vector<Image>& pictures) {
     const auto grain = std::find(methods.begin(), methods.end(), Method::follow_grain);
-    const std::size_t reference =
-        grain == methods.end() ? methods.size() - 1
-                               : static_cast<std::size_t>(grain - methods.begin());
+    const std::size_t reference = grain == methods.end()
+                                      ? methods.size() - 1
+                                      : static_cast<std::size_t>(grain - methods.begin());
     const std::string reference_name(name_of(methods[reference]));
     const float gain = difference_gain(pictures[reference], pictures);
     std::vector<std::vector<SheetCell>> rows(2);
@@ -125,8 +126,8 @@ std::vector<std::filesystem::path> render_turntable(const RenderRequest& request
     std::vector<std::filesystem::path> written;
     const auto frames = static_cast<std::size_t>(request.turntable);
     for (std::size_t i = 0; i < frames; ++i) {
-        const double angle = glm::two_pi<double>() * static_cast<double>(i) /
-                             static_cast<double>(frames);
+        const double angle =
+            glm::two_pi<double>() * static_cast<double>(i) / static_cast<double>(frames);
         const Image linear = renderer.render(turned(stage.camera, angle), stage.options,
                                              part_of(progress, i, frames));
         written.push_back(numbered(request.output, static_cast<int>(i)));

@@ -16,8 +16,8 @@ inline constexpr std::string_view kDefaultEnvironment = "builtin:studio";
 
 struct Stage {
     Scene scene;
-    Environment environment;          // empty radiance: none
-    ParameterValues values;           // everything that was set, for metadata
+    Environment environment;  // empty radiance: none
+    ParameterValues values;   // everything that was set, for metadata
     Camera camera;
     gpu::RenderOptions options;
     double exposure_ev = 0;

@@ -37,11 +37,16 @@ struct Flags {
 
 std::string_view heading(ParameterGroup group) {
     switch (group) {
-        case ParameterGroup::material: return "Material (of every surface; default: the file's)";
-        case ParameterGroup::render: return "Picture";
-        case ParameterGroup::camera: return "Camera (default: the file's first, else framed)";
-        case ParameterGroup::environment: return "Environment";
-        case ParameterGroup::mesh: return "Built-in meshes";
+        case ParameterGroup::material:
+            return "Material (of every surface; default: the file's)";
+        case ParameterGroup::render:
+            return "Picture";
+        case ParameterGroup::camera:
+            return "Camera (default: the file's first, else framed)";
+        case ParameterGroup::environment:
+            return "Environment";
+        case ParameterGroup::mesh:
+            return "Built-in meshes";
     }
     return "";
 }
@@ -104,7 +109,8 @@ void add_parameter_flags(CLI::App& command, const std::shared_ptr<Flags>& flags)
         };
         CLI::Option* option =
             parameter.kind == ParameterKind::boolean
-                ? command.add_flag_callback(flag, [set] { set("true"); }, help_of(parameter))
+                ? command.add_flag_callback(
+                      flag, [set] { set("true"); }, help_of(parameter))
                 : command.add_option_function<std::string>(flag, set, help_of(parameter))
                       ->type_name(value_name(parameter));
         option->group(std::string(heading(parameter.group)));
@@ -174,9 +180,10 @@ void add_render_command(CLI::App& parent, Session& session) {
     CLI::App* command = parent.add_subcommand("render", "Render a model or a scene file");
     const auto flags = std::make_shared<Flags>();
     RenderRequest& request = flags->request;
-    command->add_option("input", request.stage.input,
-                        ".gltf, .glb, .obj, a scene .json, or builtin:sphere, plane, cylinder, "
-                        "torus, drape")
+    command
+        ->add_option("input", request.stage.input,
+                     ".gltf, .glb, .obj, a scene .json, or builtin:sphere, plane, cylinder, "
+                     "torus, drape")
         ->required()
         ->type_name("MODEL|SCENE");
     command
@@ -192,9 +199,10 @@ void add_render_command(CLI::App& parent, Session& session) {
                      "builtin:black: dark, black behind the model; none: dark, "
                      "--background-color behind it")
         ->type_name("FILE");
-    command->add_option("--light", request.stage.lights,
-                        "AZIMUTH,ELEVATION[,INTENSITY] in degrees and lux, point:X,Y,Z[,INTENSITY], "
-                        "or none; may be repeated; instead of the file's lights")
+    command
+        ->add_option("--light", request.stage.lights,
+                     "AZIMUTH,ELEVATION[,INTENSITY] in degrees and lux, point:X,Y,Z[,INTENSITY], "
+                     "or none; may be repeated; instead of the file's lights")
         ->type_name("LIGHT")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

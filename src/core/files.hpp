@@ -38,9 +38,9 @@ void write_file_whole(const std::filesystem::path& path,
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
-// Several files, written whole or none of them: all are made under temporary names, then renamed, the
-// last of the list first. A failure before the renames leaves every old file as it was; the renames
-// themselves can fail only when the file system does.
+// Several files, written whole or none of them: all are made under temporary names, then renamed,
+// the last of the list first. A failure before the renames leaves every old file as it was; the
+// renames themselves can fail only when the file system does.
 struct FileToWrite {
     std::filesystem::path path;
     std::function<void(const std::filesystem::path&)> write;  // as for write_file_whole

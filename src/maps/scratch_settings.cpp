@@ -138,8 +138,7 @@ std::vector<ScratchLayer> brushed() {
 
 // Handling: hairlines of every direction, short and long.
 std::vector<ScratchLayer> fine_random() {
-    ScratchLayer hair =
-        layer_of(22, lognormal(5, 0.7), lognormal(0.1, 0.3), lognormal(0.012, 0.5));
+    ScratchLayer hair = layer_of(22, lognormal(5, 0.7), lognormal(0.1, 0.3), lognormal(0.012, 0.5));
     hair.curvature_per_mm = {Shape::normal, 0.0, 0.03};
     ScratchLayer faint =
         layer_of(70, lognormal(2.5, 0.6), lognormal(0.07, 0.25), lognormal(0.005, 0.4));

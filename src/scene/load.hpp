@@ -31,8 +31,8 @@ Environment load_environment(const std::string& path_or_builtin);
 // A scene file (JSON): schema in docs/scene-file.md.
 struct SceneFile {
     Scene scene;
-    ParameterValues values;       // the file's "parameters"
-    std::string environment;      // "" when the file names none
+    ParameterValues values;   // the file's "parameters"
+    std::string environment;  // "" when the file names none
 };
 SceneFile load_scene_file(const std::filesystem::path& path);
 bool is_scene_file(const std::filesystem::path& path);  // JSON with "format": "burnish-scene"

@@ -25,8 +25,8 @@ std::string sample_model(const std::string& name);  // data/models/NAME/glTF-Bin
 
 using Settings = std::vector<std::pair<std::string, std::string>>;  // parameter, text
 
-// What `burnish render INPUT --env ENVIRONMENT --light LIGHT ... --parameter text ...` shows, without
-// shadows unless a setting asks for them: what the pictures are compared with has none.
+// What `burnish render INPUT --env ENVIRONMENT --light LIGHT ... --parameter text ...` shows,
+// without shadows unless a setting asks for them: what the pictures are compared with has none.
 Stage stage_of(const std::string& input, const std::string& environment,
                const std::vector<std::string>& lights, const Settings& settings);
 

@@ -1,17 +1,18 @@
 // Where the highlight goes: a plate tilted by its normal map alone against the mirror direction and
 // against a plate that is really tilted.
+#include "highlight.hpp"
+
 #include <gtest/gtest.h>
 
-#include "highlight.hpp"
 #include "lobes_under_test.hpp"
 
 namespace burnish::test {
 namespace {
 
 TEST(Highlight, SeenAlongThePerturbedNormalItIsTheMirrorDirection) {
-    for (const LobeCase& c : {LobeCase{f64::kMdfGgx, 0.1, 0.5}, LobeCase{f64::kMdfBeckmann, 0.4, 0.1},
-                              LobeCase{f64::kMdfWard, 0.1, 0.5},
-                              LobeCase{f64::kMdfAshikhminShirley, 200, 10}}) {
+    for (const LobeCase& c :
+         {LobeCase{f64::kMdfGgx, 0.1, 0.5}, LobeCase{f64::kMdfBeckmann, 0.4, 0.1},
+          LobeCase{f64::kMdfWard, 0.1, 0.5}, LobeCase{f64::kMdfAshikhminShirley, 200, 10}}) {
         for (double tilt : {15.0, 30.0, 45.0}) {
             const vec3 n = direction(tilt * kPi / 180, 0.6);
             for (int method = f64::kMethodGramSchmidt; method < kMethods; ++method) {
@@ -23,13 +24,15 @@ TEST(Highlight, SeenAlongThePerturbedNormalItIsTheMirrorDirection) {
 }
 
 TEST(Highlight, FollowGrainIsThePlateReallyTilted) {
-    for (const LobeCase& c : {LobeCase{f64::kMdfGgx, 0.1, 0.5}, LobeCase{f64::kMdfGgx, 0.6, 0.2},
-                              LobeCase{f64::kMdfWard, 0.1, 0.5},
-                              LobeCase{f64::kMdfAshikhminShirley, 200, 10}}) {
+    for (const LobeCase& c :
+         {LobeCase{f64::kMdfGgx, 0.1, 0.5}, LobeCase{f64::kMdfGgx, 0.6, 0.2},
+          LobeCase{f64::kMdfWard, 0.1, 0.5}, LobeCase{f64::kMdfAshikhminShirley, 200, 10}}) {
         for (double tilt : {15.0, 30.0, 45.0}) {
             const vec3 n = direction(tilt * kPi / 180, 2.5);
             for (const vec3& wo : {vec3{0, 0, 1}, direction(0.5, 1.0), direction(0.9, 4.0)}) {
-                if (f64::dot(n, wo) < 0.1) { continue; }
+                if (f64::dot(n, wo) < 0.1) {
+                    continue;
+                }
                 const Radiance mapped = mapped_plate(c, f64::kMethodFollowGrain, n, wo);
                 const Radiance tilted = tilted_plate(c, n, wo);
                 EXPECT_LT(angle_deg(brightest(mapped), brightest(tilted)), 0.25)

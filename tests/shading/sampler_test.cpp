@@ -1,5 +1,5 @@
-// Samplers: densities integrate to one, samples follow them (chi-square, corrected for the number of
-// tests), and the forward maps invert the methods.
+// Samplers: densities integrate to one, samples follow them (chi-square, corrected for the number
+// of tests), and the forward maps invert the methods.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -23,10 +23,12 @@ TEST_P(MethodSampler, FollowsItsDensity) {
         const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
         const f64::Perturbation p = perturbation(c, method, kTilted);
         double integral = 0;
-        const double p_value = sampler_p_value(
-            [&](vec3 h) { return f64::lobe_pdf(lobe, p, h); },
-            [&](double a, double b, double s) { return f64::lobe_sample(lobe, p, {a, b}, s); },
-            Axes(p.n), static_cast<unsigned>(7 + method * 31 + c.mdf), integral);
+        const double p_value =
+            sampler_p_value([&](vec3 h) { return f64::lobe_pdf(lobe, p, h); },
+                            [&](double a, double b, double s) {
+                                return f64::lobe_sample(lobe, p, {a, b}, s);
+                            },
+                            Axes(p.n), static_cast<unsigned>(7 + method * 31 + c.mdf), integral);
         EXPECT_GT(p_value, kFamilyError / tests) << label(c, method);
         EXPECT_NEAR(integral, 1.0, 5e-3) << label(c, method);
     }
@@ -40,7 +42,9 @@ TEST(Sampler, VisibleNormalsFollowTheirDensity) {
         for (const vec3& wo : views) {
             const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
             const f64::Perturbation p = perturbation(c, f64::kMethodFollowGrain, kTilted);
-            if (f64::dot(p.n, wo) < 0.05) { continue; }
+            if (f64::dot(p.n, wo) < 0.05) {
+                continue;
+            }
             double integral = 0, pdf = 0;
             const double p_value = sampler_p_value(
                 [&](vec3 h) { return f64::visible_normal_pdf(lobe, p, wo, h); },
@@ -65,8 +69,11 @@ TEST(Sampler, VisibleNormalsBoundTheWeight) {
         const f64::Perturbation p = perturbation(c, f64::kMethodFollowGrain, n);
         const vec3 wo = direction(1.5 * uniform(generator), 2 * kPi * uniform(generator));
         double pdf = 0;
-        const vec3 wi = f64::brdf_sample(lobe, p, wo, {uniform(generator), uniform(generator)}, 0, pdf);
-        if (pdf == 0 || f64::dot(n, wi) <= 0) { continue; }
+        const vec3 wi =
+            f64::brdf_sample(lobe, p, wo, {uniform(generator), uniform(generator)}, 0, pdf);
+        if (pdf == 0 || f64::dot(n, wi) <= 0) {
+            continue;
+        }
         const double f = f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, wi, wo);
         EXPECT_LE(f * f64::dot(n, wi) / pdf, 1 + 1e-6);
         EXPECT_NEAR(f64::brdf_pdf(lobe, p, wi, wo) / pdf, 1, 1e-6);
@@ -81,7 +88,9 @@ TEST(ForwardMap, InvertsThePoint) {
     std::uniform_real_distribution<double> uniform(0, 1);
     const LobeCase c{f64::kMdfGgx, 0.3, 0.6};
     for (int method = 0; method < kMethods; ++method) {
-        if (method == f64::kMethodNormalMap || method == f64::kMethodRotateApprox) { continue; }
+        if (method == f64::kMethodNormalMap || method == f64::kMethodRotateApprox) {
+            continue;
+        }
         for (int i = 0; i < 2000; ++i) {
             const vec3 n = direction(1.2 * uniform(generator), 2 * kPi * uniform(generator));
             const f64::Perturbation p = perturbation(c, method, n);
@@ -103,16 +112,20 @@ TEST(ForwardMap, JacobianMatchesFiniteDifferences) {
             const vec3 n = direction(1.1 * uniform(generator), 2 * kPi * uniform(generator));
             const vec3 h = direction(1.3 * uniform(generator), 2 * kPi * uniform(generator));
             const f64::Perturbation p = perturbation(c, method, n);
-            if (std::hypot(h.x - n.x, h.y - n.y) < 0.02) { continue; }  // kink at C'
+            if (std::hypot(h.x - n.x, h.y - n.y) < 0.02) {
+                continue;
+            }  // kink at C'
             const auto q = [&](double dx, double dy) {
                 const double x = h.x + dx, y = h.y + dy;
                 return f64::perturb_point(p, {x, y, std::sqrt(1 - x * x - y * y)});
             };
-            if (q(0, 0).weight == 0) { continue; }
+            if (q(0, 0).weight == 0) {
+                continue;
+            }
             const double e = 1e-6;
             const f64::LobePoint px = q(e, 0), mx = q(-e, 0), py = q(0, e), my = q(0, -e);
-            const double det = ((px.x - mx.x) * (py.y - my.y) - (px.y - mx.y) * (py.x - my.x)) /
-                               (4 * e * e);
+            const double det =
+                ((px.x - mx.x) * (py.y - my.y) - (px.y - mx.y) * (py.x - my.x)) / (4 * e * e);
             EXPECT_NEAR(f64::deform_jacobian(method, n, h), det, 1e-5 * (1 + std::abs(det)))
                 << label(c, method);
         }

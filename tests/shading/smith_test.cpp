@@ -10,7 +10,9 @@ namespace {
 double worst_G1_error(int mdf, const std::string& name, double largest_alpha) {
     double worst = 0;
     for (double wide : {0.05, 0.1, 0.3, 0.6, 1.0}) {
-        if (wide > largest_alpha) { continue; }
+        if (wide > largest_alpha) {
+            continue;
+        }
         for (double ratio : {1.0, 0.3}) {
             const double alpha_x = wide * ratio, alpha_y = wide;
             const f64::Lobe lobe = f64::lobe_from_alpha(mdf, alpha_x, alpha_y);
