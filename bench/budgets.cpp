@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/memory.hpp"
 #include "report.hpp"
 
 namespace {
@@ -27,6 +28,7 @@ constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
 }  // namespace
 
 int main(int argc, char** argv) {
+    burnish::keep_freed_memory();
     try {
         const std::vector<std::string> chosen(argv + std::min(argc, 2), argv + argc);
         Report report;

@@ -1,5 +1,6 @@
 #include "core/memory.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -59,6 +60,14 @@ std::uint64_t left_in_address_space() {
 
 std::uint64_t available_memory() {
     return std::min({available_to_system(), left_in_group(), left_in_address_space()});
+}
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    constexpr int kLargest = 256 << 20;
+    mallopt(M_MMAP_THRESHOLD, kLargest);
+    mallopt(M_TRIM_THRESHOLD, kLargest);
+#endif
 }
 
 }  // namespace burnish

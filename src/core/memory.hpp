@@ -10,4 +10,10 @@ namespace burnish {
 // nothing of it is known.
 std::uint64_t available_memory();
 
+// For programs that time software rendering: the allocator keeps freed blocks of up to 256 MiB
+// instead of giving them back to the system. llvmpipe asks anew every few frames for the memory of
+// transformed vertices (44 MB for 100 k triangles), whose page faults can take longer than the
+// frames.
+void keep_freed_memory();
+
 }  // namespace burnish
