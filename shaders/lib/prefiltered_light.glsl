@@ -10,7 +10,7 @@
 // far towards the rim of the cap the outermost reach, and the width of what is read against that of the
 // lobe beside the axis. A round lobe is narrower than it, or neighbours would blur along the axis.
 const int kLookUps = 7;
-const float kReach = 0.92;
+const float kReach = 0.95;
 const float kWidth = 0.6;
 
 uniform sampler3D u_albedo;  // albedo_table.hpp
