@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/eval_command.hpp"
+#include "cli/plot_flags.hpp"
 #include "cli/usage.hpp"
 
 namespace burnish::cli {
@@ -48,6 +49,7 @@ void add_brdf_command(CLI::App& parent, Session& session) {
     require_command(*brdf);
     add_eval_command(*brdf, session, "Evaluate a model for every row of a table", kColumns,
                      eval_brdf_table);
+    add_brdf_plot_command(*brdf, session);
 }
 
 }  // namespace burnish::cli

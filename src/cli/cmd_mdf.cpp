@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/eval_command.hpp"
+#include "cli/plot_flags.hpp"
 #include "cli/usage.hpp"
 
 namespace burnish::cli {
@@ -31,6 +32,7 @@ void add_mdf_command(CLI::App& parent, Session& session) {
     require_command(*mdf);
     add_eval_command(*mdf, session, "Evaluate a distribution for every row of a table", kColumns,
                      eval_mdf_table);
+    add_mdf_plot_command(*mdf, session);
 }
 
 }  // namespace burnish::cli

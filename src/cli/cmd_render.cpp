@@ -14,6 +14,7 @@
 #include "burnish/parameters.hpp"
 #include "burnish/render.hpp"
 #include "cli/commands.hpp"
+#include "cli/parameter_flags.hpp"
 #include "cli/session.hpp"
 
 namespace burnish::cli {
@@ -51,70 +52,11 @@ std::string_view heading(ParameterGroup group) {
     return "";
 }
 
-// What stands behind the flag in its help.
-std::string value_name(const Parameter& parameter) {
-    switch (parameter.kind) {
-        case ParameterKind::real:
-            return "NUMBER";
-        case ParameterKind::integer:
-            return "INTEGER";
-        case ParameterKind::choice:
-            return "NAME";
-        case ParameterKind::color:
-            return "COLOR";
-        case ParameterKind::vector:
-            return "X,Y,Z";
-        case ParameterKind::text:
-            return "FILE";
-        case ParameterKind::boolean:
-            return "";
-    }
-    return "";
-}
-
-// "0.001 to 1.5"; empty for what has no range, and for positions, whose range is no choice of
-// anybody's.
-std::string range_of(const Parameter& parameter) {
-    const bool has_range = parameter.kind == ParameterKind::real ||
-                           parameter.kind == ParameterKind::integer ||
-                           parameter.kind == ParameterKind::color;
-    if (!has_range) return "";
-    const auto plain = [](double number) {  // never 1e+06
-        return std::abs(number) >= 1.0 ? fmt::format("{:.10g}", number)
-                                       : fmt::format("{:g}", number);
-    };
-    return (parameter.kind == ParameterKind::color ? "each " : "") + plain(parameter.low) + " to " +
-           plain(parameter.high);
-}
-
-std::string help_of(const Parameter& parameter) {
-    std::string text(parameter.help);
-    if (!parameter.unit.empty()) text += fmt::format(" [{}]", parameter.unit);
-    if (!parameter.choices.empty()) text += fmt::format(": {}", fmt::join(parameter.choices, ", "));
-    std::vector<std::string> facts;
-    if (const std::string range = range_of(parameter); !range.empty()) facts.push_back(range);
-    if (!parameter.default_text.empty())
-        facts.push_back(fmt::format("default {}", parameter.default_text));
-    if (!facts.empty()) text += fmt::format(" ({})", fmt::join(facts, "; "));
-    return text;
-}
-
 // One flag a row of the parameter table.
 void add_parameter_flags(CLI::App& command, const std::shared_ptr<Flags>& flags) {
-    for (const Parameter& parameter : parameter_table()) {
-        const std::string flag = flag_of(parameter.name);
-        const std::string name(parameter.name);
-        const auto set = [flags, name, flag](const std::string& text) {
-            flags->request.stage.values.set(name, text, flag);
-        };
-        CLI::Option* option =
-            parameter.kind == ParameterKind::boolean
-                ? command.add_flag_callback(
-                      flag, [set] { set("true"); }, help_of(parameter))
-                : command.add_option_function<std::string>(flag, set, help_of(parameter))
-                      ->type_name(value_name(parameter));
-        option->group(std::string(heading(parameter.group)));
-    }
+    for (const Parameter& parameter : parameter_table())
+        add_parameter_flag(command, parameter.name, flags->request.stage.values)
+            ->group(std::string(heading(parameter.group)));
 }
 
 void set_size(ParameterValues& values, const std::string& size) {

@@ -62,9 +62,9 @@ void add_material(Table& t) {
     t.boolean("conserve", "false", "energy-conserving form of the deform methods");
     t.real("alpha_x", 0.001, 1.5, "", "", "roughness along the tangent; alone it sets both");
     t.real("alpha_y", 0.001, 1.5, "", "", "roughness across the tangent; alone it sets both");
-    t.real("e_x", 0, 100000, "", "",
+    t.real("e_x", 0, 1000000, "", "",
            "Ashikhmin-Shirley exponent along the tangent, alpha = sqrt(2 / (e + 2))");
-    t.real("e_y", 0, 100000, "", "", "Ashikhmin-Shirley exponent across the tangent");
+    t.real("e_y", 0, 1000000, "", "", "Ashikhmin-Shirley exponent across the tangent");
     t.real("roughness", 0, 1, "", "", "perceptual roughness of glTF, alpha = roughness^2");
     t.real("anisotropy", 0, 1, "", "",
            "strength of KHR_materials_anisotropy: stretch along the tangent");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lobes_under_test.hpp"
+#include "shading/albedo.hpp"
 #include "shading/brdf_models.hpp"
 
 namespace burnish::test {
@@ -66,22 +67,8 @@ inline std::string label(const BrdfCase& c) {
     return text + ")";
 }
 
-// Share of the light from `wi` that leaves: the integral of f cos over wo by the model's own
-// sampler (in which the roles of the two directions are swapped), on a sequence of even points
-// (Roberts' R2).
 inline double albedo(const BrdfCase& c, vec3 wi, int points = 1 << 13) {
-    double sum = 0;
-    for (int k = 0; k < points; ++k) {
-        const double a = std::fmod(0.5 + 0.7548776662466927 * k, 1.0);
-        const double b = std::fmod(0.5 + 0.5698402909980532 * k, 1.0);
-        const double select = std::fmod(0.5 + 0.6180339887498949 * k, 1.0);
-        double density = 0;
-        const vec3 wo = c.sample(wi, {a, b, select}, density);
-        if (density > 0 && wo.z > 0) {
-            sum += c.f(wi, wo) * wo.z / density;
-        }
-    }
-    return sum / points;
+    return directional_albedo(*c.model, c.p, wi, points);
 }
 
 inline vec3 at_deg(double theta_deg, double phi_deg) {

@@ -1,0 +1,52 @@
+// One subject made ready for many half vectors. Private to the MDF plots.
+#pragma once
+
+#include "burnish/f64.hpp"
+#include "plot/mdf_plot.hpp"
+
+namespace burnish::plot {
+
+class MdfEvaluator {
+  public:
+    explicit MdfEvaluator(const MdfSubject& subject)
+        : lobe_(f64::lobe_make(static_cast<int>(subject.mdf), subject.p0, subject.p1)),
+          perturbation_(f64::perturb_make(
+              static_cast<int>(subject.method), subject.n,
+              f64::lobe_grooves_along_x(static_cast<int>(subject.mdf), subject.p0, subject.p1),
+              subject.normalisation == Normalisation::conserving)),
+          paper_(subject.normalisation == Normalisation::paper) {}
+
+    double D(Direction<double> h) const {
+        return paper_ ? f64::lobe_paper_D(lobe_, perturbation_, h)
+                      : f64::lobe_D(lobe_, perturbation_, h);
+    }
+    // From the lobe's own sampler.
+    Direction<double> sample(double a, double b, double select) const {
+        return f64::lobe_sample(lobe_, perturbation_, {a, b}, select);
+    }
+    const f64::Lobe& lobe() const { return lobe_; }
+    const f64::Perturbation& perturbation() const { return perturbation_; }
+
+  private:
+    f64::Lobe lobe_;
+    f64::Perturbation perturbation_;
+    bool paper_;
+};
+
+// The i-th of evenly spread numbers in [0, 1)^3 (Roberts' R2 and the golden ratio).
+struct EvenPoint {
+    double a, b, select;
+};
+EvenPoint even_point(int i);
+
+// On the disk; z = 0 on the rim and beyond, where the point is drawn in to it.
+Direction<double> lifted(double x, double y);
+
+// Half the width of the lobe on the disk, across and along it: what must span a few pixels to be
+// seen. A perturbation squeezes it by n~z (rotations) or up to 1 - |d| (deformations).
+struct Footprint {
+    double narrow, wide;
+};
+Footprint footprint_of(const MdfSubject& subject);
+
+}  // namespace burnish::plot

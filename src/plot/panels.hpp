@@ -1,0 +1,54 @@
+// Panels that know nothing of shading: pictures, lines over an axis, bars.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plot/figure.hpp"
+
+namespace burnish::plot {
+
+// Display values (what write_image takes for PNG). `width` px on the page, 0: half the pixels of
+// the picture, so that a figure written with the usual pixel ratio of 2 shows it texel for texel.
+Panel picture_panel(const Image& image, std::string title, double width = 0);
+
+struct Axis {
+    std::string label;
+    Scale scale;
+};
+
+struct Series {
+    std::string label;
+    std::vector<Point> points;  // in the units of the axes; a NaN breaks the line
+    Rgb color;
+    std::vector<double> dash = {};
+    double width = 1.8;
+};
+
+// The i-th of several lines, in its colour and dash.
+Series series(std::size_t index, std::string label, std::vector<Point> points);
+std::vector<LegendEntry> legend_of(const std::vector<Series>& all);
+
+// Lines over an axis. What lies above or below the axes is cut off, and arrows at the edge say
+// where.
+struct LinePlot {
+    Axis x, y;
+    std::vector<Series> lines;
+    std::optional<std::pair<double, std::string>> level = {};  // a labelled horizontal line
+    std::optional<std::pair<double, std::string>> place = {};  // a labelled upright line
+};
+Panel line_panel(LinePlot plot, std::string title, double width = 380, double height = 280);
+
+// Horizontal bars with their values beside them, from 0.
+struct Bar {
+    std::string label;
+    double value = 0;
+    double spread = 0;  // half the length of a whisker; 0: none
+    std::string text;   // written behind the bar; empty: the value
+};
+Panel bar_panel(std::vector<Bar> bars, std::string axis_label, std::string title,
+                double width = 460);
+
+}  // namespace burnish::plot
