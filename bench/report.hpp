@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/statistics.hpp"
+
 namespace burnish::bench {
 
 struct Row {
@@ -18,9 +20,6 @@ struct Report {
     std::string device;
     std::vector<Row> rows;
 };
-
-double median(std::vector<double> values);
-double half_quartile_distance(std::vector<double> values);
 
 // Budget and reached side by side, as Markdown with machine and date; also what is printed.
 std::string to_markdown(const Report& report);

@@ -13,6 +13,7 @@ class Session;
 void add_mdf_command(CLI::App& parent, Session& session);
 void add_brdf_command(CLI::App& parent, Session& session);
 void add_info_command(CLI::App& parent, Session& session);
+void add_bench_command(CLI::App& parent, Session& session);
 void add_render_command(CLI::App& parent, Session& session);
 void add_scratch_command(CLI::App& parent, Session& session);
 

@@ -49,6 +49,7 @@ void add_commands(CLI::App& app, Session& session) {
     add_info_command(app, session);
     add_mdf_command(app, session);
     add_brdf_command(app, session);
+    add_bench_command(app, session);
 }
 
 void run(int argc, const char* const* argv) {

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "burnish/error.hpp"
+#include "core/machine.hpp"
+#include "gpu/device_timer.hpp"
 #include "gpu/passes.hpp"
 
 namespace burnish::gpu {
@@ -134,13 +136,13 @@ Image Renderer::render(const Camera& camera, const RenderOptions& options,
     return image;
 }
 
-double Renderer::time_frames(const Camera& camera, const RenderOptions& options, int frames,
-                             ShadingVariant variant) {
+FrameTimes Renderer::measure_frames(const Camera& camera, const RenderOptions& options, int frames,
+                                    int warm_up, ShadingVariant variant) {
     require_sound(options);
     impl_->context.make_current();
     const int side = std::min(impl_->context.max_texture_size(), kLargestPicture);
     if (options.width > side || options.height > side) {
-        throw Error("time_frames", "size", "at most " + std::to_string(side), "more");
+        throw Error("measure_frames", "size", "at most " + std::to_string(side), "more");
     }
     RenderOptions once = options;
     once.samples = 1;
@@ -148,17 +150,32 @@ double Renderer::time_frames(const Camera& camera, const RenderOptions& options,
     const Tile tile{0, 0, options.width, options.height};
     Frame frame = impl_->frame_of(camera, once, tile, 0);
     frame.variant = variant;
-    impl_->painter.paint(frame, targets);
-    glFinish();
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < frames; ++i) {
-        frame.sample = i;
+    // Each frame is sent off by itself, as the swap of a window would.
+    const auto paint = [&](int sample) {
+        frame.sample = sample;
         impl_->painter.paint(frame, targets);
-    }
+        glFlush();
+    };
+    for (int i = 0; i < warm_up; ++i) paint(i);
+    const DeviceTimer timer(impl_->context);
     glFinish();
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    FrameTimes times;
+    const double cpu = process_cpu_seconds();
+    const auto start = std::chrono::steady_clock::now();
+    timer.begin();
+    for (int i = 0; i < frames; ++i) paint(i);
+    timer.end();
+    glFinish();
+    times.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    times.cpu_s = process_cpu_seconds() - cpu;
+    times.device_s = timer.seconds();
     check_gl("timing frames");
-    return wall.count();
+    return times;
+}
+
+double Renderer::time_frames(const Camera& camera, const RenderOptions& options, int frames,
+                             ShadingVariant variant) {
+    return measure_frames(camera, options, frames, 1, variant).wall_s;
 }
 
 }  // namespace burnish::gpu

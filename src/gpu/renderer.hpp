@@ -63,6 +63,13 @@ struct RenderOptions {
 // vertices only, and the full shading without the normal map.
 enum class ShadingVariant { full, gouraud, anisotropic };
 
+// What some frames took, all of them together, seconds.
+struct FrameTimes {
+    double wall_s = 0;
+    double cpu_s = 0;                // processor time of all threads of the program
+    std::optional<double> device_s;  // as the device's timer says, true or not (device_timer.hpp)
+};
+
 // Destroy it before its context.
 class Renderer {
   public:
@@ -78,9 +85,12 @@ class Renderer {
     // Materials may be changed between renders (method, mdf, brdf and factors, not textures).
     void set_materials(const std::vector<Material>& materials);
 
-    // For the benchmark: draws `frames` frames into the float target with no read-back, one sample
-    // each, and returns wall seconds for all of them after glFinish. One frame before them warms
-    // up.
+    // For benchmarks: draws `frames` frames into the float target with no read-back, one sample
+    // each, between two glFinish. `warm_up` frames before them are not counted.
+    FrameTimes measure_frames(const Camera& camera, const RenderOptions& options, int frames,
+                              int warm_up, ShadingVariant variant = ShadingVariant::full);
+
+    // Their wall seconds, after one frame that warms up.
     double time_frames(const Camera& camera, const RenderOptions& options, int frames,
                        ShadingVariant variant = ShadingVariant::full);
 
