@@ -8,6 +8,7 @@ find_package(CLI11 REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(meshoptimizer REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
 # Headers only; its CMake target would link xtl, which Debian does not have as a library.
 find_path(XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 find_package(ZLIB REQUIRED)

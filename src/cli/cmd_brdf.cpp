@@ -49,6 +49,7 @@ void add_brdf_command(CLI::App& parent, Session& session) {
     require_command(*brdf);
     add_eval_command(*brdf, session, "Evaluate a model for every row of a table", kColumns,
                      eval_brdf_table);
+    add_brdf_fit_command(*brdf, session);
     add_brdf_plot_command(*brdf, session);
 }
 

@@ -12,6 +12,7 @@ class Session;
 
 void add_mdf_command(CLI::App& parent, Session& session);
 void add_brdf_command(CLI::App& parent, Session& session);
+void add_brdf_fit_command(CLI::App& brdf, Session& session);  // `brdf fit`
 void add_info_command(CLI::App& parent, Session& session);
 void add_bench_command(CLI::App& parent, Session& session);
 void add_render_command(CLI::App& parent, Session& session);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <span>
 
+#include "../scene/bsdf_writer.hpp"
 #include "app/eval.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/shading_names.hpp"
@@ -358,6 +359,41 @@ Words scratch_seeds() {
         R"("direction":"constant","placement":"even","passes":4}],"made":{"version":"0"}})"};
 }
 
+// Small enough for many in a second: isotropic, anisotropic by symmetry, spectral.
+Words bsdf_seeds() {
+    test::KnownMaterial material;
+    material.normals = 6;
+    material.samples = 3;
+    material.thetas = 2;
+    Words seeds = {material.text()};
+    material.phis = 3;
+    material.symmetry = 4;
+    seeds.push_back(material.text());
+    material.phis = 1;
+    material.wavelengths = {400, 500, 600, 700};
+    seeds.push_back(material.text());
+    return seeds;
+}
+
+const Words kBsdfWords = {"description",
+                          "phi_i",
+                          "theta_i",
+                          "sigma",
+                          "ndf",
+                          "vndf",
+                          "rgb",
+                          "spectra",
+                          "luminance",
+                          "wavelengths",
+                          "jacobian",
+                          "valid",
+                          "version",
+                          {"tensor_file\0\1\0", 14},
+                          {"\0\0\x80\x7F", 4},      // infinity
+                          {"\0\0\xC0\x7F", 4},      // not a number
+                          {"\xDB\x0F\xC9\x3F", 4},  // pi / 2
+                          {"\0\0\0\x80\0\0\0\0", 8}};
+
 std::string escaped(std::string_view word) {
     std::string text;
     for (const char c : word) {
@@ -394,6 +430,7 @@ int main(int count, char** arguments) {
         write(folder, "scene", scene_seeds(), scene_words());
         write(folder, "csv", csv_seeds(), csv_words());
         write(folder, "scratch", scratch_seeds(), kScratchWords);
+        write(folder, "bsdf", bsdf_seeds(), kBsdfWords);
         write(folder, "image", image_seeds(), kImageWords);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fuzz_seeds: %s\n", error.what());
