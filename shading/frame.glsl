@@ -27,9 +27,11 @@ FN vec3 reflect_about(vec3 w, vec3 h) {
 // T projected on the plane of n, B = n x T. Singular only at n = +-e_x.
 FN Frame frame_keep_tangent(vec3 n) {
     Float s = sqrt(max(n.y * n.y + n.z * n.z, kTiny));
+    Float y = n.y * (Float(1) / s);
+    Float z = n.z * (Float(1) / s);
     Frame f;
-    f.t = vec3(s, -n.x * n.y / s, -n.x * n.z / s);
-    f.b = vec3(Float(0), n.z / s, -n.y / s);
+    f.t = vec3(s, -n.x * y, -n.x * z);
+    f.b = vec3(Float(0), z, -y);
     f.n = n;
     return f;
 }
@@ -37,9 +39,11 @@ FN Frame frame_keep_tangent(vec3 n) {
 // B projected, T = B x n: K12 Eq 4, and the push-forward of the tangent. Singular only at +-e_y.
 FN Frame frame_keep_bitangent(vec3 n) {
     Float s = sqrt(max(n.x * n.x + n.z * n.z, kTiny));
+    Float x = n.x * (Float(1) / s);
+    Float z = n.z * (Float(1) / s);
     Frame f;
-    f.t = vec3(n.z / s, Float(0), -n.x / s);
-    f.b = vec3(-n.x * n.y / s, s, -n.y * n.z / s);
+    f.t = vec3(z, Float(0), -x);
+    f.b = vec3(-x * n.y, s, -n.y * z);
     f.n = n;
     return f;
 }

@@ -3,9 +3,8 @@
 
 // ln z for a direction with sine squared s2 and cosine z: from s2 near the pole, from z near the rim.
 FN Float log_cosine(Float s2, Float z) {
-    Float near_pole = Float(0.5) * log1m(min(s2, Float(0.5)));
-    Float near_rim = log(max(z, kTiny));
-    return choose(s2 < Float(0.5), near_pole, near_rim);
+    Bool near_pole = s2 < Float(0.5);
+    return choose(near_pole, Float(0.5), Float(1)) * log1m_or_log(near_pole, s2, max(z, kTiny));
 }
 
 // cos^2 phi = 1 at the pole, where phi is undefined (docs/papers.md).

@@ -2,8 +2,8 @@
 // exp(-2 ((x/alpha_x)^2 + (y/alpha_y)^2) / (1 + z)). 2/(1+z) is Ward's approximation to 1/z^2.
 
 FN Float mdf_ward_shape(Float alpha_x, Float alpha_y, LobePoint q) {
-    Float x = q.x / alpha_x;
-    Float y = q.y / alpha_y;
+    Float x = q.x * (Float(1) / alpha_x);  // the reciprocal is the lobe's, not the direction's
+    Float y = q.y * (Float(1) / alpha_y);
     return exp(-Float(2) * (x * x + y * y) / (Float(1) + q.z));
 }
 

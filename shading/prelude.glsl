@@ -20,6 +20,9 @@ float log1m(float x) {
     return -2.0 * y * series;
 }
 
+// Where `near`, ln(1 - x), x <= 1/2; elsewhere ln(y), y > 0. The batched build takes one logarithm.
+float log1m_or_log(bool near, float x, float y) { return near ? log1m(x) : log(y); }
+
 // Abramowitz & Stegun 7.1.26, absolute error 1.5e-7 for x >= 0 (only used there).
 float erfc(float x) {
     float t = 1.0 / (1.0 + 0.3275911 * x);

@@ -84,6 +84,11 @@ template <typename Float>
 Float log1m(Float x) {
     return std::log1p(-x);
 }
+// Where `near`, ln(1 - x), x <= 1/2; elsewhere ln(y), y > 0. The batched build takes one logarithm.
+template <typename Float>
+Float log1m_or_log(bool near, Float x, Float y) {
+    return near ? log1m(x) : std::log(y);
+}
 template <typename Float>
 Float erfc(Float x) {
     return std::erfc(x);

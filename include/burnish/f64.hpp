@@ -1,6 +1,7 @@
 // The maths of shading/ in double precision: namespace burnish::f64.
 #pragma once
 
+#include "shading/precision.hpp"
 #include "shading/prelude.hpp"
 
 namespace burnish::f64 {
@@ -11,13 +12,10 @@ using Bool = bool;
 using vec2 = Vec2<Float>;
 using vec3 = Vec3<Float>;
 
-// Enough for the Ward normaliser and the root of K11 Eq 5 to reach rounding error.
-inline constexpr int kWardNodes = 48;
-inline constexpr int kDeformRootSteps = 18;
-// Cosines that BRDFs divide by are held above the one, and values and densities below the other:
-// nothing becomes infinite at the horizon.
-inline constexpr Float kLeastCosine = 1e-100;
-inline constexpr Float kMostValue = 1e300;
+inline constexpr int kWardNodes = dialect::Precision<Float>::ward_nodes;
+inline constexpr int kDeformRootSteps = dialect::Precision<Float>::deform_root_steps;
+inline constexpr Float kLeastCosine = dialect::Precision<Float>::least_cosine;
+inline constexpr Float kMostValue = dialect::Precision<Float>::most_value;
 
 // In this order.
 // clang-format off

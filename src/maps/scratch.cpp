@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "burnish/error.hpp"
+#include "core/large_pages.hpp"
 #include "core/parallel.hpp"
 #include "maps/scratch_field.hpp"
 #include "maps/scratch_raster.hpp"
@@ -50,11 +51,12 @@ class Engraver {
         return static_cast<std::size_t>((settings_.size + kBlock - 1) / kBlock);
     }
 
-    void engrave_block(std::size_t number) const {
+    // `block` is a buffer that blocks use in turn.
+    void engrave_block(std::size_t number, BlockBuffers& block) const {
         const int x0 = static_cast<int>(number % blocks_a_side()) * kBlock;
         const int y0 = static_cast<int>(number / blocks_a_side()) * kBlock;
-        BlockBuffers block(x0, y0, std::min(kBlock, settings_.size - x0),
-                           std::min(kBlock, settings_.size - y0));
+        block.move_to(x0, y0, std::min(kBlock, settings_.size - x0),
+                      std::min(kBlock, settings_.size - y0));
         for (std::size_t i = 0; i < layers_.size(); ++i) {
             const DrawnLayer& layer = layers_[i];
             block.clear_layer();
@@ -80,20 +82,28 @@ class Engraver {
 
     void store_directions(const BlockBuffers& block) const {
         for (int y = 0; y < block.height; ++y) {
-            for (int x = 0; x < block.width; ++x) {
-                float* to = maps_.direction.at(block.x0 + x, block.y0 + y);
-                const std::size_t i = block.at(x, y);
-                if (block.score[i] > 0.0f) {
-                    to[0] = block.c2[i];
-                    to[1] = block.s2[i];
-                    continue;
-                }
-                const DoubleAngle line = ground_.at(
-                    {(block.x0 + x + 0.5) / settings_.size, (block.y0 + y + 0.5) / settings_.size});
-                to[0] = static_cast<float>(line.c);
-                to[1] = static_cast<float>(line.s);
+            float* to = maps_.direction.at(block.x0, block.y0 + y);
+            const std::size_t row = block.at(0, y), width = static_cast<std::size_t>(block.width);
+            // From the left normal (x, y), y down: the tangent, y up, is (-y, -x). 1e-12: a stroke
+            // may cover the centre of its own circle.
+            for (std::size_t x = 0; x < width; ++x) {
+                const float lx = block.line_x[row + x], ly = block.line_y[row + x];
+                const float inverse = 1.0f / std::max(lx * lx + ly * ly, 1e-12f);
+                to[2 * x] = (ly * ly - lx * lx) * inverse;
+                to[2 * x + 1] = 2.0f * lx * ly * inverse;
             }
+            for (std::size_t x = 0; x < width; ++x)
+                if (!(block.score[row + x] > 0.0f))
+                    store_ground(block.x0 + static_cast<int>(x), block.y0 + y);
         }
+    }
+
+    void store_ground(int x, int y) const {
+        const DoubleAngle line =
+            ground_.at({(x + 0.5) / settings_.size, (y + 0.5) / settings_.size});
+        float* to = maps_.direction.at(x, y);
+        to[0] = static_cast<float>(line.c);
+        to[1] = static_cast<float>(line.s);
     }
 
     const ScratchSettings& settings_;
@@ -158,16 +168,18 @@ ScratchMaps engrave(const ScratchSettings& settings, const ScratchInputs& inputs
     maps.size = settings.size;
     maps.tile_mm = settings.tile_mm;
     progress.step("scratches", 0.0);
-    maps.height = Image(settings.size, settings.size, 1);
-    maps.direction = Image(settings.size, settings.size, 2);
+    maps.height = image_on_large_pages(settings.size, settings.size, 1);
+    maps.direction = image_on_large_pages(settings.size, settings.size, 2);
     const Engraver engraver(settings, inputs, maps);
     const std::size_t side = engraver.blocks_a_side(), blocks = side * side;
     // Between these steps Ctrl-C is not heard; 256 blocks are 4 million texels.
     constexpr std::size_t kStep = 256;
     for (std::size_t from = 0; from < blocks; from += kStep) {
         progress.step("engrave", static_cast<double>(from) / static_cast<double>(blocks));
-        parallel_for(std::min(kStep, blocks - from), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) engraver.engrave_block(from + i);
+        // Four in a row, so that a buffer's pages are not handed out anew for each.
+        parallel_for(std::min(kStep, blocks - from), 4, [&](std::size_t begin, std::size_t end) {
+            BlockBuffers block;
+            for (std::size_t i = begin; i < end; ++i) engraver.engrave_block(from + i, block);
         });
     }
     progress.step("moments", 0.0);

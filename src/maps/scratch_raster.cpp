@@ -29,20 +29,32 @@ float smaller(float a, float b) {
     return a < b ? a : b;
 }
 
-// Depth at q = |v| / half width, 0..1, as a share of the depth; negative is a lip.
+// The stroke relative to a block, in float: positions inside a block keep their digits.
+struct Pen {
+    float mx, my, tx, ty, nx, ny, k, inverse_k, inverse_width, inverse_taper, taper_begin, depth;
+    float a, b, c;
+};
+
+// Depth at v >= 0 half widths from the middle, as a share of the depth; negative is a lip. The
+// section is the profile at q = v / e, e times as deep; both roots and quotients are those of the
+// profile times e, so that the round one needs a single division. e2 = e^2.
 template <ScratchProfile profile>
-float profile_depth(float q, float a, float b, float c) {
+float section_depth(float v, float e2, const Pen& p) {
     if constexpr (profile == ScratchProfile::round) {
-        const float q2 = q * q;
-        // 1e-12: a hemisphere's rim is upright, nothing over nothing.
-        return b * (1.0f - q2) / (std::sqrt(larger(a - b * q2, 1e-12f)) + c);
+        const float v2 = smaller(v * v, e2);
+        // 1e-24, of e2 >= 1e-12: a hemisphere's rim is upright, nothing over nothing.
+        const float root = std::sqrt(larger(p.a * e2 - p.b * v2, 1e-24f));
+        return p.b * (e2 - v2) / (root + p.c * std::sqrt(e2));
     } else if constexpr (profile == ScratchProfile::v) {
-        return 1.0f - q;
+        const float e = std::sqrt(e2);
+        return e - smaller(v, e);
     } else {
+        const float e = std::sqrt(e2);
+        const float q = smaller(v / e, 1.0f);
         const float u = q * (1.0f / kGrooveShare);
         const float s = (q - kGrooveShare) * (1.0f / (1.0f - kGrooveShare));
         const float floor = 1.0f - u * u, lip = -kLipScale * s * (1.0f - s) * (1.0f - s);
-        return q < kGrooveShare ? floor : lip;
+        return e * (q < kGrooveShare ? floor : lip);
     }
 }
 
@@ -64,33 +76,33 @@ float series_atan(float t) {
                                    t2 * (1.0f / 7.0f - t2 * (1.0f / 9.0f - t2 * (1.0f / 11.0f))))));
 }
 
-// The stroke relative to a block, in float: positions inside a block keep their digits.
-struct Pen {
-    float mx, my, tx, ty, nx, ny, k, inverse_k, inverse_width, inverse_taper, taper_begin, depth;
-    float a, b, c;
-};
-
 struct Span {
     int begin, end;
 };
 
-// What a stroke leaves on the texels of a row: heights, and (lx, ly)^2 over `squared` the double
-// angle of the left normal. Arithmetic alone, so that compilers work on several texels at a time.
-struct RowOfTexels {
-    float h[kBlock], c2[kBlock], s2[kBlock];
-};
-
+// Arithmetic alone, and whole registers of texels, so that compilers work on several at a time:
+// beyond the span's end the height is 0, which changes nothing in the row below either.
 template <ScratchProfile profile, Run run>
-void compute_span(const Pen& pen, int begin, int count, float dy, RowOfTexels& out) {
+void draw_span(const Pen& pen, Span span, int y, BlockBuffers& block) {
     const Pen p = pen;
-    for (int i = 0; i < count; ++i) {
-        const float dx = static_cast<float>(begin + i) + 0.5f - p.mx;
+    const int count = span.end - span.begin;
+    const int padded = count > 0 ? (count + kSpanPadding - 1) / kSpanPadding * kSpanPadding : 0;
+    const float begin = static_cast<float>(span.begin) + 0.5f - p.mx;
+    const float dy = static_cast<float>(y) + 0.5f - p.my;
+    const std::size_t row = block.at(span.begin, y);
+    float* __restrict groove = block.groove.data() + row;
+    float* __restrict lip = block.lip.data() + row;
+    float* __restrict score = block.score.data() + row;
+    float* __restrict line_x = block.line_x.data() + row;
+    float* __restrict line_y = block.line_y.data() + row;
+    for (int i = 0; i < padded; ++i) {
+        const float dx = static_cast<float>(i) + begin;
         const float dt = dx * p.tx + dy * p.ty, dn = dx * p.nx + dy * p.ny;
-        float v = dn, s = dt, lx = p.nx, ly = p.ny, squared = 1.0f;
+        float v = dn, s = dt, lx = p.nx, ly = p.ny;
         if constexpr (run != Run::straight) {
             // From the arc's centre: left of the arc by v, along it by s.
             const float along = p.k * dt, ahead = 1.0f - p.k * dn;
-            squared = ahead * ahead + along * along;
+            const float squared = ahead * ahead + along * along;
             v = (2.0f * dn - p.k * (dx * dx + dy * dy)) / (1.0f + std::sqrt(squared));
             lx = p.nx - p.k * dx;
             ly = p.ny - p.k * dy;
@@ -103,37 +115,18 @@ void compute_span(const Pen& pen, int begin, int count, float dy, RowOfTexels& o
                 s = std::atan2(along, ahead) * p.inverse_k;
             }
         }
-        // Width and depth shrink together along the taper, as an ellipsoid's section does.
+        // Width and depth shrink together along the taper, as an ellipsoid's section does. 1e-12:
+        // where nothing is left v is far beyond it, not nothing over nothing.
         const float over = larger(std::abs(s) - p.taper_begin, 0.0f) * p.inverse_taper;
-        // 1e-12: where nothing is left q is large and cut off, not nothing over nothing.
-        const float envelope = std::sqrt(larger(1.0f - over * over, 1e-12f));
-        const float q = smaller(std::abs(v) * p.inverse_width / envelope, 1.0f);
-        out.h[i] = -p.depth * envelope * profile_depth<profile>(q, p.a, p.b, p.c);
-        // From the left normal (lx, ly), y down: the tangent, y up, is (-ly, -lx). 1e-12: a stroke
-        // may cover the centre of its own circle.
-        const float inverse = 1.0f / larger(squared, 1e-12f);
-        out.c2[i] = (ly * ly - lx * lx) * inverse;
-        out.s2[i] = 2.0f * lx * ly * inverse;
-    }
-}
-
-template <ScratchProfile profile, Run run>
-void draw_span(const Pen& pen, Span span, int y, BlockBuffers& block) {
-    RowOfTexels texels;
-    const int count = span.end - span.begin;
-    compute_span<profile, run>(pen, span.begin, count, static_cast<float>(y) + 0.5f - pen.my,
-                               texels);
-    const std::size_t row = block.at(span.begin, y);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(count, 0)); ++i) {
-        const float h = texels.h[i];
-        block.groove[row + i] = smaller(block.groove[row + i], h);
-        if constexpr (profile == ScratchProfile::burr)
-            block.lip[row + i] = larger(block.lip[row + i], h);
-        if (std::abs(h) > block.score[row + i]) {
-            block.score[row + i] = std::abs(h);
-            block.c2[row + i] = texels.c2[i];
-            block.s2[row + i] = texels.s2[i];
-        }
+        const float e2 = larger(1.0f - over * over, 1e-12f);
+        const float drawn = -p.depth * section_depth<profile>(std::abs(v) * p.inverse_width, e2, p);
+        const float h = i < count ? drawn : 0.0f;
+        groove[i] = smaller(groove[i], h);
+        if constexpr (profile == ScratchProfile::burr) lip[i] = larger(lip[i], h);
+        const bool deeper = std::abs(h) > score[i];
+        score[i] = deeper ? std::abs(h) : score[i];
+        line_x[i] = deeper ? lx : line_x[i];
+        line_y[i] = deeper ? ly : line_y[i];
     }
 }
 
@@ -345,10 +338,14 @@ StrokeBins::StrokeBins(const std::vector<TexelStroke>& strokes, int size) {
         });
 }
 
-BlockBuffers::BlockBuffers(int x0_, int y0_, int width_, int height_)
-    : x0(x0_), y0(y0_), width(width_), height(height_) {
-    const std::size_t texels = at(0, height_);
-    for (std::vector<float>* buffer : {&groove, &lip, &score, &c2, &s2}) buffer->resize(texels);
+void BlockBuffers::move_to(int x0_, int y0_, int width_, int height_) {
+    x0 = x0_;
+    y0 = y0_;
+    width = width_;
+    height = height_;
+    const std::size_t texels = at(0, height_) + kSpanPadding;
+    for (std::vector<float>* buffer : {&groove, &lip, &score, &line_x, &line_y})
+        buffer->assign(texels, 0.0f);
 }
 
 void BlockBuffers::clear_layer() {

@@ -46,16 +46,19 @@ class StrokeBins {
     std::vector<StrokeUse> uses_;
 };
 
+// Texels of a row are drawn so many at a time; buffers are longer by as many.
+inline constexpr int kSpanPadding = 4;
+
 // What one layer leaves on a block. Values of a texel do not depend on the order of strokes but
 // for the direction of exact ties, where the first stroke wins.
 struct BlockBuffers {
     int x0 = 0, y0 = 0, width = 0, height = 0;
-    std::vector<float> groove;  // <= 0, millimetres: the deepest
-    std::vector<float> lip;     // >= 0: the highest
-    std::vector<float> score;   // |height| of the stroke that gave the direction
-    std::vector<float> c2, s2;  // its line
+    std::vector<float> groove;          // <= 0, millimetres: the deepest
+    std::vector<float> lip;             // >= 0: the highest
+    std::vector<float> score;           // |height| of the stroke that gave the direction
+    std::vector<float> line_x, line_y;  // its left normal, y down, of any length
 
-    BlockBuffers(int x0_, int y0_, int width_, int height_);
+    void move_to(int x0_, int y0_, int width_, int height_);  // empty
     void clear_layer();  // groove and lip; score and direction go on
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

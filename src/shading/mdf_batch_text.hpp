@@ -1,36 +1,8 @@
 // Reads the closed forms of shading/ with a SIMD register for Float, into the namespace at hand,
-// which has defined Scalar. No include guard: once for each precision. The words that prelude.hpp
-// has as templates stand here for registers, so that a scalar constant beside one is broadcast.
-using Float = xsimd::batch<Scalar>;
-using Bool = xsimd::batch_bool<Scalar>;
-using vec2 = dialect::Vec2<Float>;
-using vec3 = dialect::Vec3<Float>;
-using dialect::cross;
-using dialect::dot;
-using dialect::normalize;
+// which has defined Scalar. No include guard: once for each precision.
+#include "shading/mdf_batch_words.hpp"
 
-BURNISH_INLINE Float min(Float a, Float b) {
-    return xsimd::min(a, b);
-}
-BURNISH_INLINE Float max(Float a, Float b) {
-    return xsimd::max(a, b);
-}
-// In single precision the series of prelude.glsl, which is faster than log1p: good to 3e-8 for
-// x <= 1/2, and the texts ask for no more.
-BURNISH_INLINE Float log1m(Float x) {
-    if constexpr (sizeof(Scalar) == sizeof(double)) return xsimd::log1p(-x);
-    const Float y = x / (Float(2) - x);
-    const Float w = y * y;
-    Float series = Float(1) / Float(13);
-    for (int odd = 11; odd > 0; odd -= 2) series = xsimd::fma(series, w, Float(1) / Float(odd));
-    return Float(-2) * y * series;
-}
-BURNISH_INLINE Float choose(Bool condition, Float a, Float b) {
-    return xsimd::select(condition, a, b);
-}
-BURNISH_INLINE vec3 choose(Bool condition, vec3 a, vec3 b) {
-    return {choose(condition, a.x, b.x), choose(condition, a.y, b.y), choose(condition, a.z, b.z)};
-}
+inline constexpr int kWardNodes = dialect::Precision<Scalar>::ward_nodes;
 
 #define FN BURNISH_INLINE
 #define OUT(T) T&
