@@ -8,7 +8,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
         accumulate.frag background.frag fullscreen.vert gbuffer.frag gouraud.frag gouraud.vert
         prefilter.frag resolve.frag shadow.frag surface.frag surface.vert
         lib/environment.glsl lib/image_light.glsl lib/lights.glsl lib/material.glsl
-        lib/output.glsl lib/pack.glsl lib/prefiltered_light.glsl lib/random.glsl lib/shade.glsl lib/surface.glsl)
+        lib/output.glsl lib/pack.glsl lib/prefiltered_light.glsl lib/random.glsl lib/shade.glsl lib/specular.glsl lib/surface.glsl)
     set(BURNISH_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
     # The order of the texts of shading/ is that of the #include lines of all.hpp.

@@ -1,12 +1,9 @@
 #!/bin/sh
 # Figures 5, 9, 12 and 15 of K11 (docs/papers.md), each as one sheet with difference images.
 # Usage: figures.sh BURNISH FOLDER [SIDE [SAMPLES]]
-set -eu
-burnish=$1
-out=$2
-side=${3:-480}
-samples=${4:-32}
-mkdir -p "$out"
+default_side=480
+# shellcheck source=scripts/picture_arguments.sh
+. "$(dirname "$0")/picture_arguments.sh"
 
 shirley="--mdf ashikhmin-shirley --brdf ashikhmin-shirley --e-x 200 --e-y 10"
 ward="--mdf ward --brdf ward --alpha-x 0.1 --alpha-y 0.45"

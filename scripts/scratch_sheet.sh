@@ -1,12 +1,9 @@
 #!/bin/sh
 # Every scratch preset as maps, and on a sphere and a plate, lit from the side and by an environment.
 # Usage: scratch_sheet.sh BURNISH FOLDER [SIDE [SAMPLES]]
-set -eu
-burnish=$1
-out=$2
-side=${3:-640}
-samples=${4:-32}
-mkdir -p "$out"
+default_side=640
+# shellcheck source=scripts/picture_arguments.sh
+. "$(dirname "$0")/picture_arguments.sh"
 
 # A polished base shows every scratch; brushed metals have finer grooves than the map holds, which is
 # what their anisotropic base is for.

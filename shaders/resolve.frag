@@ -5,6 +5,7 @@
 #include "shaders/lib/output.glsl"
 #include "shaders/lib/surface.glsl"
 #include "shaders/lib/material.glsl"
+#include "shaders/lib/specular.glsl"
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/environment.glsl"
 #include "shaders/lib/image_light.glsl"

@@ -20,4 +20,5 @@
 #include "shading/cosine_power.glsl"
 #include "shading/brdf_phong.glsl"
 #include "shading/brdf_lafortune.glsl"
+#include "shading/brdf_cosine_lobe.glsl"
 // clang-format on

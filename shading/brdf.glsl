@@ -1,11 +1,13 @@
 // BRDFs over a perturbed lobe: specular only, per steradian, without the cosine and without Fresnel
 // (which the caller multiplies, evaluated at wi.h). Directions in the unperturbed tangent space.
 
-// The distribution a model is built on: its own, or `mdf` for the microfacet models.
+// The distribution a model is built on: its own, or `mdf` for the microfacet models. Phong and
+// lafortune have none; GGX stands for it, whose parameters are the roughness pair as it is.
 FN int brdf_mdf(int brdf, int mdf) {
     if (brdf == kBrdfAshikhminShirley) { return kMdfAshikhminShirley; }
     if (brdf == kBrdfWardGmd || brdf == kBrdfWard || brdf == kBrdfWardDuer) { return kMdfBeckmann; }
     if (brdf == kBrdfCookTorrance) { return kMdfBeckmann; }
+    if (brdf == kBrdfPhong || brdf == kBrdfLafortune) { return kMdfGgx; }
     return mdf;
 }
 

@@ -68,6 +68,8 @@ struct Material {
     float dielectric_f0 = 0.04f;
     Mdf mdf = Mdf::ggx;
     Brdf brdf = Brdf::microfacet;
+    std::optional<float> ks;  // phong, lafortune: scale; none: as much as keeps its energy
+    glm::vec3 lafortune_c{-1.0f, -1.0f, 1.0f};  // Cx, Cy, Cz: the mirror direction
     Method method = Method::follow_grain;
     bool conserve = false;  // deform-*: the energy-conserving form
 };

@@ -16,7 +16,9 @@ enum class Brdf {
     ward_gmd = 3,
     ward = 4,
     ward_duer = 5,
-    cook_torrance = 6
+    cook_torrance = 6,
+    phong = 7,
+    lafortune = 8
 };
 enum class Method {
     none = 0,
@@ -33,6 +35,19 @@ enum class Method {
 std::span<const std::string_view> mdf_names();  // in the order of the enumeration
 std::span<const std::string_view> brdf_names();
 std::span<const std::string_view> method_names();
+
+// Phong and lafortune are lobes about a direction: there is no distribution of half vectors, so
+// `mdf` is not looked at and a deformation has nothing to act on.
+constexpr bool has_half_vectors(Brdf brdf) {
+    return brdf != Brdf::phong && brdf != Brdf::lafortune;
+}
+constexpr bool is_deformation(Method method) {
+    return method == Method::deform_linear || method == Method::deform_smooth;
+}
+
+// What to take instead of a model that `brdf eval` has and no renderer draws, as half a sentence;
+// empty when `brdf` is no such model.
+std::string_view instead_of_undrawn(std::string_view brdf);
 
 std::string_view name_of(Mdf mdf);
 std::string_view name_of(Brdf brdf);

@@ -1,5 +1,6 @@
 // The specular term under the environment. IMAGE_LIGHT: 0 off, 1 importance sampling of the perturbed
 // lobe, 2 the bent reflection vector of today's engines, 3 look-ups of the lobe map along its axis.
+// A lobe about a direction (COSINE_LOBE) is round: 2 and 3 are one look-up along that direction.
 #if IMAGE_LIGHT == 1
 
 uniform int u_image_samples;
@@ -7,7 +8,7 @@ uniform uint u_frame;          // sub-pixel sample in progress
 uniform float u_total_samples; // image samples of all frames
 uniform uint u_seed;
 
-// Integral of f F cos L over wi by brdf_sample. The points of frame k are k N .. (k+1) N - 1 of one
+// Integral of f F cos L over wi by specular_sample. The points of frame k are k N .. (k+1) N - 1 of one
 // sequence, so that frames together are as even as one frame of all of them. Filtered importance
 // sampling (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample stands for the solid angle
 // 1/(total pdf) and reads the mip of that size; as the total grows, mip 0 and the exact integral.
@@ -19,11 +20,11 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     for (int i = 0; i < u_image_samples; ++i) {
         uint index = u_frame * uint(u_image_samples) + uint(i);
         float pdf;
-        vec3 wi = brdf_sample(m.lobe, p, wo, point_of(index, rotation), select_of(index, rotation),
-                              pdf);
+        vec3 wi = specular_sample(m, p, wo, point_of(index, rotation), select_of(index, rotation),
+                                  pdf);
         float cos_i = dot(p.n, wi);
         bool counts = pdf > 0.0 && cos_i > 0.0;
-        float weight = brdf_eval(BRDF, m.lobe, p, wi, wo) * cos_i / max(pdf, kTiny);
+        float weight = specular_eval(m, p, wi, wo) * cos_i / max(pdf, kTiny);
         float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
         vec3 radiance = environment_radiance(from_axes(a, wi), lod);
         float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
@@ -31,6 +32,32 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
         sum += counts ? finite_radiance(term) : vec3(0.0);
     }
     return sum / float(u_image_samples);
+}
+
+#elif IMAGE_LIGHT > 1 && defined(COSINE_LOBE)
+
+// The map is blurred by GGX, whose tail a^2/t^4 a power of a cosine has not: 4/3 of one level less 1/3
+// of the next, twice as wide, is a kernel without it, nowhere negative. Its width is fitted
+// (docs/image-light.md).
+const float kCosineLobeWidth = 0.9;
+
+vec3 round_lobe_radiance(vec3 w, float alpha) {
+    vec3 narrow = lobe_radiance(w, lobe_lod(alpha * alpha));
+    vec3 wide = lobe_radiance(w, lobe_lod(4.0 * alpha * alpha));
+    return max(narrow * (4.0 / 3.0) - wide * (1.0 / 3.0), vec3(0.0));
+}
+
+vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
+    CosineLobe lobe = cosine_lobe_of(m);
+    vec3 wi = cosine_lobe_mean(lobe, p, wo);
+    // f cos of lafortune has one cosine more.
+    float n = BRDF == kBrdfLafortune ? lobe.n + 1.0 : lobe.n;
+    float alpha = kCosineLobeWidth * alpha_from_cosine_exponent(n);
+    vec3 towards = environment_direction(from_axes(a, wi));
+    vec3 radiance = round_lobe_radiance(towards, alpha) * u_environment_scale;
+    float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));
+    float albedo = dot(p.n, wo) > 0.0 ? cosine_lobe_albedo(lobe, p, wo) : 0.0;
+    return specular_fresnel(m, cos_h) * radiance * albedo;
 }
 
 #elif IMAGE_LIGHT == 2

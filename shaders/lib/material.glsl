@@ -15,6 +15,8 @@ uniform vec4 u_lobe;                 // p0, p1, paper_norm, projected_norm unles
 uniform vec3 u_eta;                  // conductor
 uniform vec3 u_k;
 uniform float u_dielectric_f0;
+uniform float u_ks;                  // of COSINE_LOBE; below 0: as much as keeps its energy
+uniform vec3 u_lafortune_c;
 uniform float u_alpha_cutoff;
 uniform float u_lod_bias;
 

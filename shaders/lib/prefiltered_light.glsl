@@ -40,17 +40,67 @@ LobeMapping mapping_of(Perturbation p) {
     return map;
 }
 
-// Half vector (not unit) of base vector m (not unit).
-vec3 mapped(LobeMapping map, Perturbation p, vec3 m) {
-    if (p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth) {
-        return perturb_forward(p, normalize(m));
-    }
-    return map.x * m.x + map.y * m.y + map.z * m.z;
+bool deforms(Perturbation p) {
+    return p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth;
 }
 
 // The part of `v` perpendicular to the unit vector h.
 vec3 beside(vec3 h, vec3 v) {
     return v - h * dot(h, v);
+}
+
+// The unit half vector of base vector m, not unit, and how it turns by two of m's.
+struct MappedHalf {
+    vec3 m;  // unit
+    vec3 h;
+    float scale;  // 1/length of what was normalised
+};
+
+MappedHalf mapped(LobeMapping map, Perturbation p, vec3 m) {
+    MappedHalf r;
+    r.m = normalize(m);
+    if (deforms(p)) {
+        r.h = perturb_forward(p, r.m);
+        r.scale = inversesqrt(max(dot(m, m), kTiny));
+        return r;
+    }
+    vec3 h = map.x * m.x + map.y * m.y + map.z * m.z;
+    r.scale = inversesqrt(max(dot(h, h), kTiny));
+    r.h = h * r.scale;
+    return r;
+}
+
+// How h turns where m moves by `move`: the map's own derivative. The deformations move points p of the
+// disk by (1 - k) d or r d, where |q + (r - r^2) d| = 1 - r^2 (perturb.glsl, sample.glsl).
+vec3 turn_of(MappedHalf at, LobeMapping map, Perturbation p, vec3 move) {
+    if (!deforms(p)) {
+        return beside(at.h, map.x * move.x + map.y * move.y + map.z * move.z) * at.scale;
+    }
+    vec2 dq = beside(at.m, move).xy * at.scale;
+    float fall = 0.0;
+    if (p.method == kMethodDeformLinear) {
+        fall = -dot(at.m.xy, dq) * inversesqrt(max(dot(at.m.xy, at.m.xy), kTiny));
+    } else {
+        float r = sqrt(deform_rim_fraction(p.n, at.h));
+        vec2 u = at.m.xy + (r - r * r) * p.n.xy;
+        u *= inversesqrt(max(dot(u, u), kTiny));
+        // 1e-3: a tilt of 90 degrees.
+        fall = -dot(u, dq) / max((1.0 - 2.0 * r) * dot(u, p.n.xy) + 2.0 * r, 1e-3);
+    }
+    vec2 dp = dq + p.n.xy * fall;
+    // 0.01: half a degree above the horizon.
+    return vec3(dp, -dot(at.h.xy, dp) / max(at.h.z, 0.01));
+}
+
+// What the method makes of the lobe's energy at a half vector: f cos dwi of the deformed lobe over
+// that of the rotated one, to which the table of albedos belongs. Base vectors are drawn in proportion
+// to (go.m) D(m) dm; the deformed lobe sends D(m) (wo.h) dh.
+float energy_at(MappedHalf at, Perturbation p, vec3 go, float wo_h) {
+    if (!deforms(p)) { return 1.0; }
+    float det = deform_jacobian(p.method, p.n, at.h);
+    // 0.05, 4: what grazes both ways is left as it is.
+    float area = at.m.z / (max(at.h.z, 0.05) * max(det, 0.05));
+    return p.conserve * clamp(wo_h / max(dot(go, at.m), 0.05) * area, 0.0, 4.0);
 }
 
 // a.b of the turns of the reflected direction, halved, that turns a and b of the half vector cause:
@@ -97,8 +147,7 @@ float albedo_towards(float ax, float ay, vec3 v) {
 
 // Rotations: the look-ups are worked out against the turned axes, where h = m.
 bool turns(Perturbation p) {
-    return p.method != kMethodNormalMap && p.method != kMethodDeformLinear &&
-           p.method != kMethodDeformSmooth;
+    return p.method != kMethodNormalMap && !deforms(p);
 }
 
 // The models with a Smith term.
@@ -125,9 +174,10 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 eye = turns(p) ? v : wo;
     // Without masking all normals count, seen or not.
     vec3 w = masks() ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
-    vec3 h = normalize(mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z)));
-    MajorAxis axis = major_axis(eye, h, beside(h, map.x * ax), beside(h, map.y * ay));
-    vec3 across = map.y * (ay * axis.along.x) - map.x * (ax * axis.along.y);
+    MappedHalf middle = mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z));
+    MajorAxis axis = major_axis(eye, middle.h, turn_of(middle, map, p, vec3(ax, 0.0, 0.0)),
+                                turn_of(middle, map, p, vec3(0.0, ay, 0.0)));
+    vec3 across = vec3(-ax * axis.along.y, ay * axis.along.x, 0.0);
     axes.x = environment_direction(axes.x);
     axes.y = environment_direction(axes.y);
     axes.z = environment_direction(axes.z);
@@ -142,12 +192,10 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
         float r = place * sqrt(max((1.0 + w.z) * (2.0 - fall), 0.0));
         vec3 base = vec3(ax * (r * axis.along.x + w.x), ay * (r * axis.along.y + w.y),
                          1.0 - fall + w.z);
-        vec3 hk = mapped(map, p, base);
-        float scale = inversesqrt(max(dot(hk, hk), kTiny));
-        hk *= scale;
-        float wo_h = dot(eye, hk);
-        vec3 wi = hk * (2.0 * wo_h) - eye;
-        vec3 turn = beside(hk, across * scale);
+        MappedHalf at = mapped(map, p, base);
+        float wo_h = dot(eye, at.h);
+        vec3 wi = at.h * (2.0 * wo_h) - eye;
+        vec3 turn = turn_of(at, map, p, across);
         // The cap is 2 cos(half the angle from its middle) as wide here as a unit step.
         float blur2 = reflected_dot(eye, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
         vec3 gi = turns(p) ? wi : perturb_direction(p, wi);
@@ -155,7 +203,7 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
                               : min(gi.z / max(go.z, 1e-3), 1.0);
         share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;
         vec3 radiance = lobe_radiance(from_axes(axes, wi), lobe_lod(kWidth * kWidth * blur2));
-        sum += specular_fresnel(m, wo_h) * radiance * share;
+        sum += specular_fresnel(m, wo_h) * radiance * (share * energy_at(at, p, go, wo_h));
         energy += share;
     }
     // 1e-3: less than any look-up's share where the view is above the horizon.

@@ -1,10 +1,27 @@
 // Radiance towards the eye at a point of a surface. METHOD, MDF, BRDF, CONSERVE: the model, at
 // compile time; METAL: nothing is diffuse.
 
-// What the smooth interface lets through to the diffuse base and back, as Schlick has it:
+// What the interface lets through to the diffuse base and back, as Schlick has it:
 // (1 - F(n~.wi)) (1 - F(n~.wo)). At most 1 - F, so that with the specular term no energy is gained.
 float diffuse_through(float cosine) {
     return 1.0 - fresnel_schlick(u_dielectric_f0, cosine);
+}
+
+// The diffuse term of a white base. The 2000 model of Ashikhmin and Shirley has its own, coupled to
+// the specular one by its reflectance; no frame enters either, cosines are those of n~.
+float diffuse_eval(float cos_i, float cos_o) {
+    if (BRDF == kBrdfAshikhminShirley) {
+        return ashikhmin_shirley_diffuse(1.0, u_dielectric_f0, cos_i, cos_o);
+    }
+    return diffuse_through(cos_o) * diffuse_through(cos_i) / kPi;
+}
+
+// What diffuse_eval reflects of constant light all around: both exactly. The cosine-weighted mean of
+// Schlick's term is f0 + (1 - f0)/21.
+float diffuse_albedo(float cos_o) {
+    float share = 1.0 - u_dielectric_f0;
+    if (BRDF == kBrdfAshikhminShirley) { return share * ashikhmin_shirley_through(cos_o); }
+    return share * (20.0 / 21.0) * diffuse_through(cos_o);
 }
 
 vec3 diffuse_color(Shading m) {
@@ -28,9 +45,9 @@ vec3 lit_by_lights(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
 #endif
         float cos_i = max(dot(p.n, wi), 0.0);
         float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
-        vec3 f = specular_fresnel(m, cos_h) * brdf_eval(BRDF, m.lobe, p, wi, wo);
+        vec3 f = specular_fresnel(m, cos_h) * specular_eval(m, p, wi, wo);
 #ifndef METAL
-        f += diffuse_color(m) * (diffuse_through(max(dot(p.n, wo), 0.0)) * diffuse_through(cos_i) / kPi);
+        f += diffuse_color(m) * diffuse_eval(cos_i, max(dot(p.n, wo), 0.0));
 #endif
         sum += irradiance * f * cos_i;
     }
@@ -47,17 +64,15 @@ float specular_occlusion(float occlusion, float cos_o, Lobe lobe) {
     return clamp(open - 1.0 + occlusion, 0.0, 1.0);
 }
 
-// Constant light all around gives exactly base (1 - mean F) (1 - F(n~.wo)); the cosine-weighted mean
-// of Schlick's term is f0 + (1 - f0)/21.
+// Irradiance stands for light from everywhere: diffuse_eval's dependence on wi is averaged over it.
 vec3 lit_by_environment(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 sum = image_specular(s, m, a, p, wo);
 #ifdef HAS_OCCLUSION_MAP
     sum *= specular_occlusion(occlusion_at(s), max(dot(p.n, wo), 0.0), m.lobe);
 #endif
 #ifndef METAL
-    float through = (1.0 - u_dielectric_f0) * (20.0 / 21.0) * diffuse_through(max(dot(p.n, wo), 0.0));
     sum += diffuse_color(m) * environment_irradiance(from_axes(a, p.n)) *
-           (through * occlusion_at(s));
+           (diffuse_albedo(max(dot(p.n, wo), 0.0)) * occlusion_at(s));
 #endif
     return sum;
 }

@@ -13,6 +13,7 @@
 #include "core/files.hpp"
 #include "core/image_io.hpp"
 #include "core/sheet.hpp"
+#include "scene/load.hpp"
 
 namespace burnish {
 
@@ -72,6 +73,12 @@ void write_result(const std::filesystem::path& path, const Image& linear, const 
     const bool keep = holds_linear(path);
     write_image(path, keep ? linear : to_display(linear, stage.exposure_ev, stage.tone_map),
                 metadata);
+}
+
+// Before the first picture of a sheet, not after some of them.
+void require_drawable(const std::vector<Material>& materials, const std::vector<Method>& methods) {
+    for (const Method method : methods)
+        for (const Material& material : materials) require_drawable(material.brdf, method);
 }
 
 void set_method(std::vector<Material>& materials, Method method) {
@@ -148,6 +155,7 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     require_writable(request.output);
     progress.step("load", 0);
     Stage stage = set_stage(request.stage, request.turntable > 0);
+    require_drawable(stage.scene.materials, request.compare);
 
     gpu::Context context(request.gl_device);
     const bool lit = !stage.environment.radiance.empty();

@@ -12,16 +12,17 @@ namespace {
 // "0.001 to 1.5"; empty for what has no range, and for positions, whose range is no choice of
 // anybody's.
 std::string range_of(const Parameter& parameter) {
+    const bool is_coefficients = parameter.kind == ParameterKind::vector && parameter.unit.empty();
     const bool has_range = parameter.kind == ParameterKind::real ||
                            parameter.kind == ParameterKind::integer ||
-                           parameter.kind == ParameterKind::color;
+                           parameter.kind == ParameterKind::color || is_coefficients;
     if (!has_range) return "";
     const auto plain = [](double number) {  // never 1e+06
         return std::abs(number) >= 1.0 ? fmt::format("{:.10g}", number)
                                        : fmt::format("{:g}", number);
     };
-    return (parameter.kind == ParameterKind::color ? "each " : "") + plain(parameter.low) + " to " +
-           plain(parameter.high);
+    const bool each = parameter.kind == ParameterKind::color || is_coefficients;
+    return (each ? "each " : "") + plain(parameter.low) + " to " + plain(parameter.high);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ std::vector<SurfaceVariant> variants() {
         v.image_light = 3;
         list.push_back(v);
     }
-    for (int brdf = 0; brdf <= static_cast<int>(Brdf::cook_torrance); ++brdf) {
+    for (int brdf = 0; brdf <= static_cast<int>(Brdf::lafortune); ++brdf) {
         for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
             SurfaceVariant v;
             v.brdf = static_cast<Brdf>(brdf);

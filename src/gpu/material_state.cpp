@@ -135,6 +135,8 @@ void set_material(Program& program, const Material& m, TextureStore& textures, f
     program.set("u_eta", conductor.eta);
     program.set("u_k", conductor.k);
     program.set("u_dielectric_f0", m.dielectric_f0);
+    program.set("u_ks", m.ks.value_or(-1.0f));
+    program.set("u_lafortune_c", m.lafortune_c);
     program.set("u_alpha_cutoff", m.alpha_cutoff);
     program.set("u_lod_bias", lod_bias);
     // Phong's exponent from the mean alpha, for the Gouraud variant.

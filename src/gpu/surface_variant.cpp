@@ -26,6 +26,7 @@ std::string SurfaceVariant::defines() const {
     const std::pair<bool, const char*> switches[] = {
         {conductor, "CONDUCTOR"},
         {metal, "METAL"},
+        {!has_half_vectors(brdf), "COSINE_LOBE"},
         {lobe_from_texture, "LOBE_FROM_TEXTURE"},
         {turned, "TURNED"},
         {base_color_map, "HAS_BASE_COLOR_MAP"},

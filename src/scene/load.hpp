@@ -40,8 +40,12 @@ bool is_scene_file(const std::filesystem::path& path);  // JSON with "format": "
 // Puts the material parameters that are set in `values` onto every material of the scene.
 void apply_material_parameters(Scene& scene, const ParameterValues& values);
 
-// Throws UsageError when `values` has alphas and exponents, named as keys or as flags.
+// Throws UsageError when `values` says the roughness pair in two ways, named as keys or as flags.
 void require_one_roughness(const ParameterValues& values, bool as_flags);
+
+// Throws UsageError when `method` has nothing to act on: a deformation for a model without half
+// vectors.
+void require_drawable(Brdf brdf, Method method);
 
 // Adds a warning for each normal map in use whose mean direction is far from +z: an object-space
 // map, a height map, a photograph. Black texels (padding between charts) do not count.

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "burnish/error.hpp"
+#include "burnish/f64.hpp"
 #include "core/image_io.hpp"
 #include "maps/bumps.hpp"
 #include "scene/load.hpp"
@@ -57,6 +58,10 @@ float alpha_from_exponent(double e) {
     return static_cast<float>(std::sqrt(2.0 / (e + 2.0)));
 }
 
+float alpha_from_cosine_exponent(double n) {
+    return static_cast<float>(f64::alpha_from_cosine_exponent(n));
+}
+
 // The pair that the values name, as alpha or as exponents. One alone sets both, unless the
 // material has a pair already.
 std::optional<glm::vec2> roughness_pair(const Material& material, const ParameterValues& values) {
@@ -72,6 +77,8 @@ std::optional<glm::vec2> roughness_pair(const Material& material, const Paramete
     const bool has_alpha = values.is_set("alpha_x") || values.is_set("alpha_y");
     const bool has_e = values.is_set("e_x") || values.is_set("e_y");
     require_one_roughness(values, false);
+    if (values.is_set("cosine_exponent"))
+        return glm::vec2(alpha_from_cosine_exponent(values.real("cosine_exponent")));
     if (has_alpha)
         return pair_of("alpha_x", "alpha_y", [](double a) { return static_cast<float>(a); });
     if (has_e) return pair_of("e_x", "e_y", alpha_from_exponent);
@@ -82,6 +89,9 @@ void apply_lobe(Material& material, const ParameterValues& values) {
     if (values.is_set("mdf")) material.mdf = static_cast<Mdf>(values.choice("mdf"));
     if (values.is_set("brdf")) material.brdf = static_cast<Brdf>(values.choice("brdf"));
     if (values.is_set("method")) material.method = static_cast<Method>(values.choice("method"));
+    require_drawable(material.brdf, material.method);
+    if (values.is_set("ks")) material.ks = real_of(values, "ks");
+    if (values.is_set("lafortune_c")) material.lafortune_c = values.vec3("lafortune_c");
     if (values.is_set("conserve")) material.conserve = values.boolean("conserve");
     if (values.is_set("roughness")) material.roughness = real_of(values, "roughness");
     if (values.is_set("anisotropy")) material.anisotropy_strength = real_of(values, "anisotropy");
@@ -158,8 +168,24 @@ void require_one_roughness(const ParameterValues& values, bool as_flags) {
     };
     const std::string alphas = set_among({"alpha_x", "alpha_y"});
     const std::string exponents = set_among({"e_x", "e_y"});
-    if (alphas.empty() || exponents.empty()) return;
-    throw UsageError(alphas + " and " + exponents + " say the same thing: give one pair only");
+    const std::string cosine = set_among({"cosine_exponent"});
+    std::string all;
+    int ways = 0;
+    for (const std::string& way : {alphas, exponents, cosine}) {
+        if (way.empty()) continue;
+        all += (all.empty() ? "" : " and ") + way;
+        ++ways;
+    }
+    if (ways < 2) return;
+    throw UsageError(all + " say the same thing: give one pair only");
+}
+
+void require_drawable(Brdf brdf, Method method) {
+    if (has_half_vectors(brdf) || !is_deformation(method)) return;
+    throw UsageError("method", "",
+                     "a rotation such as follow-grain for brdf " + std::string(name_of(brdf)) +
+                         ", which has no half vectors to deform",
+                     std::string(name_of(method)));
 }
 
 void apply_material_parameters(Scene& scene, std::size_t first, std::size_t count,

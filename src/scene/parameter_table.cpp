@@ -45,6 +45,9 @@ struct Table {
     void color(Text name, double high, Text standard, Text help) {
         rows.push_back({name, group, Kind::color, 0, high, standard, "", help, {}});
     }
+    void vector(Text name, double reach, Text standard, Text help) {
+        rows.push_back({name, group, Kind::vector, -reach, reach, standard, "", help, {}});
+    }
     void position(Text name, Text help) {
         rows.push_back({name, group, Kind::vector, -kFar, kFar, "", "m", help, {}});
     }
@@ -65,11 +68,18 @@ void add_material(Table& t) {
     t.real("e_x", 0, 1000000, "", "",
            "Ashikhmin-Shirley exponent along the tangent, alpha = sqrt(2 / (e + 2))");
     t.real("e_y", 0, 1000000, "", "", "Ashikhmin-Shirley exponent across the tangent");
+    t.real("cosine_exponent", 0, 100000, "", "",
+           "Phong's and Lafortune's exponent n, alpha = 1 / sqrt(2 n + 1)");
     t.real("roughness", 0, 1, "", "", "perceptual roughness of glTF, alpha = roughness^2");
     t.real("anisotropy", 0, 1, "", "",
            "strength of KHR_materials_anisotropy: stretch along the tangent");
     t.real("anisotropy_rotation", -360, 360, "", "deg",
            "turn of the lobe, counter-clockwise from the tangent");
+    t.real("ks", 0, 1e6, "", "",
+           "scale of the phong and lafortune lobes (left out: as much as keeps their energy)");
+    t.vector(
+        "lafortune_c", 10, "-1,-1,1",
+        "Cx,Cy,Cz of lafortune: -1,-1,1 leans to the mirror direction, 1,1,1 back to the light");
     t.real("metallic", 0, 1, "", "", "0 dielectric, 1 metal");
     t.color("base_color", 1, "",
             "diffuse colour, or reflectance of a metal: r,g,b linear or #rrggbb");

@@ -141,11 +141,19 @@ std::string expectation(const Parameter& p) {
     return {};
 }
 
+// What may have been meant, in brackets.
+std::string hint_for(const Parameter& p, std::string_view text) {
+    const std::string_view instead = p.name == "brdf" ? instead_of_undrawn(text) : "";
+    if (!instead.empty()) return fmt::format(" ({})", instead);
+    const std::string_view nearest = nearest_name(p.choices, text);
+    return nearest.empty() ? std::string() : fmt::format(" (did you mean '{}'?)", nearest);
+}
+
 // Ways of saying the same thing; who says it later replaces what was said before.
 using Names = std::vector<std::string_view>;
 const std::vector<std::vector<Names>>& alternatives() {
     static const std::vector<std::vector<Names>> all = {
-        {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"roughness", "anisotropy"}},
+        {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
         {{"normal_map"}, {"scratch", "scratch_direction"}}};
     return all;
 }
@@ -165,10 +173,8 @@ const Parameter& parameter_of(std::string_view name, std::string_view where) {
 void ParameterValues::set(std::string_view name, std::string_view text, std::string_view where) {
     const Parameter& parameter = parameter_of(name, where);
     if (!is_valid(parameter, text)) {
-        const std::string_view nearest = nearest_name(parameter.choices, text);
-        const std::string hint =
-            nearest.empty() ? std::string() : fmt::format(" (did you mean '{}'?)", nearest);
-        throw UsageError(place_of(name, where), "", expectation(parameter), shown(text) + hint);
+        throw UsageError(place_of(name, where), "", expectation(parameter),
+                         shown(text) + hint_for(parameter, text));
     }
     values_.insert_or_assign(std::string(name), std::string(text));
 }

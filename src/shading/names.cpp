@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "burnish/error.hpp"
@@ -12,12 +13,28 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kMdfNames = {"ashikhmin-shirley", "ward", "beckmann",
                                                        "ggx"};
-constexpr std::array<std::string_view, 7> kBrdfNames = {
-    "microfacet", "microfacet-separable", "ashikhmin-shirley", "ward-gmd", "ward",
-    "ward-duer",  "cook-torrance"};
+constexpr std::array<std::string_view, 9> kBrdfNames = {"microfacet",
+                                                        "microfacet-separable",
+                                                        "ashikhmin-shirley",
+                                                        "ward-gmd",
+                                                        "ward",
+                                                        "ward-duer",
+                                                        "cook-torrance",
+                                                        "phong",
+                                                        "lafortune"};
 constexpr std::array<std::string_view, 9> kMethodNames = {
     "none",       "normal-map",   "gram-schmidt",  "rotate-exact", "rotate-approx",
     "rotate-arc", "follow-grain", "deform-linear", "deform-smooth"};
+
+// What `brdf eval` calls by another name or computes alone, and what draws it or comes nearest.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kUndrawn = {
+    {{"he", "brdf eval computes it, no picture: cook-torrance is nearest"},
+     {"ashikhmin-premoze-shirley",
+      "brdf eval computes it, no picture: microfacet with mdf ashikhmin-shirley is nearest"},
+     {"ashikhmin-shirley-diffuse", "part of ashikhmin-shirley on what is no metal"},
+     {"ggx", "microfacet with mdf ggx"},
+     {"ggx-separable", "microfacet-separable with mdf ggx"},
+     {"beckmann", "microfacet with mdf beckmann"}}};
 
 // Longer than any name of ours: what is longer was no slip of the finger, and comparing it would
 // cost time that grows with it.
@@ -66,6 +83,12 @@ std::span<const std::string_view> brdf_names() {
 }
 std::span<const std::string_view> method_names() {
     return kMethodNames;
+}
+
+std::string_view instead_of_undrawn(std::string_view brdf) {
+    for (const auto& [name, instead] : kUndrawn)
+        if (name == brdf) return instead;
+    return {};
 }
 
 std::string_view name_of(Mdf mdf) {

@@ -5,8 +5,6 @@
 // five label plates were found to 0.1 pixel by intersecting lines through their edges, and a
 // pinhole camera with free principal point put through them: 0.03 pixels are left (rms). The
 // screenshot is part of a wider window, 30 degrees high: its principal point is no picture centre.
-// The lights are those of the glTF Sample Viewer for files without any: a key light of 1 lux
-// from (-1/2, sqrt(1/2), 1/2) and a fill light of half of that from behind, against it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,33 +21,14 @@
 namespace burnish::test {
 namespace {
 
-constexpr glm::dvec3 kEye{-1.61242, -1.84945, 12.60274};
-constexpr glm::dvec3 kTarget{-0.089638, -0.167526, 0.0};
-constexpr double kFocalPixels = 1646.22;
 constexpr glm::dvec2 kPrincipal{770.26, 401.24};
 // The part of the screenshot with the principal point in its middle, to 1/4 of a pixel.
-constexpr int kWidth = 1541;
-constexpr int kHeight = 803;
-
-Stage matched_stage(const std::string& model) {
-    const double fov = glm::degrees(2 * std::atan(kHeight / 2.0 / kFocalPixels));
-    const auto xyz = [](glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
-    return stage_of(model, "none", {"-45,45,1", "135,-45,0.5"},
-                    {{"camera_position", xyz(kEye)},
-                     {"camera_target", xyz(kTarget)},
-                     {"camera_fov", fmt::format("{}", fov)},
-                     {"width", std::to_string(kWidth)},
-                     {"height", std::to_string(kHeight)},
-                     {"samples", "8"}});
-}
+constexpr int kWidth = 1541, kHeight = 803;
+constexpr FittedCamera kCamera{
+    {-1.61242, -1.84945, 12.60274}, {-0.089638, -0.167526, 0.0}, 1646.22, kWidth, kHeight};
 
 glm::dvec2 pixel_of(glm::dvec3 place) {
-    const glm::dvec3 ahead = glm::normalize(kTarget - kEye);
-    const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0, 1, 0)));
-    const glm::dvec3 up = glm::cross(right, ahead);
-    const glm::dvec3 d = place - kEye;
-    return kPrincipal +
-           kFocalPixels / glm::dot(d, ahead) * glm::dvec2(glm::dot(d, right), -glm::dot(d, up));
+    return kPrincipal + project(kCamera, place).offset_px;
 }
 
 // Ten drums of radius 1 (0.88 at the rims) about vertical axes.
@@ -169,7 +148,7 @@ class AnisotropyRotationTest : public testing::Test {
         BURNISH_REQUIRE_GL();
         model_ = sample_model("AnisotropyRotationTest");
         BURNISH_REQUIRE_SAMPLE(model_);
-        stage_ = matched_stage(model_);
+        stage_ = stage_of_screenshot(model_, kCamera);
     }
     Image shown() const { return to_display(picture_of(stage_), 0.0, ToneMap::linear); }
     Instance& instance_of(const Drum& drum) {

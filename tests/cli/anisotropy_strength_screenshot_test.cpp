@@ -3,8 +3,7 @@
 //
 // Camera of the screenshot (1186 x 1120 pixels), fitted off line: centroids and areas of the
 // outlines of the 49 spheres, told from the bluish background by their grey, and a pinhole camera
-// with free principal point put through them: 0.06 pixels are left (rms). Lights as in
-// anisotropy_rotation_test.cpp.
+// with free principal point put through them: 0.06 pixels are left (rms).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,12 +22,11 @@ namespace {
 
 constexpr int kGrid = 7;
 constexpr double kRadius = 0.4;  // of the spheres, one metre apart
-constexpr glm::dvec3 kEye{-2.885813, 4.711252, 11.099445};
-constexpr glm::dvec3 kTarget{-0.445876, 2.608118, 0.0};
-constexpr double kFocalPixels = 1604.989;
 constexpr glm::dvec2 kPrincipal{614.495, 585.907};
 // The part of the screenshot with the principal point in its middle, to a tenth of a pixel.
 constexpr int kWidth = 1143, kHeight = 1068, kLeft = 43, kTop = 52;
+constexpr FittedCamera kCamera{
+    {-2.885813, 4.711252, 11.099445}, {-0.445876, 2.608118, 0.0}, 1604.989, kWidth, kHeight};
 
 struct Disc {
     glm::dvec2 middle;  // in the cut-out
@@ -36,14 +34,8 @@ struct Disc {
 };
 
 Disc disc_of(int column, int row) {
-    const glm::dvec3 ahead = glm::normalize(kTarget - kEye);
-    const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0, 1, 0)));
-    const glm::dvec3 d = glm::dvec3(column - 3, row, 0) - kEye;
-    const double per_metre = kFocalPixels / glm::dot(d, ahead);
-    const glm::dvec3 up = glm::cross(right, ahead);
-    return {kPrincipal - glm::dvec2(kLeft, kTop) +
-                per_metre * glm::dvec2(glm::dot(d, right), -glm::dot(d, up)),
-            kRadius * per_metre};
+    const Projection seen = project(kCamera, {column - 3, row, 0});
+    return {kPrincipal - glm::dvec2(kLeft, kTop) + seen.offset_px, kRadius * seen.px_per_metre};
 }
 
 // Over the pixels of a sphere, green as displayed, 0 to 255.
@@ -78,15 +70,7 @@ class AnisotropyStrengthScreenshot : public testing::Test {
         BURNISH_REQUIRE_GL();
         const std::string model = sample_model("AnisotropyStrengthTest");
         BURNISH_REQUIRE_SAMPLE(model);
-        const auto xyz = [](glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
-        const double fov = glm::degrees(2 * std::atan(kHeight / 2.0 / kFocalPixels));
-        stage_ = stage_of(model, "none", {"-45,45,1", "135,-45,0.5"},
-                          {{"camera_position", xyz(kEye)},
-                           {"camera_target", xyz(kTarget)},
-                           {"camera_fov", fmt::format("{}", fov)},
-                           {"width", std::to_string(kWidth)},
-                           {"height", std::to_string(kHeight)},
-                           {"samples", "8"}});
+        stage_ = stage_of_screenshot(model, kCamera);
         theirs_ =
             read_image(sample("models/AnisotropyStrengthTest/screenshot/screenshot-large.png"),
                        {.as_data = true});

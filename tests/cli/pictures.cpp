@@ -1,7 +1,11 @@
 #include "pictures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <memory>
 
 #include "burnish/error.hpp"
@@ -57,6 +61,27 @@ Stage stage_of(const std::string& input, const std::string& environment,
     request.values.set("shadows", "false", "shadows");
     for (const auto& [name, text] : settings) request.values.set(name, text, name);
     return set_stage(request);
+}
+
+Projection project(const FittedCamera& camera, glm::dvec3 place) {
+    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0, 1, 0)));
+    const glm::dvec3 up = glm::cross(right, ahead);
+    const glm::dvec3 d = place - camera.eye;
+    const double px_per_metre = camera.focal_px / glm::dot(d, ahead);
+    return {px_per_metre * glm::dvec2(glm::dot(d, right), -glm::dot(d, up)), px_per_metre};
+}
+
+Stage stage_of_screenshot(const std::string& model, const FittedCamera& camera) {
+    const auto xyz = [](glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    const double fov = glm::degrees(2 * std::atan(camera.height / 2.0 / camera.focal_px));
+    return stage_of(model, "none", {"-45,45,1", "135,-45,0.5"},
+                    {{"camera_position", xyz(camera.eye)},
+                     {"camera_target", xyz(camera.target)},
+                     {"camera_fov", fmt::format("{}", fov)},
+                     {"width", std::to_string(camera.width)},
+                     {"height", std::to_string(camera.height)},
+                     {"samples", "8"}});
 }
 
 Image picture_of(const Stage& stage) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +31,27 @@ using Settings = std::vector<std::pair<std::string, std::string>>;  // parameter
 // without shadows unless a setting asks for them: what the pictures are compared with has none.
 Stage stage_of(const std::string& input, const std::string& environment,
                const std::vector<std::string>& lights, const Settings& settings);
+
+// The camera of a screenshot, fitted off line: a pinhole with its principal point in the middle of
+// a part of the screenshot of this size.
+struct FittedCamera {
+    glm::dvec3 eye, target;
+    double focal_px;
+    int width, height;
+};
+
+// Where the camera sees a place: pixels right of and below the principal point, and how many pixels
+// a metre there is.
+struct Projection {
+    glm::dvec2 offset_px;
+    double px_per_metre;
+};
+Projection project(const FittedCamera& camera, glm::dvec3 place);
+
+// A model as its screenshot shows it. The lights are those of the glTF Sample Viewer for files
+// without any: a key light of 1 lux from (-1/2, sqrt(1/2), 1/2) and a fill light of half of that
+// from behind, against it.
+Stage stage_of_screenshot(const std::string& model, const FittedCamera& camera);
 
 // Linear, RGBA.
 Image picture_of(const Stage& stage);

@@ -121,6 +121,44 @@ TEST(RenderCommand, WrongWordsAreUsageErrorsThatSuggest) {
     EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(RenderCommand, DrawsPhongAndLafortune) {
+    const Folder folder;
+    std::vector<Image> pictures;
+    for (const std::string brdf : {"microfacet", "phong", "lafortune"}) {
+        const std::string out = folder.path(brdf + ".exr");
+        const Outcome outcome =
+            run_burnish(render({"builtin:sphere", "--brdf", brdf, "--cosine-exponent", "30",
+                                "--lafortune-c", "-1,-0.6,0.9", "--normal-map", "builtin:bumps"},
+                               out));
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.complaint;
+        pictures.push_back(read_image(out));
+        EXPECT_GT(mean_of(pictures.back()), 0.01) << brdf;
+    }
+    EXPECT_NE(pictures[0].pixels, pictures[1].pixels);
+    EXPECT_NE(pictures[1].pixels, pictures[2].pixels);
+}
+
+TEST(RenderCommand, DeformsNoLobeWithoutHalfVectors) {
+    const Folder folder;
+    const std::string out = folder.path("a.png");
+    const char* why = "for brdf phong, which has no half vectors to deform, found deform-smooth";
+    expect_complaint(run_burnish(render(
+                         {"builtin:sphere", "--brdf", "phong", "--method", "deform-smooth"}, out)),
+                     2, {why});
+    expect_complaint(
+        run_burnish(render(
+            {"builtin:sphere", "--brdf", "phong", "--compare", "follow-grain,deform-smooth"}, out)),
+        2, {why});
+    const std::string scene = R"({"format": "burnish-scene", "version": 1,
+        "objects": [{"model": "builtin:plane", "material": "m"}],
+        "materials": {"m": {"brdf": "phong", "method": "deform-smooth"}}})";
+    const std::string file = folder.write("s.json", scene);
+    expect_complaint(run_burnish(render({file}, out)), 1, {"s.json: objects[0]", why});
+    expect_complaint(run_burnish(render({"builtin:sphere", "--brdf", "he"}, out)), 2,
+                     {"--brdf", "cook-torrance is nearest"});
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"s.json"});
+}
+
 TEST(RenderCommand, WhatSaysTheSameTwiceIsRefused) {
     const Folder folder;
     const std::string out = folder.path("a.png");
@@ -175,6 +213,7 @@ TEST(RenderCommand, HelpHasNamesRangesAndDefaults) {
     const std::string help = run_burnish({"render", "--help"}).output;
     for (const char* part : {"--alpha-x NUMBER", "(0.001 to 1.5)", "--samples INTEGER",
                              "(1 to 65536; default 64)", "--metal NAME", "--normal-map FILE",
+                             "--lafortune-c X,Y,Z", "(each -10 to 10; default -1,-1,1)",
                              "--size WxH", "--turntable COUNT", "turn_0000.exr", "builtin:black"})
         EXPECT_NE(help.find(part), std::string::npos) << part;
 }

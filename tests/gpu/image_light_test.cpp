@@ -1,5 +1,6 @@
 // Light from an environment: energy, convergence to a quadrature on the CPU, rotation, background.
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "burnish/f64.hpp"
@@ -98,47 +99,122 @@ TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
     }
 }
 
-// Int f F cos L over wi, midpoints in the hemisphere of the geometric normal.
-double quadrature(const f64::Lobe& lobe, const f64::Perturbation& p, vec3 wo) {
+using Radiance = std::function<double(vec3)>;
+
+// Int value(wi) (n.wi) over wi, midpoints in the hemisphere about n.
+double quadrature(const Radiance& value, const vec3& n) {
     constexpr int kTheta = 600, kPhi = 1200;
+    const f64::Frame frame = f64::frame_shortest_arc(n);
     double sum = 0;
     for (int i = 0; i < kTheta; ++i) {
         const double theta = 0.5 * kPi * (i + 0.5) / kTheta;
         for (int j = 0; j < kPhi; ++j) {
             const double phi = 2 * kPi * (j + 0.5) / kPhi;
-            const vec3 wi{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                          std::cos(theta)};
-            sum += f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, wi, wo) *
-                   std::max(f64::dot(p.n, wi), 0.0) * sky(wi) * std::sin(theta);
+            const vec3 local{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                             std::cos(theta)};
+            sum += value(f64::frame_to_outer(frame, local)) * local.z * std::sin(theta);
         }
     }
     return sum * 0.5 * kPi / kTheta * 2 * kPi / kPhi;
 }
 
-TEST_F(ImageLighting, ConvergesToTheIntegral) {
-    const Environment environment = sky_environment(128);
-    const glm::vec3 tilt = glm::normalize(glm::vec3(0.3f, 0.2f, 1.0f));
-    for (const Method method :
-         {Method::normal_map, Method::follow_grain, Method::rotate_approx, Method::deform_linear}) {
-        Scene scene = one_object(unit_plane(), white_metal(method, {0.15f, 0.4f}));
-        scene.textures.push_back(constant_texture(0.5f * tilt + 0.5f));
+const glm::vec3 kTilt = glm::normalize(glm::vec3(0.3f, 0.2f, 1.0f));
+
+// A plate of the material with a map that tilts it everywhere, seen from one direction: the mean.
+class TiltedPlate : public ImageLighting {
+  protected:
+    double seen_from(glm::vec3 eye, const Material& material, const Environment& environment) {
+        Scene scene = one_object(unit_plane(), material);
+        scene.textures.push_back(constant_texture(0.5f * kTilt + 0.5f));
         scene.materials[0].normal_texture.texture = 0;
         gpu::RenderOptions o = small_picture(8, 8, 64);
         o.image_light_samples = 64;
         Camera camera = camera_on_z(4.0f, 0.02f);  // nearly one direction for all pixels
-        camera.position = {-1.5f, 0.4f, 3.0f};
+        camera.position = eye;
         camera.yfov = 0.01f;
         const Image image = render(scene, environment, o, camera);
         double mean = 0;
         for (int y = 0; y < 8; ++y) {
             for (int x = 0; x < 8; ++x) mean += image.at(x, y)[0] / 64.0;
         }
+        return mean;
+    }
+};
+
+TEST_F(TiltedPlate, ConvergesToTheIntegral) {
+    const Environment environment = sky_environment(128);
+    const glm::vec3 eye(-1.5f, 0.4f, 3.0f);
+    const vec3 wo = f64::normalize(to_f64(eye));
+    for (const Method method :
+         {Method::normal_map, Method::follow_grain, Method::rotate_approx, Method::deform_linear}) {
+        const double mean = seen_from(eye, white_metal(method, {0.15f, 0.4f}), environment);
         const f64::Lobe lobe = f64::lobe_from_alpha(f64::kMdfGgx, double{0.15f}, double{0.4f});
         const f64::Perturbation p =
-            f64::perturb_make(static_cast<int>(method), to_f64(tilt),
+            f64::perturb_make(static_cast<int>(method), to_f64(kTilt),
                               f64::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1), false);
-        const double wanted = quadrature(lobe, p, f64::normalize(to_f64(camera.position)));
+        const double wanted = quadrature(
+            [&](vec3 wi) {
+                return f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, wi, wo) * sky(wi);
+            },
+            p.n);
         EXPECT_NEAR(mean / wanted, 1.0, 0.015) << name_of(method);
+    }
+}
+
+TEST_F(TiltedPlate, CosineLobesConvergeToTheIntegral) {
+    const Environment environment = sky_environment(128);
+    const glm::vec3 eye(-1.5f, 0.4f, 3.0f);
+    const vec3 wo = f64::normalize(to_f64(eye));
+    for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
+        for (const Method method :
+             {Method::normal_map, Method::follow_grain, Method::rotate_approx}) {
+            Material m = white_metal(method, {0.2f, 0.3f});
+            m.brdf = brdf;
+            m.lafortune_c = {-1.0f, -0.7f, 0.9f};
+            const f64::Perturbation p =
+                f64::perturb_make(static_cast<int>(method), to_f64(kTilt), true, false);
+            const f64::CosineLobe lobe =
+                f64::cosine_lobe_make(static_cast<int>(brdf), -1, to_f64(m.lafortune_c),
+                                      f64::cosine_exponent_from_alpha(double{0.2f}, double{0.3f}));
+            const double wanted = quadrature(
+                [&](vec3 wi) { return f64::cosine_lobe_eval(lobe, p, wi, wo) * sky(wi); }, p.n);
+            EXPECT_NEAR(seen_from(eye, m, environment) / wanted, 1.0, 0.015)
+                << name_of(brdf) << " " << name_of(method);
+        }
+    }
+}
+
+// The 2000 model of Ashikhmin and Shirley with its diffuse term in constant light: the sum of both
+// by quadrature, and never more than came. The specular term of this model alone gains nothing
+// either.
+TEST_F(TiltedPlate, CoupledDiffuseTermInAFurnace) {
+    const Environment furnace = constant_environment(glm::vec3(1));
+    Material m;
+    m.metallic = 0.0f;
+    m.brdf = Brdf::ashikhmin_shirley;
+    m.alpha = glm::vec2(0.3f, 0.5f);
+    for (const float f0 : {0.0f, 0.04f, 0.5f}) {
+        m.dielectric_f0 = f0;
+        for (const glm::vec3 eye :
+             {glm::vec3(0, 0, 3), glm::vec3(-1.5f, 0.4f, 3), glm::vec3(3, 0, 1)}) {
+            const vec3 wo = f64::normalize(to_f64(eye));
+            const f64::Lobe lobe =
+                f64::lobe_from_alpha(f64::kMdfAshikhminShirley, double{0.3f}, double{0.5f});
+            const f64::Perturbation p =
+                f64::perturb_make(f64::kMethodFollowGrain, to_f64(kTilt), true, false);
+            const double wanted = quadrature(
+                [&](vec3 wi) {
+                    const double cos_h = f64::length(wi + wo) / 2;
+                    return f64::brdf_eval(f64::kBrdfAshikhminShirley, lobe, p, wi, wo) *
+                               f64::fresnel_schlick(double{f0}, cos_h) +
+                           f64::ashikhmin_shirley_diffuse(1, double{f0}, f64::dot(p.n, wi),
+                                                          f64::dot(p.n, wo));
+                },
+                p.n);
+            const double found = seen_from(eye, m, furnace);
+            EXPECT_NEAR(found / wanted, 1.0, 0.01) << f0 << " from " << eye.x;
+            EXPECT_LT(found, 1.0) << f0 << " from " << eye.x;
+        }
     }
 }
 

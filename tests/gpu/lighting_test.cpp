@@ -1,6 +1,7 @@
 // Punctual lights against the maths in double precision, worked out at single pixels on the CPU.
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "burnish/f64.hpp"
 #include "gpu_fixture.hpp"
@@ -23,7 +24,20 @@ struct Case {
     Method method;
     glm::vec2 alpha;
     glm::vec3 n;  // perturbed normal against tangent, bitangent, normal
+    std::optional<float> ks{};
 };
+
+const glm::vec3 kCoefficients(-0.9f, -0.6f, 0.8f);
+
+double specular(const Case& c, const f64::Lobe& lobe, const f64::Perturbation& p, vec3 wi,
+                vec3 wo) {
+    const int brdf = static_cast<int>(c.brdf);
+    if (has_half_vectors(c.brdf)) return f64::brdf_eval(brdf, lobe, p, wi, wo);
+    const double n = f64::cosine_exponent_from_alpha(c.alpha.x, c.alpha.y);
+    const f64::CosineLobe cosine =
+        f64::cosine_lobe_make(brdf, c.ks ? double{*c.ks} : -1.0, to_f64(kCoefficients), n);
+    return f64::cosine_lobe_eval(cosine, p, wi, wo);
+}
 
 // Radiance at a point of the test plane, whose tangent space is world space, for a metal of F0.
 double expected(const Case& c, vec3 wi, vec3 wo, double irradiance, double f0) {
@@ -34,7 +48,7 @@ double expected(const Case& c, vec3 wi, vec3 wo, double irradiance, double f0) {
         f64::perturb_make(static_cast<int>(c.method), f64::normalize(to_f64(c.n)),
                           f64::lobe_grooves_along_x(mdf, lobe.p0, lobe.p1), false);
     const vec3 h = f64::normalize(wi + wo);
-    return f64::brdf_eval(brdf, lobe, p, wi, wo) * f64::fresnel_schlick(f0, f64::dot(wi, h)) *
+    return specular(c, lobe, p, wi, wo) * f64::fresnel_schlick(f0, f64::dot(wi, h)) *
            std::max(f64::dot(p.n, wi), 0.0) * irradiance;
 }
 
@@ -54,6 +68,8 @@ class Lighting : public GpuTest {
         m.brdf = c.brdf;
         m.method = c.method;
         m.alpha = c.alpha;
+        m.ks = c.ks;
+        m.lafortune_c = kCoefficients;
         m.normal_texture.texture = 0;
         Scene scene = one_object(unit_plane(), m);
         scene.textures.push_back(constant_texture(0.5f * glm::normalize(c.n) + 0.5f));
@@ -119,7 +135,7 @@ TEST_F(Lighting, EveryMethodGivesTheValueOfTheMaths) {
 }
 
 TEST_F(Lighting, EveryLobeGivesTheValueOfTheMaths) {
-    for (int brdf = 0; brdf <= static_cast<int>(Brdf::ward_gmd); ++brdf) {
+    for (int brdf = 0; brdf <= static_cast<int>(Brdf::cook_torrance); ++brdf) {
         for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
             const Case c{static_cast<Mdf>(mdf),
                          static_cast<Brdf>(brdf),
@@ -127,6 +143,17 @@ TEST_F(Lighting, EveryLobeGivesTheValueOfTheMaths) {
                          {0.2f, 0.5f},
                          kTilt};
             check(c, directional({0.5f, -0.3f, 1.0f}), gpu::SurfacePass::forward);
+        }
+    }
+}
+
+TEST_F(Lighting, CosineLobesGiveTheValueOfTheMaths) {
+    for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
+        for (int method = 0; method < static_cast<int>(Method::deform_linear); ++method) {
+            Case c{Mdf::ward, brdf, static_cast<Method>(method), {0.3f, 0.2f}, kTilt};
+            check(c, directional({0.5f, -0.3f, 1.0f}), gpu::SurfacePass::forward);
+            c.ks = 2.5f;
+            check(c, directional({0.5f, -0.3f, 1.0f}), gpu::SurfacePass::deferred);
         }
     }
 }
@@ -166,6 +193,36 @@ TEST_F(Lighting, DiffuseIsWhatTheHeaderStates) {
     EXPECT_NEAR(image.at(8, 8)[0], 0.5 * each, 1e-4);
     EXPECT_NEAR(image.at(8, 8)[1], 0.25 * each, 1e-4);
     EXPECT_NEAR(image.at(8, 8)[2], 1.0 * each, 1e-4);
+}
+
+// With the 2000 model's own diffuse term, under a tilted normal: only the cosines to n~ count.
+TEST_F(Lighting, AshikhminShirleyBringsItsDiffuseTerm) {
+    Material m;
+    m.metallic = 0.25f;
+    m.base_color = glm::vec4(0.5f, 0.25f, 1.0f, 1.0f);
+    m.dielectric_f0 = 0.2f;
+    m.brdf = Brdf::ashikhmin_shirley;
+    m.alpha = glm::vec2(0.001f);  // a highlight far from where we look
+    m.normal_texture.texture = 0;
+    for (const Method method : {Method::follow_grain, Method::normal_map, Method::deform_smooth}) {
+        m.method = method;
+        Scene scene = one_object(unit_plane(), m);
+        scene.textures.push_back(constant_texture(0.5f * glm::normalize(kTilt) + 0.5f));
+        const glm::vec3 towards = glm::normalize(glm::vec3(1.0f, 0.4f, 1.0f));
+        scene.lights.push_back(directional(towards));
+        gpu::Renderer renderer(*context, scene, nullptr);
+        const Camera camera = camera_on_z(3.0f);
+        const Image image = renderer.render(camera, small_picture(16, 16));
+        const vec3 n = f64::normalize(to_f64(kTilt));
+        const vec3 at = point_at(camera, small_picture(16, 16), 8, 8);
+        const double cos_o = f64::dot(n, f64::normalize(to_f64(camera.position) - at));
+        const double cos_i = f64::dot(n, to_f64(towards));
+        const auto through = [](double c) { return 1 - std::pow(1 - c / 2, 5); };
+        const double each =
+            28 / (23 * kPi) * (1 - 0.2) * through(cos_i) * through(cos_o) * cos_i * 0.75;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(image.at(8, 8)[c], double{m.base_color[c]} * each, 2e-4) << name_of(method);
+    }
 }
 
 TEST_F(Lighting, ConductorsReflectTheirNormalReflectance) {

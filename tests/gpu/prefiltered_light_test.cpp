@@ -1,4 +1,5 @@
 // --image-light prefiltered against importance sampling, and what occlusion and irradiance do.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -98,6 +99,55 @@ TEST_F(PrefilteredLight, ErrsAQuarterAsMuchAsBentNormals) {
     }
 }
 
+// The deformations, whose energy and widths the look-ups follow: at a tilt of 30 degrees.
+TEST_F(PrefilteredLight, DeformationsErrLessThanBentNormals) {
+    const std::filesystem::path folder = environment_folder();
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no sample data in " << folder;
+    for (const char* name : {"venice_sunset_1k.hdr", "royal_esplanade_1k.hdr"}) {
+        const Environment environment = load_environment((folder / name).string());
+        Scene scene = tilted_sphere();
+        gpu::Renderer renderer(*context, scene, &environment);
+        for (const Method method : {Method::deform_linear, Method::deform_smooth}) {
+            scene.materials[0].alpha = glm::vec2(0.1f, 0.4f);
+            scene.materials[0].method = method;
+            tilt(scene.materials[0], 30.0f);
+            renderer.set_materials(scene.materials);
+            const Image truth = lit(renderer, ImageLight::importance, 4096);
+            const double bent = rms_difference(lit(renderer, ImageLight::bent_normal, 1), truth);
+            const double ours = rms_difference(lit(renderer, ImageLight::prefiltered, 1), truth);
+            std::printf("%s %s: %.2f (%.4f)\n", name, name_of(method).data(), bent / ours, ours);
+            EXPECT_GE(bent / ours, 4.0) << name << " " << name_of(method);
+        }
+    }
+}
+
+// phong and lafortune are round lobes about a direction, which one look-up of the blurred map
+// reads: within a tenth of what the picture shows (rms), where the sharp reflection is off by far
+// more.
+TEST_F(PrefilteredLight, OneLookUpServesCosineLobes) {
+    const std::filesystem::path folder = environment_folder();
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no sample data in " << folder;
+    for (const char* name : {"venice_sunset_1k.hdr", "royal_esplanade_1k.hdr"}) {
+        const Environment environment = load_environment((folder / name).string());
+        Scene scene = tilted_sphere();
+        gpu::Renderer renderer(*context, scene, &environment);
+        for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
+            for (const float alpha : {0.1f, 0.2f, 0.4f}) {
+                scene.materials[0].brdf = brdf;
+                scene.materials[0].alpha = glm::vec2(alpha);
+                tilt(scene.materials[0], 30.0f);
+                renderer.set_materials(scene.materials);
+                const Image truth = lit(renderer, ImageLight::importance, 2048, 32);
+                const double ours =
+                    rms_difference(lit(renderer, ImageLight::prefiltered, 1, 32), truth);
+                const double size = rms_difference(truth, Image(32, 32, 4, 0.0f));
+                std::printf("%s %s %.2f: %.4f\n", name, name_of(brdf).data(), alpha, ours / size);
+                EXPECT_LT(ours / size, 0.1) << name << " " << name_of(brdf) << " alpha " << alpha;
+            }
+        }
+    }
+}
+
 // Rotations keep the albedo, whatever the tilt: 1.5 % of the mean, and importance sampling in 128
 // samples has 0.2 % of noise over the picture.
 TEST_F(PrefilteredLight, FurnaceAgreesWithImportanceSampling) {
@@ -122,6 +172,9 @@ TEST_F(PrefilteredLight, FurnaceAgreesWithImportanceSampling) {
     }
     for (const Brdf brdf : {Brdf::ashikhmin_shirley, Brdf::ward_gmd}) {
         check(brdf, Mdf::ggx, Method::gram_schmidt, 0.015);
+    }
+    for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
+        check(brdf, Mdf::ggx, Method::gram_schmidt, 0.02);
     }
     // No rotation: its gains and losses are not followed (docs/image-light.md).
     check(Brdf::microfacet, Mdf::ggx, Method::deform_linear, 0.2);
@@ -171,9 +224,16 @@ TEST_F(PrefilteredLight, HostileNormalsStayFiniteAndGainNothing) {
             scene.materials[0].alpha = alpha;
             scene.materials[0].method = static_cast<Method>(method);
             renderer.set_materials(scene.materials);
+            // The deformations do gain at steep tilts, as published: no more than the reference does.
+            float most = 1.02f;
+            if (is_deformation(static_cast<Method>(method))) {
+                const Image truth = lit(renderer, ImageLight::importance, 256, 24);
+                most *= std::max(1.0f, *std::max_element(truth.pixels.begin(), truth.pixels.end()));
+                std::printf("%s: reference at most %.3f\n", name_of(scene.materials[0].method).data(), most / 1.02f);
+            }
             for (const float v : lit(renderer, ImageLight::prefiltered, 1, 24).pixels) {
                 ASSERT_TRUE(std::isfinite(v));
-                ASSERT_LE(v, 1.02f) << name_of(scene.materials[0].method);
+                ASSERT_LE(v, most) << name_of(scene.materials[0].method);
             }
         }
     }

@@ -1,9 +1,8 @@
 #include "make_cases.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "random_inputs.hpp"
+#include "brdf_directions.hpp"
 
 namespace burnish::oracle {
 
@@ -110,55 +109,22 @@ std::vector<MdfCase> mdf_cases(unsigned seed, std::size_t n) {
 namespace {
 
 std::array<long double, 5> random_brdf(Random& random, const std::string& brdf) {
-    constexpr std::array<long double, 3> kEnds{0, 0.04L, 1};
     const auto lobe = random_lobe(random, brdf == "ashikhmin-shirley");
-    const long double share =
-        as_double(random.chance(0.2L) ? random.pick(kEnds) : random.range(0, 1));
+    const long double share = random_share(random);
     if (brdf == "ward-gmd") return {share, lobe[0], lobe[1], 0, 0};
     return {lobe[0], lobe[1], share, 0, 0};
 }
 
-// o = 2 (h.i) h - i for an h of the lobe; the mirror direction if the surface hides all the tries.
+// o = 2 (h.i) h - i for an h of the lobe.
 Vec3 reflect_in_lobe(Random& random, const BrdfCase& c) {
     const std::size_t first = c.brdf == "ward-gmd" ? 1 : 0;
-    for (int k = 0; k < 16; ++k) {
-        const Vec3 h =
-            sample_lobe(random, c.brdf == "ashikhmin-shirley", c.p[first], c.p[first + 1], 1);
-        const Vec3 o = 2 * dot(h, c.i) * h - c.i;
-        if (o.z > 0) return o;
-    }
-    return {-c.i.x, -c.i.y, c.i.z};
+    const Vec3 h =
+        sample_lobe(random, c.brdf == "ashikhmin-shirley", c.p[first], c.p[first + 1], 1);
+    return 2 * dot(h, c.i) * h - c.i;
 }
 
-void choose_directions(Random& random, BrdfCase& c) {
-    c.i = as_double(tilted_clean(random.range(0, 89.9L), random_azimuth(random)));
-    if (random.chance(0.05L)) c.i = {0, 0, 1};
-    const long double u = random.unit();
-    if (u < 0.55L) {
-        c.kind = "alive";
-        c.o = reflect_in_lobe(random, c);
-    } else if (u < 0.7L) {
-        c.kind = "far";
-        c.o = random_direction(random);
-        c.o.z = fabsl(c.o.z);
-    } else if (u < 0.77L) {
-        c.kind = "mirror";
-        c.o = {-c.i.x, -c.i.y, c.i.z};
-    } else if (u < 0.83L) {
-        c.kind = "retro";
-        c.o = c.i;
-    } else if (u < 0.95L) {
-        c.kind = "grazing";
-        if (random.chance(0.3L)) c.i = as_double(grazing_direction(random));
-        c.o = grazing_direction(random);
-    } else {
-        c.kind = "below";
-        c.o = random_direction(random);
-        c.o.z = -fabsl(c.o.z) - 1e-3L;
-        c.o = normalize(c.o);
-        if (random.chance(0.5L)) std::swap(c.i, c.o);
-    }
-}
+// None skims.
+constexpr KindShares kShares{0.55L, 0.7L, 0.77L, 0.83L, 0.95L, 0.95L};
 
 }  // namespace
 
@@ -171,7 +137,8 @@ std::vector<BrdfCase> brdf_cases(unsigned seed, std::size_t n) {
         BrdfCase c;
         c.brdf = brdfs[k % brdfs.size()];
         c.p = random_brdf(random, c.brdf);
-        choose_directions(random, c);
+        choose_i(random, c);
+        choose_o(random, c, kShares, [&] { return reflect_in_lobe(random, c); });
         c.i = as_double(rescaled(random, c.i));
         c.o = as_double(rescaled(random, c.o));
         cases.push_back(c);

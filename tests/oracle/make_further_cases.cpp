@@ -1,20 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "make_cases.hpp"
-#include "random_inputs.hpp"
+#include "brdf_directions.hpp"
 
 namespace burnish::oracle {
 
 namespace {
 
 constexpr long double kPi = std::numbers::pi_v<long double>;
-
-long double random_share(Random& random) {
-    constexpr std::array<long double, 3> kEnds{0, 0.04L, 1};
-    return as_double(random.chance(0.2L) ? random.pick(kEnds) : random.range(0, 1));
-}
 
 std::array<long double, 5> random_lafortune(Random& random) {
     std::array<long double, 5> p{random_share(random), -1, -1, 1, random_lobe(random, true)[0]};
@@ -81,7 +74,7 @@ Vec3 he_direction(Random& random, const BrdfCase& c) {
 
 // A direction in the lobe of i, or below the surface when this try does not hit.
 Vec3 lobe_direction(Random& random, const BrdfCase& c) {
-    const Vec3 mirror{-c.i.x, -c.i.y, c.i.z};
+    const Vec3 mirror = mirror_of(c.i);
     if (c.brdf == "phong") return about(random, mirror, c.p[1]);
     if (c.brdf == "he") return he_direction(random, c);
     if (c.brdf == "ashikhmin-shirley-diffuse") return random_direction(random);
@@ -106,49 +99,12 @@ void brighten(BrdfCase& c) {
     if (large) c.p = {c.p[0], -1, -1, 1, c.p[4]};
 }
 
-void choose_skimming(Random& random, BrdfCase& c) {
-    const auto skim = [&] { return tilted_clean(89.9L, random_azimuth(random)); };
-    if (random.chance(0.6L)) c.i = as_double(skim());
-    c.o = random.chance(0.5L) ? Vec3{-c.i.x, -c.i.y, c.i.z} : skim();
-}
+constexpr KindShares kShares{0.55L, 0.67L, 0.73L, 0.79L, 0.87L, 0.96L};
 
 void choose_directions(Random& random, BrdfCase& c) {
-    c.i = as_double(tilted_clean(random.range(0, 89.9L), random_azimuth(random)));
-    if (random.chance(0.05L)) c.i = {0, 0, 1};
+    choose_i(random, c);
     if (c.brdf == "lafortune") brighten(c);
-    const long double u = random.unit();
-    if (u < 0.55L) {
-        c.kind = "alive";
-        c.o = {-c.i.x, -c.i.y, c.i.z};
-        for (int k = 0; k < 16; ++k) {
-            const Vec3 o = lobe_direction(random, c);
-            if (o.z <= 0) continue;
-            c.o = o;
-            break;
-        }
-    } else if (u < 0.67L) {
-        c.kind = "far";
-        c.o = random_direction(random);
-        c.o.z = fabsl(c.o.z);
-    } else if (u < 0.73L) {
-        c.kind = "mirror";
-        c.o = {-c.i.x, -c.i.y, c.i.z};
-    } else if (u < 0.79L) {
-        c.kind = "retro";
-        c.o = c.i;
-    } else if (u < 0.87L) {
-        c.kind = "grazing";
-        if (random.chance(0.3L)) c.i = as_double(grazing_direction(random));
-        c.o = grazing_direction(random);
-    } else if (u < 0.96L) {
-        c.kind = "skimming";
-        choose_skimming(random, c);
-    } else {
-        c.kind = "below";
-        c.o = random_direction(random);
-        c.o.z = -fabsl(c.o.z) - 1e-3L;
-        if (random.chance(0.5L)) std::swap(c.i, c.o);
-    }
+    choose_o(random, c, kShares, [&] { return lobe_direction(random, c); });
     if (c.brdf == "lafortune") brighten(c);  // i may be another now, and C too bright for it
 }
 

@@ -86,6 +86,12 @@ inline std::array<long double, 2> random_lobe(Random& random, bool exponents) {
     return p;
 }
 
+// A reflectance: the ends, a dielectric's, and anything in between.
+inline long double random_share(Random& random) {
+    constexpr std::array<long double, 3> kEnds{0, 0.04L, 1};
+    return as_double(random.chance(0.2L) ? random.pick(kEnds) : random.range(0, 1));
+}
+
 // A half vector of the unperturbed lobe: slopes Gaussian, `spread` times as wide as p0 and p1 say.
 inline Vec3 sample_lobe(Random& random, bool exponents, long double p0, long double p1,
                         long double spread) {

@@ -218,11 +218,67 @@ TEST(MaterialParameters, RoughnessInThreeWays) {
     apply_material_parameters(scene, one);
     EXPECT_EQ(scene.materials[0].alpha.value(), glm::vec2(0.5f)) << "one alone sets both";
 
+    ParameterValues cosine;
+    cosine.set("cosine_exponent", "49.5", "");
+    apply_material_parameters(scene, cosine);
+    EXPECT_NEAR(scene.materials[0].alpha->x, 0.1f, 1e-6f);
+    EXPECT_NEAR(scene.materials[0].alpha->y, 0.1f, 1e-6f);
+    cosine.merge(one);
+    EXPECT_FALSE(cosine.is_set("cosine_exponent")) << "another way of saying it";
+
     ParameterValues both = one;
     both.set("e_y", "10", "");
     EXPECT_NE(
         error_line<UsageError>([&] { apply_material_parameters(scene, both); }).find("one pair"),
         std::string::npos);
+}
+
+TEST(MaterialParameters, CosineLobesHaveTheirOwn) {
+    Scene scene = one_triangle(true);
+    EXPECT_FALSE(scene.materials[0].ks.has_value()) << "as much as keeps the energy";
+    ParameterValues values;
+    const auto default_c = values.vec3("lafortune_c");
+    EXPECT_EQ(default_c, scene.materials[0].lafortune_c);
+    values.set("brdf", "lafortune", "");
+    values.set("ks", "0.25", "");
+    values.set("lafortune_c", "-1,-0.5,0.75", "");
+    apply_material_parameters(scene, values);
+    EXPECT_EQ(scene.materials[1].brdf, Brdf::lafortune);
+    EXPECT_EQ(scene.materials[1].ks, 0.25f);
+    EXPECT_EQ(scene.materials[1].lafortune_c, glm::vec3(-1.0f, -0.5f, 0.75f));
+}
+
+// What has no half vectors cannot be deformed, whether one call asks for it or two.
+TEST(MaterialParameters, DeformationsNeedHalfVectors) {
+    for (const char* method : {"deform-linear", "deform-smooth"}) {
+        Scene scene = one_triangle(true);
+        ParameterValues values;
+        values.set("method", method, "");
+        apply_material_parameters(scene, values);
+        ParameterValues later;
+        later.set("brdf", "phong", "");
+        EXPECT_EQ(error_line<UsageError>([&] { apply_material_parameters(scene, later); }),
+                  "method: expected a rotation such as follow-grain for brdf phong, which has no "
+                  "half vectors to deform, found " +
+                      std::string(method));
+        later.set("method", "rotate-approx", "");
+        apply_material_parameters(scene, later);
+        EXPECT_EQ(scene.materials[0].brdf, Brdf::phong);
+    }
+}
+
+TEST(ParameterValues, ModelsThatAreNotDrawnSayWhatIs) {
+    ParameterValues values;
+    const auto line = [&](const char* text) {
+        return error_line<UsageError>([&] { values.set("brdf", text, "--brdf"); });
+    };
+    EXPECT_NE(line("he").find("found " + shown("he") +
+                              " (brdf eval computes it, no picture: cook-torrance is nearest)"),
+              std::string::npos)
+        << line("he");
+    EXPECT_NE(line("ashikhmin-premoze-shirley").find("microfacet with mdf ashikhmin-shirley"),
+              std::string::npos);
+    EXPECT_NE(line("ggx").find("microfacet with mdf ggx"), std::string::npos);
 }
 
 TEST(MaterialParameters, NormalMapIsReadOnce) {

@@ -63,6 +63,12 @@ std::vector<Vec3> hostile_normals() {
         const ns::Lobe beckmann =                                                                \
             ns::lobe_make(ns::kMdfBeckmann, ns::lobe_alpha_x(own), ns::lobe_alpha_y(own));       \
         const bool along_x = ns::lobe_grooves_along_x(c.mdf, p0, p1);                            \
+        const ns::vec3 odd{Float(-10), Float(0), Float(0.3)};                                    \
+        const std::vector<ns::CosineLobe> cosine_lobes = {                                       \
+            ns::cosine_lobe_make(ns::kBrdfPhong, Float(-1), odd, Float(1e5)),                    \
+            ns::cosine_lobe_make(ns::kBrdfPhong, Float(1e6), odd, Float(0)),                     \
+            ns::cosine_lobe_make(ns::kBrdfLafortune, Float(1e6), odd, Float(1e5)),               \
+            ns::cosine_lobe_make(ns::kBrdfLafortune, Float(-1), odd * Float(0), Float(3))};      \
         int failures = 0;                                                                        \
         const auto expect = [&](Float v) { failures += v >= 0 && v < HUGE_VALF ? 0 : 1; };       \
         std::vector<ns::vec3> directions = hostile_directions<ns::vec3, Float>();                \
@@ -82,6 +88,10 @@ std::vector<Vec3> hostile_normals() {
                         const bool has_own = ns::brdf_mdf(brdf, c.mdf) == c.mdf;                 \
                         expect(ns::brdf_eval(brdf, has_own ? own : beckmann, p, wi, wo));        \
                     }                                                                            \
+                    for (const ns::CosineLobe& lobe : cosine_lobes) {                            \
+                        expect(ns::cosine_lobe_eval(lobe, p, wi, wo));                           \
+                        expect(ns::cosine_lobe_pdf(lobe, p, wi, wo));                            \
+                    }                                                                            \
                 }                                                                                \
             }                                                                                    \
         }                                                                                        \
@@ -95,7 +105,7 @@ inline std::size_t hostile_combinations() {
     const std::size_t directions = hostile_directions<f64::vec3, double>().size();
     const std::size_t models = static_cast<std::size_t>(f64::kBrdfCookTorrance) + 1;
     return hostile_normals<f64::vec3, double>().size() * directions *
-           (3 + directions * (1 + models));
+           (3 + directions * (1 + models + 2 * 4));  // two of each of four cosine lobes
 }
 
 }  // namespace burnish::test

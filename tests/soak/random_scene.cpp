@@ -51,7 +51,7 @@ std::string text_of(const Parameter& parameter, Random& random) {
 bool is_set_elsewhere(std::string_view name) {
     static constexpr std::string_view kNames[] = {
         "width",      "height",       "samples", "image_light_samples", "triangles",
-        "normal_map", "camera_index", "scratch", "scratch_direction"};
+        "normal_map", "camera_index", "scratch", "scratch_direction",   "cosine_exponent"};
     return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
@@ -76,6 +76,9 @@ ParameterValues random_values(Random& random) {
     set("image_light_samples", 1, 16);
     set("triangles", 20, 4000);
     if (one_in(random, 16)) values.set("normal_map", "builtin:bumps", "");
+    // Refused with a line, which is not what is tried here.
+    if (values.is_set("brdf") && !has_half_vectors(static_cast<Brdf>(values.choice("brdf"))))
+        values.set("method", "follow-grain", "");
     return values;
 }
 
