@@ -106,48 +106,9 @@ std::optional<GalleryPage> k12_fig8(GalleryTools& tools) {
 }
 
 std::optional<GalleryPage> k12_fig10(GalleryTools& tools) {
-    GalleryPage page;
-    page.figure.title = "K12 Fig 10: woven fabric";
-    const PictureSpec spec{"builtin:drape",
-                           {{"weave", "plain"},
-                            {"weave_count", "60"},
-                            {"mdf", "ashikhmin-shirley"},
-                            {"brdf", "ashikhmin-shirley"},
-                            {"e_x", "60"},
-                            {"e_y", "4"},
-                            {"metallic", "0.6"},
-                            {"base_color", "#8c2f39"}},
-                           "builtin:studio",
-                           {}};
-    constexpr double kLarge = 300;
-    const Image mask = tools.studio.mask(spec, kLarge, tools.progress);
-    const std::pair<const char*, const char*> columns[] = {{"none", "(a) alternating anisotropy"},
-                                                           {"normal-map", "(b) normal mapping"},
-                                                           {"rotate-approx", "(c) MDF rotation"}};
-    plot::PanelRow row;
-    double hidden[3], bright[3];
-    int i = 0;
-    for (const auto& [method, title] : columns) {
-        const Picture picture =
-            tools.studio.picture(spec.with("method", method), kLarge, tools.progress);
-        row.panels.push_back(rendered(page, picture, title, kLarge));
-        hidden[i] = hidden_share(picture.linear, mask, tools.quick() ? 8 : 16, 0.06);
-        bright[i++] = concentration(picture.linear, mask);
-    }
-    page.figure.rows = {row};
-    page.measured = {
-        fmt::format(
-            "windows in which the weave cannot be seen (contrast below 6 %): (a) {:.0f} %, (b) "
-            "{:.0f} %, (c) {:.0f} %",
-            100 * hidden[0], 100 * hidden[1], 100 * hidden[2]),
-        fmt::format(
-            "share of the light in the brightest twentieth of the cloth, high for metal: (a) "
-            "{:.0f} %, (b) {:.0f} %, (c) {:.0f} %",
-            100 * bright[0], 100 * bright[1], 100 * bright[2])};
-    page.verdict = hidden[0] > std::max(hidden[1], hidden[2]) && bright[2] < bright[1]
-                       ? Verdict::borne_out
-                       : Verdict::partly;
-    return page;
+    tools.warnings.push_back(
+        "k12-fig10 is left out: woven cloth is not a surface of this renderer yet");
+    return std::nullopt;
 }
 
 }  // namespace burnish
