@@ -15,6 +15,7 @@
 #include "app/frame_cost.hpp"
 #include "burnish/error.hpp"
 #include "cli/commands.hpp"
+#include "cli/integer_flag.hpp"
 #include "cli/session.hpp"
 #include "cli/usage.hpp"
 #include "core/memory.hpp"
@@ -75,13 +76,6 @@ Leading leading_number(std::string_view text) {
     number.found = status == std::errc{};
     number.rest = text.substr(static_cast<std::size_t>(stop - text.data()));
     return number;
-}
-
-int whole_number(const std::string& text, int low, int high, const char* flag) {
-    const Leading number = leading_number(text);
-    if (number.found && number.rest.empty() && number.value >= low && number.value <= high)
-        return number.value;
-    throw UsageError(flag, "", fmt::format("a whole number from {} to {}", low, high), shown(text));
 }
 
 struct Size {
@@ -172,24 +166,12 @@ void add_frame_command(CLI::App& bench, Session& session) {
         ->type_name("LIST");
     command->add_option("--methods", flags->methods, "techniques (default: all of those below)")
         ->type_name("LIST");
-    command
-        ->add_option_function<std::string>(
-            "--pairs",
-            [flags](const std::string& text) {
-                flags->pairs = whole_number(text, 3, 1000, "--pairs");
-            },
-            "interleaved rounds, 3 to 1000 (default 15; 7 with --quick)")
+    add_integer(*command, "--pairs", flags->pairs, {3, 1000},
+                "interleaved rounds, default 15, with --quick 7")
         ->type_name("COUNT");
     command->add_flag("--quick", flags->quick,
                       "4,096 and 102,400 triangles at 1280x720, short samples");
-    command
-        ->add_option_function<std::string>(
-            "--gl-device",
-            [flags](const std::string& text) {
-                flags->gl_device = whole_number(text, 0, 255, "--gl-device");
-            },
-            "GL device by its number in `burnish info --devices`")
-        ->type_name("NUMBER");
+    add_gl_device(*command, flags->gl_device);
     command->footer(kFooter);
     command->callback([flags, &session] { run(*flags, session); });
 }

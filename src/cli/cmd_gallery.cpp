@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "app/gallery.hpp"
 #include "burnish/error.hpp"
 #include "cli/commands.hpp"
+#include "cli/integer_flag.hpp"
 #include "cli/session.hpp"
 
 namespace burnish::cli {
@@ -44,11 +44,7 @@ void run(Flags& flags, const Session& session) {
     request.measured = flags.measured;
     request.command = session.command_line();
     const GalleryReport report = make_gallery(request, session.progress());
-    for (const std::string& warning : report.warnings)
-        std::fprintf(stderr, "burnish: warning: %s\n", warning.c_str());
-    std::string text;
-    for (const auto& path : report.written) text += path.string() + '\n';
-    print(text);
+    print_report(report.warnings, report.written);
 }
 
 }  // namespace
@@ -66,11 +62,7 @@ void add_gallery_command(CLI::App& parent, Session& session) {
         ->add_option("--measured", flags->measured,
                      "folder of RGL materials (.bsdf) for b12-measured")
         ->type_name("DIR");
-    command
-        ->add_option("--gl-device", flags->request.gl_device,
-                     "GL device by its number in `burnish info --devices`")
-        ->type_name("NUMBER")
-        ->check(CLI::Range(0, 255));
+    add_gl_device(*command, flags->request.gl_device);
     command->footer(kFooter);
     command->callback([flags, &session] { run(*flags, session); });
 }

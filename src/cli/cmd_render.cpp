@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "burnish/parameters.hpp"
 #include "burnish/render.hpp"
 #include "cli/commands.hpp"
+#include "cli/integer_flag.hpp"
 #include "cli/parameter_flags.hpp"
 #include "cli/session.hpp"
 
@@ -69,27 +69,6 @@ void set_size(ParameterValues& values, const std::string& size) {
     values.set("height", size.substr(x + 1), "--size");
 }
 
-struct Range {
-    int low, high;
-};
-
-// A flag for a whole number, checked in our words.
-CLI::Option* add_integer(CLI::App& command, const std::string& flag, int& target, Range range,
-                         const std::string& help) {
-    const auto set = [&target, flag, range](const std::string& text) {
-        int value = 0;
-        const char* end = text.data() + text.size();
-        const auto [stop, status] = std::from_chars(text.data(), end, value);
-        if (status != std::errc{} || stop != end || value < range.low || value > range.high)
-            throw UsageError(flag, "",
-                             fmt::format("a whole number from {} to {}", range.low, range.high),
-                             shown(text));
-        target = value;
-    };
-    return command.add_option_function<std::string>(
-        flag, set, fmt::format("{} ({} to {})", help, range.low, range.high));
-}
-
 std::vector<Method> parse_methods(const std::string& list) {
     std::vector<Method> methods;
     std::size_t start = 0;
@@ -109,11 +88,7 @@ void run(Flags& flags, const Session& session) {
     request.output = flags.output;
     request.command = session.command_line();
     const RenderReport report = render(request, session.progress());
-    for (const std::string& warning : report.warnings)
-        std::fprintf(stderr, "burnish: warning: %s\n", warning.c_str());
-    std::string text;
-    for (const auto& path : report.written) text += path.string() + '\n';
-    print(text);
+    print_report(report.warnings, report.written);
 }
 
 }  // namespace
@@ -159,9 +134,7 @@ void add_render_command(CLI::App& parent, Session& session) {
     add_integer(*command, "--turntable", request.turntable, {1, 9999},
                 "pictures of a full turn, numbered from OUT_0000")
         ->type_name("COUNT");
-    add_integer(*command, "--gl-device", request.gl_device, {0, 255},
-                "GL device by its number in `burnish info --devices`")
-        ->type_name("NUMBER");
+    add_gl_device(*command, request.gl_device);
     add_parameter_flags(*command, flags);
     command->footer(kExamples);
     command->callback([flags, &session] { run(*flags, session); });

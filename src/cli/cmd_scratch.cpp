@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <memory>
@@ -205,11 +204,7 @@ ScratchRecipe recipe_of(const Flags& flags) {
 void run(const Flags& flags, const Session& session) {
     const ScratchRequest request{recipe_of(flags), flags.output, session.command_line()};
     const ScratchReport report = make_scratch_maps(request, session.progress());
-    for (const std::string& warning : report.warnings)
-        std::fprintf(stderr, "burnish: warning: %s\n", warning.c_str());
-    std::string text;
-    for (const auto& path : report.written) text += path.string() + '\n';
-    print(text);
+    print_report(report.warnings, report.written);
 }
 
 void add_layer_flags(CLI::App& command, const std::shared_ptr<Flags>& flags) {

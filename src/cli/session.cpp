@@ -63,4 +63,13 @@ void print(const std::string& text) {
     output.finish();
 }
 
+void print_report(const std::vector<std::string>& warnings,
+                  const std::vector<std::filesystem::path>& written) {
+    for (const std::string& warning : warnings)
+        std::fprintf(stderr, "burnish: warning: %s\n", warning.c_str());
+    std::string text;
+    for (const auto& path : written) text += path.string() + '\n';
+    print(text);
+}
+
 }  // namespace burnish::cli

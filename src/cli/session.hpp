@@ -2,7 +2,9 @@
 // with.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "burnish/progress.hpp"
 
@@ -31,5 +33,9 @@ class Session {
 
 // Everything at once, every write checked: a full disk is an error for printed text as well.
 void print(const std::string& text);
+
+// Warnings to standard error, a line each; then the paths of what was written.
+void print_report(const std::vector<std::string>& warnings,
+                  const std::vector<std::filesystem::path>& written);
 
 }  // namespace burnish::cli
