@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/even_points.hpp"
 #include "core/parallel.hpp"
 #include "plot/curve.hpp"
 #include "shading/albedo.hpp"
@@ -59,9 +60,7 @@ BrdfPeak peak_of(const BrdfSubject& subject, Direction<double> wi) {
     };
     constexpr int kSamples = 2048, kRings = 45, kSectors = 90;
     for (int i = 0; i < kSamples; ++i) {
-        const std::array<double, 3> xi = {std::fmod(0.5 + 0.7548776662466927 * i, 1.0),
-                                          std::fmod(0.5 + 0.5698402909980532 * i, 1.0),
-                                          std::fmod(0.5 + 0.6180339887498949 * i, 1.0)};
+        const std::array<double, 3> xi = even_point(i);
         double density = 0;
         consider(subject.model->sampler_f64.sample(subject.p, wi, xi, density));
     }
@@ -87,8 +86,8 @@ std::vector<Point> albedo_curve(const BrdfSubject& subject, double azimuth_deg) 
     for (int i = 0; i <= 18; ++i) curve.push_back({80 + 0.5 * i, 0});
     parallel_for(curve.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            curve[i].y = directional_albedo(*subject.model, subject.p,
-                                            incident(curve[i].x, azimuth_deg));
+            curve[i].y =
+                directional_albedo(*subject.model, subject.p, incident(curve[i].x, azimuth_deg));
     });
     return curve;
 }

@@ -1,6 +1,8 @@
 // One subject made ready for many half vectors. Private to the MDF plots.
 #pragma once
 
+#include <array>
+
 #include "burnish/f64.hpp"
 #include "plot/mdf_plot.hpp"
 
@@ -21,8 +23,8 @@ class MdfEvaluator {
                       : f64::lobe_D(lobe_, perturbation_, h);
     }
     // From the lobe's own sampler.
-    Direction<double> sample(double a, double b, double select) const {
-        return f64::lobe_sample(lobe_, perturbation_, {a, b}, select);
+    Direction<double> sample(const std::array<double, 3>& xi) const {
+        return f64::lobe_sample(lobe_, perturbation_, {xi[0], xi[1]}, xi[2]);
     }
     const f64::Lobe& lobe() const { return lobe_; }
     const f64::Perturbation& perturbation() const { return perturbation_; }
@@ -32,12 +34,6 @@ class MdfEvaluator {
     f64::Perturbation perturbation_;
     bool paper_;
 };
-
-// The i-th of evenly spread numbers in [0, 1)^3 (Roberts' R2 and the golden ratio).
-struct EvenPoint {
-    double a, b, select;
-};
-EvenPoint even_point(int i);
 
 // On the disk; z = 0 on the rim and beyond, where the point is drawn in to it.
 Direction<double> lifted(double x, double y);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "burnish/error.hpp"
+#include "core/even_points.hpp"
 #include "core/parallel.hpp"
 #include "plot/curve.hpp"
 #include "plot/mdf_evaluator.hpp"
@@ -47,12 +48,6 @@ Peak climbed(const MdfEvaluator& lobe, Peak best, double step) {
 
 std::span<const std::string_view> normalisation_names() {
     return kNormalisations;
-}
-
-EvenPoint even_point(int i) {
-    return {std::fmod(0.5 + 0.7548776662466927 * i, 1.0),
-            std::fmod(0.5 + 0.5698402909980532 * i, 1.0),
-            std::fmod(0.5 + 0.6180339887498949 * i, 1.0)};
 }
 
 Direction<double> lifted(double x, double y) {
@@ -116,10 +111,7 @@ Peak peak_of(const MdfSubject& subject) {
     };
     consider({0, 0, 1});
     constexpr int kSamples = 4096, kSide = 96;
-    for (int i = 0; i < kSamples; ++i) {
-        const EvenPoint p = even_point(i);
-        consider(lobe.sample(p.a, p.b, p.select));
-    }
+    for (int i = 0; i < kSamples; ++i) consider(lobe.sample(even_point(i)));
     for (int i = 0; i < kSide * kSide; ++i) {
         const double x = 2 * (i % kSide + 0.5) / kSide - 1, y = 2 * (i / kSide + 0.5) / kSide - 1;
         if (x * x + y * y < 1) consider(lifted(x, y));
@@ -151,10 +143,7 @@ Image disk_values(const MdfSubject& subject, int side) {
         if (!std::isnan(value)) value = std::max(value, static_cast<float>(lobe.D(h)));
     };
     hold(peak_of(subject).h);
-    for (int i = 0; i < kSamples; ++i) {
-        const EvenPoint p = even_point(i);
-        hold(lobe.sample(p.a, p.b, p.select));
-    }
+    for (int i = 0; i < kSamples; ++i) hold(lobe.sample(even_point(i)));
     return values;
 }
 
