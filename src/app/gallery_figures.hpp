@@ -40,6 +40,17 @@ ParameterList ward_surface();
 // A rendered panel; its command is added to the page's.
 plot::Panel rendered(GalleryPage& page, const Picture& picture, std::string title, double side);
 
+// Pictures of one surface by the method.
+struct MethodShots {
+    GalleryTools& tools;
+    const PictureSpec& spec;
+    double side;
+
+    Picture operator()(const char* method) const {
+        return tools.studio.picture(spec.with("method", method), side, tools.progress);
+    }
+};
+
 // ---- figures of distributions (gallery_lobes.cpp)
 // --------------------------------------------------
 std::optional<GalleryPage> k11_fig2(GalleryTools& tools);

@@ -260,9 +260,7 @@ std::optional<GalleryPage> k11_fig5(GalleryTools& tools) {
                                  .with(shirley_surface())
                                  .with({{"normal_map", "builtin:bumps"}, {"uv_scale", "2"}});
     const Image mask = tools.studio.mask(spec, kSide, tools.progress);
-    const auto shot = [&](const char* method) {
-        return tools.studio.picture(spec.with("method", method), kSide, tools.progress);
-    };
+    const MethodShots shot{tools, spec, kSide};
     const Picture original = shot("none"), mapped = shot("normal-map"),
                   truth = shot("follow-grain");
     page.figure.rows = {{"",
@@ -285,9 +283,7 @@ std::optional<GalleryPage> k11_fig9(GalleryTools& tools) {
     const PictureSpec spec =
         studio_lit("builtin:sphere").with(shirley_surface()).with("normal_map", "builtin:bumps");
     const Image mask = tools.studio.mask(spec, kSide, tools.progress);
-    const auto shot = [&](const char* method) {
-        return tools.studio.picture(spec.with("method", method), kSide, tools.progress);
-    };
+    const MethodShots shot{tools, spec, kSide};
     const Picture mapped = shot("normal-map"), deformed = shot("deform-smooth"),
                   truth = shot("follow-grain");
     page.figure.rows = {{"",
@@ -359,7 +355,7 @@ std::optional<GalleryPage> k11_fig10(GalleryTools&) {
         const double c = double{directed.direction.pixels[i]};
         const double s = double{directed.direction.pixels[i + 1]};
         if (directed.height.pixels[i / 2] > -0.01f || c * c + s * s < 0.5) continue;
-        const double angle = std::atan2(s, c) / 2 * 57.29577951308232;
+        const double angle = std::atan2(s, c) / 2 * kDegrees;
         off = std::max(off, std::abs(std::remainder(angle - 30.0, 180.0)));
         ++count;
     }
@@ -380,9 +376,7 @@ std::optional<GalleryPage> k11_fig12(GalleryTools& tools) {
         lamp_lit("builtin:sphere").with(shirley_surface()).with("scratch", "fine-random");
     constexpr double kLarge = 360;
     const Image mask = tools.studio.mask(spec, kLarge, tools.progress);
-    const auto shot = [&](const char* method) {
-        return tools.studio.picture(spec.with("method", method), kLarge, tools.progress);
-    };
+    const MethodShots shot{tools, spec, kLarge};
     const Picture plain = shot("none"), mapped = shot("normal-map"),
                   deformed = shot("deform-smooth");
     page.figure.rows = {{"",
@@ -421,9 +415,7 @@ std::optional<GalleryPage> k11_fig15(GalleryTools& tools) {
                 .with(is_ward ? ward_surface() : shirley_surface())
                 .with({{"scratch", "deep-gouges"}, {"camera_distance", "1.6"}});
         const Image mask = tools.studio.mask(spec, kLarge, tools.progress);
-        const auto shot = [&](const char* method) {
-            return tools.studio.picture(spec.with("method", method), kLarge, tools.progress);
-        };
+        const MethodShots shot{tools, spec, kLarge};
         const Picture plain = shot("none"), mapped = shot("normal-map"),
                       deformed = shot("deform-smooth");
         page.figure.rows.push_back(

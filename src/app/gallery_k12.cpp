@@ -21,9 +21,7 @@ GalleryPage two_by_two(GalleryTools& tools, const PictureSpec& scene, const std:
     for (const bool is_ward : {true, false}) {
         const PictureSpec spec = scene.with(is_ward ? ward_surface() : shirley_surface());
         const Image mask = tools.studio.mask(spec, kSide, tools.progress);
-        const auto shot = [&](const char* method) {
-            return tools.studio.picture(spec.with("method", method), kSide, tools.progress);
-        };
+        const MethodShots shot{tools, spec, kSide};
         const Picture mapped = shot("normal-map"), turned = shot("rotate-approx"),
                       truth = shot("follow-grain");
         const char* name = is_ward ? "Ward" : "Ashikhmin-Shirley";

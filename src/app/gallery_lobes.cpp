@@ -114,6 +114,31 @@ GalleryPage perturbed_shirley(const std::string& title) {
     return page;
 }
 
+// K11 Fig 7 and K12 Fig 4: the lobe, the grid of the disk as it is moved, and the moved lobe, n~
+// tilted by 30 degrees at azimuth 40.
+GalleryPage moved_grid(const std::string& title, const MdfSubject& subject) {
+    GalleryPage page;
+    page.drawn = true;
+    page.figure.title = title;
+    MdfSubject original = subject;
+    original.method = Method::none;
+    const MdfSubject both[] = {original, subject};
+    plot::PanelRow row{"", {}, plot::disk_bar(both, plot::ScaleKind::gamma)};
+    row.panels = plot::grid_panels(subject, row.bar->scale, {-0.25, 0.45}, 300);
+    page.figure.rows = {row};
+    page.commands = {
+        fmt::format("burnish mdf plot --kind grid --mdf {} {} --method {} --tilt 30 --azimuth 40 "
+                    "-o OUT.png",
+                    name_of(subject.mdf), flags_of(subject), name_of(subject.method))};
+    return page;
+}
+
+// How far from n~ the method takes n, on the disk.
+double center_offset(const MdfSubject& subject) {
+    const Direction<double> center = plot::forward(subject, {0, 0, 1});
+    return std::hypot(center.x - subject.n.x, center.y - subject.n.y);
+}
+
 }  // namespace
 
 std::optional<GalleryPage> k11_fig2(GalleryTools&) {
@@ -159,28 +184,15 @@ std::optional<GalleryPage> k12_fig2(GalleryTools&) {
 }
 
 std::optional<GalleryPage> k11_fig7(GalleryTools&) {
-    GalleryPage page;
-    page.drawn = true;
-    page.figure.title = "K11 Fig 7: the deformation";
     MdfSubject subject = shirley(200, 10, Method::deform_linear);
     subject.n = plot::tilted_normal(30, 40);
-    MdfSubject original = subject;
-    original.method = Method::none;
-    const MdfSubject both[] = {original, subject};
-    plot::PanelRow row{"", {}, plot::disk_bar(both, plot::ScaleKind::gamma)};
-    row.panels = plot::grid_panels(subject, row.bar->scale, {-0.25, 0.45}, 300);
-    page.figure.rows = {row};
-    page.commands = {
-        "burnish mdf plot --kind grid --mdf ashikhmin-shirley --e-x 200 --e-y 10 --method "
-        "deform-linear --tilt 30 --azimuth 40 -o OUT.png"};
-    const Direction<double> center = plot::forward(subject, {0, 0, 1});
-    const double off = std::hypot(center.x - subject.n.x, center.y - subject.n.y);
-    const double bend = bend_at_center_deg(subject);
+    GalleryPage page = moved_grid("K11 Fig 7: the deformation", subject);
+    const double off = center_offset(subject), bend = bend_at_center_deg(subject);
     page.measured = {
         fmt::format("C goes to C′ = ñ to {:.1e}", off),
         fmt::format(
             "straight lines through C are bent by up to {:.1f}° at C′ (2 atan |d| = {:.1f}°)", bend,
-            2 * std::atan(std::hypot(subject.n.x, subject.n.y)) * 57.29577951308232)};
+            2 * std::atan(std::hypot(subject.n.x, subject.n.y)) * kDegrees)};
     page.verdict = off < 1e-9 && bend > 20 ? Verdict::borne_out : Verdict::contradicted;
     page.remark = "The text says that the bending at the moved centre is excessive: it is.";
     return page;
@@ -228,23 +240,10 @@ std::optional<GalleryPage> k12_fig3(GalleryTools&) {
 }
 
 std::optional<GalleryPage> k12_fig4(GalleryTools&) {
-    GalleryPage page;
-    page.drawn = true;
-    page.figure.title = "K12 Fig 4: the rotation";
     MdfSubject subject = ward(Method::rotate_exact);
     subject.n = plot::tilted_normal(30, 40);
-    MdfSubject original = subject;
-    original.method = Method::none;
-    const MdfSubject both[] = {original, subject};
-    plot::PanelRow row{"", {}, plot::disk_bar(both, plot::ScaleKind::gamma)};
-    row.panels = plot::grid_panels(subject, row.bar->scale, {-0.25, 0.45}, 300);
-    page.figure.rows = {row};
-    page.commands = {
-        "burnish mdf plot --kind grid --mdf ward --alpha-x 0.1 --alpha-y 0.5 --method rotate-exact "
-        "--tilt 30 --azimuth 40 -o OUT.png"};
-    const Direction<double> center = plot::forward(subject, {0, 0, 1});
-    const double off = std::hypot(center.x - subject.n.x, center.y - subject.n.y);
-    const double bend = bend_at_center_deg(subject);
+    GalleryPage page = moved_grid("K12 Fig 4: the rotation", subject);
+    const double off = center_offset(subject), bend = bend_at_center_deg(subject);
     page.measured = {
         fmt::format("n goes to ñ to {:.1e}; lines through it stay straight there "
                     "(bent by {:.2f}°)",

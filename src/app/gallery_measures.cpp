@@ -11,8 +11,6 @@ namespace {
 
 using plot::MdfSubject;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
 // Standard deviations along the principal axes of a mass with these moments.
 std::array<double, 2> principal_axes(double mass, double sx, double sy, double sxx, double sxy,
                                      double syy) {
@@ -159,18 +157,6 @@ double correlation(const Image& a, const Image& b, const Image& mask) {
     return va > 0 && vb > 0 ? (sab - sa * sb / n) / std::sqrt(va * vb) : 0;
 }
 
-double concentration(const Image& linear, const Image& mask) {
-    const double level = bright_level(linear, mask, 0.05);
-    double bright = 0, all = 0;
-    for (std::size_t i = 0; i < pixels_of(linear); ++i) {
-        if (!counts(mask, i)) continue;
-        const double y = double{luminance(linear, i)};
-        all += y;
-        if (y > level) bright += y;
-    }
-    return all > 0 ? bright / all : 0;
-}
-
 double highlight_elongation(const Image& linear, const Image& mask) {
     const double level = bright_level(linear, mask, 0.01) / 2;
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
@@ -187,34 +173,6 @@ double highlight_elongation(const Image& linear, const Image& mask) {
     }
     const auto axes = principal_axes(n, sx, sy, sxx, sxy, syy);
     return axes[1] > 0 ? axes[0] / axes[1] : 0;
-}
-
-double hidden_share(const Image& linear, const Image& mask, int window, double contrast) {
-    const double floor = 0.02 * bright_level(linear, mask, 0.01);
-    int lit = 0, hidden = 0;
-    for (int y0 = 0; y0 + window <= linear.height; y0 += window) {
-        for (int x0 = 0; x0 + window <= linear.width; x0 += window) {
-            double sum = 0, squares = 0;
-            bool inside = true;
-            for (int y = y0; y < y0 + window; ++y) {
-                for (int x = x0; x < x0 + window; ++x) {
-                    const std::size_t i =
-                        static_cast<std::size_t>(y) * static_cast<std::size_t>(linear.width) +
-                        static_cast<std::size_t>(x);
-                    inside = inside && mask.pixels[i] > 0.99f;
-                    const double l = double{luminance(linear, i)};
-                    sum += l;
-                    squares += l * l;
-                }
-            }
-            const double n = double(window) * window, mean = sum / n;
-            if (!inside || mean < floor) continue;
-            ++lit;
-            const double deviation = std::sqrt(std::max(squares / n - mean * mean, 0.0));
-            hidden += deviation < contrast * mean;
-        }
-    }
-    return lit > 0 ? double(hidden) / lit : 0;
 }
 
 }  // namespace burnish

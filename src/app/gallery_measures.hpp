@@ -1,10 +1,14 @@
 // What the gallery measures about lobes and pictures. Private to app/gallery*.
 #pragma once
 
+#include <numbers>
+
 #include "burnish/image.hpp"
 #include "plot/mdf_plot.hpp"
 
 namespace burnish {
+
+inline constexpr double kDegrees = 180.0 / std::numbers::pi;  // in a radian
 
 // The lobe as a mass on the disk of half vectors, D_proj dp with dp = (n.h) dw: how much there is,
 // where it lies and how wide it is. By the midpoint rule on a square grid of 1001 points a side,
@@ -39,13 +43,8 @@ double relative_difference(const Image& a, const Image& reference, const Image& 
 double skirt_difference(const Image& a, const Image& reference, const Image& mask);
 // Correlation of the luminances.
 double correlation(const Image& a, const Image& b, const Image& mask);
-// Share of the light that the brightest twentieth of the pixels sends.
-double concentration(const Image& linear, const Image& mask);
 // Ratio of the principal axes of the highlight: second moments of what is above half the brightest
 // hundredth.
 double highlight_elongation(const Image& linear, const Image& mask);
-// Share of lit windows of `window` pixels in which the standard deviation of the luminance is below
-// `contrast` times its mean: where a pattern cannot be seen.
-double hidden_share(const Image& linear, const Image& mask, int window, double contrast);
 
 }  // namespace burnish

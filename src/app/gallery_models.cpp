@@ -10,6 +10,7 @@
 
 #include "app/fit_measured.hpp"
 #include "app/gallery_figures.hpp"
+#include "app/gallery_measures.hpp"
 #include "burnish/error.hpp"
 #include "plot/brdf_plot.hpp"
 
@@ -20,7 +21,6 @@ using plot::BrdfSubject;
 using plot::Rgb;
 
 constexpr double kMatchedAt = 30;  // degrees of incidence
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 const BrdfModel& model_named(std::string_view name) {
     for (const BrdfModel& model : brdf_models())
