@@ -1,6 +1,6 @@
 // The specular term under the environment. IMAGE_LIGHT: 0 off, 1 importance sampling of the perturbed
 // lobe, 2 the bent reflection vector of today's engines, 3 look-ups of the lobe map along its axis.
-// A lobe about a direction (COSINE_LOBE) is round: 2 and 3 are one look-up along that direction.
+// A lobe about a direction (COSINE_LOBE) is round: 2 and 3 read it in one place.
 #if IMAGE_LIGHT == 1
 
 uniform int u_image_samples;

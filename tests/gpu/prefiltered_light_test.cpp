@@ -121,14 +121,14 @@ TEST_F(PrefilteredLight, DeformationsErrLessThanBentNormals) {
     }
 }
 
-// phong and lafortune are round lobes about a direction, read in one place of the blurred map:
-// within 0.22 of what the picture shows (rms). The map is blurred by GGX, whose foot is wider than
-// theirs, and a small bright sun shows it: 0.04 to 0.11 under the one environment, 0.12 to 0.20
-// under the other.
+// phong and lafortune are round lobes about a direction, read in one place of the blurred map. What
+// that leaves, rms over what the picture shows, grows with the contrast of the environment: up to
+// 0.115 under the one, 0.202 under the other. Narrower and wider read-outs do worse there.
 TEST_F(PrefilteredLight, OnePlaceServesCosineLobes) {
     const std::filesystem::path folder = environment_folder();
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no sample data in " << folder;
-    for (const char* name : {"venice_sunset_1k.hdr", "royal_esplanade_1k.hdr"}) {
+    for (const auto& [name, limit] :
+         {std::pair{"venice_sunset_1k.hdr", 0.12}, std::pair{"royal_esplanade_1k.hdr", 0.21}}) {
         const Environment environment = load_environment((folder / name).string());
         Scene scene = tilted_sphere();
         gpu::Renderer renderer(*context, scene, &environment);
@@ -143,7 +143,7 @@ TEST_F(PrefilteredLight, OnePlaceServesCosineLobes) {
                     rms_difference(lit(renderer, ImageLight::prefiltered, 1, 32), truth);
                 const double size = rms_difference(truth, Image(32, 32, 4, 0.0f));
                 std::printf("%s %s %.2f: %.4f\n", name, name_of(brdf).data(), alpha, ours / size);
-                EXPECT_LT(ours / size, 0.22) << name << " " << name_of(brdf) << " alpha " << alpha;
+                EXPECT_LT(ours / size, limit) << name << " " << name_of(brdf) << " alpha " << alpha;
             }
         }
     }
