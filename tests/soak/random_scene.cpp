@@ -174,7 +174,9 @@ void vary_factors(Material& m, Random& random) {
 void vary(Camera& camera, Random& random) {
     const glm::vec3 away = camera.position - camera.target;
     // Nearer, and the target's rounding would swallow the step; farther, and nothing is seen.
-    const auto distance = static_cast<float>(std::pow(10.0, between(random, -1.5, 1.5)));
+    const double least = 1e-5 * glm::length(glm::dvec3(camera.target));
+    const auto distance =
+        static_cast<float>(std::max(std::pow(10.0, between(random, -1.5, 1.5)), least));
     camera.position = camera.target + distance * glm::normalize(away);
     camera.orthographic = one_in(random, 4);
     camera.ymag = static_cast<float>(between(random, 0.01, 3));
