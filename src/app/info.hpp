@@ -1,4 +1,4 @@
-// `burnish info`: what a model, scene, image or environment holds, in lines for a person.
+// `burnish info`: what a model, scene, image, environment, measured material or draft holds, in lines for a person.
 #pragma once
 
 #include <string>

@@ -11,16 +11,18 @@
 namespace burnish::cli {
 
 void add_info_command(CLI::App& parent, Session&) {
-    CLI::App* command =
-        parent.add_subcommand("info", "What a model, scene, picture or measured material holds");
+    CLI::App* command = parent.add_subcommand(
+        "info", "What a model, scene, picture, measured material or weaving draft holds");
     struct Flags {
         std::string input;
         bool devices = false;
     };
     const auto flags = std::make_shared<Flags>();
     command
-        ->add_option("input", flags->input,
-                     "a model, scene, picture, environment, measured material or builtin:")
+        ->add_option(
+            "input", flags->input,
+            "a model, scene, picture, environment, measured material, weaving draft (.wif) or "
+            "builtin:")
         ->type_name("FILE");
     command->add_flag("--devices", flags->devices, "list the GL devices");
     command->callback([flags] {
