@@ -394,6 +394,61 @@ const Words kBsdfWords = {"description",
                           {"\xDB\x0F\xC9\x3F", 4},  // pi / 2
                           {"\0\0\0\x80\0\0\0\0", 8}};
 
+Words wif_seeds() {
+    Words seeds;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(BURNISH_SOURCE_DIR) / "examples" / "weaves"))
+        seeds.push_back(read_text_file(entry.path()));
+    seeds.push_back(
+        "[WIF]\r\nVersion=1.1\r\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=no\nProfile=yes\n"
+        "[WARP]\nThreads=2\nColor=1,0,0,0\nUnits=Inches\nSpacing=.1\nThickness=.1\n"
+        "[WEFT]\nThreads=2\nUnits=Decipoints\nSpacing=72\n[WARP SPACING]\n1=.2\n"
+        "[WEFT THICKNESS]\n2=1.5\n[COLOR PALETTE]\nEntries=1\nRange=-5,5\n[COLOR TABLE]\n"
+        "1=0,-5,5\n[THREADING]\n1=1,2\n2=0\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=1,2\n"
+        "[LIFTPLAN]\n1=1\n2=1,2\n[PRIVATE X]\nanything\n");
+    return seeds;
+}
+
+const Words kWifWords = {"[WIF]\n",
+                         "[CONTENTS]\n",
+                         "[TEXT]\nTitle=",
+                         "[WEAVING]\n",
+                         "[WARP]\n",
+                         "[WEFT]\n",
+                         "[THREADING]\n",
+                         "[TIEUP]\n",
+                         "[TREADLING]\n",
+                         "[LIFTPLAN]\n",
+                         "[COLOR PALETTE]\n",
+                         "[COLOR TABLE]\n",
+                         "[WARP COLORS]\n",
+                         "[WEFT COLORS]\n",
+                         "[WARP SPACING]\n",
+                         "[WEFT THICKNESS]\n",
+                         "Shafts=",
+                         "Treadles=",
+                         "Rising Shed=",
+                         "Threads=",
+                         "Threads=4096\n",
+                         "Color=",
+                         "Entries=",
+                         "Form=RGB\n",
+                         "Range=0,255\n",
+                         "Units=Centimeters\n",
+                         "Spacing=",
+                         "Thickness=",
+                         "4096",
+                         "-1",
+                         "99999999999999999999",
+                         "1e308",
+                         "nan",
+                         ";",
+                         ",,",
+                         "yes\n",
+                         "\xEF\xBB\xBF",
+                         "\xFF\xFE",
+                         "\x1A"};
+
 std::string escaped(std::string_view word) {
     std::string text;
     for (const char c : word) {
@@ -432,6 +487,7 @@ int main(int count, char** arguments) {
         write(folder, "scratch", scratch_seeds(), kScratchWords);
         write(folder, "bsdf", bsdf_seeds(), kBsdfWords);
         write(folder, "image", image_seeds(), kImageWords);
+        write(folder, "wif", wif_seeds(), kWifWords);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fuzz_seeds: %s\n", error.what());
         return EXIT_FAILURE;
