@@ -24,6 +24,8 @@ constexpr const char* kFooter = R"(
 Lengths are millimetres on the surface, angles degrees, counter-clockwise. LENGTH, WIDTH, DEPTH and
 CURVATURE are a number, uniform:FROM:TO, normal:MEAN:SD or lognormal:MEDIAN:SIGMA. The flags of one
 layer change the first layer of the preset or file; --add-layer takes the same words without dashes.
+With neither preset nor file the first layer starts as 40 round scratches/cm2 of any direction, 5 mm x 0.1 mm,
+0.01 mm deep, straight, thinning out over their whole length.
 
 Writes into DIR: height.exr (millimetres), height.png, normal.png (+y up), direction.png (groove, double
 angle), anisotropy.png (KHR_materials_anisotropy), moments.exr (mip map), preview.png, scratch.json.
@@ -176,6 +178,12 @@ void change_first_layer(const Flags& flags, ScratchLayer& layer) {
     }
     const bool named = flags.words.contains("direction");
     if (!flags.direction_image.empty() && !named) layer.field = ScratchField::image;
+    // Every direction has neither an angle nor a scatter: those of the preset go, typed ones are an
+    // error.
+    if (named && layer.field == ScratchField::random) {
+        if (!flags.words.contains("angle")) layer.angle_deg = 0.0;
+        if (!flags.words.contains("range")) layer.range_deg = 0.0;
+    }
 }
 
 ScratchRecipe recipe_of(const Flags& flags) {

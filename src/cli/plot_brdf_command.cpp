@@ -84,8 +84,10 @@ void add_brdf_plot_command(CLI::App& brdf, Session& session) {
     add("--view-elevation", flags->view_elevation,
         "of the viewer above the surface [deg] (0 to 90; default 25)", "NUMBER");
     command->footer(kFooter);
-    command->callback(
-        [flags, &session] { plot_brdf(request_of(*flags, session), session.progress()); });
+    command->callback([flags, &session] {
+        plot_brdf(request_of(*flags, session), session.progress());
+        print_report({}, {flags->output.path});
+    });
 }
 
 }  // namespace burnish::cli

@@ -113,8 +113,10 @@ void add_mdf_plot_command(CLI::App& mdf, Session& session) {
     add("--max", flags->high, "top of the scale (default: the largest peak)", "NUMBER");
     add("--point", flags->point, "of grid: p on the unit disk (default -0.25,0.45)", "X,Y");
     command->footer(kFooter);
-    command->callback(
-        [flags, &session] { plot_mdf(request_of(*flags, session), session.progress()); });
+    command->callback([flags, &session] {
+        plot_mdf(request_of(*flags, session), session.progress());
+        print_report({}, {flags->output.path});
+    });
 }
 
 }  // namespace burnish::cli

@@ -67,7 +67,11 @@ void check_layer(const ScratchSettings& settings, const ScratchLayer& layer, con
                   fmt::format("count {:g} and density {:g}", layer.count, layer.density_per_cm2));
     check.range(layer.count, 0.0, kMostScratches, "count");
     check.range(layer.density_per_cm2, 0.0, 1e9, "density_per_cm2");
-    check.range(scratch_count(settings, layer), 0.0, kMostScratches, "density_per_cm2");
+    const double most = std::floor(kMostScratches * 100.0 / (settings.tile_mm * settings.tile_mm));
+    check.require(scratch_count(settings, layer) <= kMostScratches, "density_per_cm2",
+                  fmt::format("at most {:.6g}, which is {:g} scratches on a tile of {:g} mm", most,
+                              kMostScratches, settings.tile_mm),
+                  fmt::format("{:g}", layer.density_per_cm2));
     // Longer than four tiles a scratch crosses itself so often that it shows a pattern.
     check.range(layer.length_mm, 1e-4, 4.0 * settings.tile_mm, "length_mm");
     check.range(layer.width_mm, 1e-5, 0.5 * settings.tile_mm, "width_mm");

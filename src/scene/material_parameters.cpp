@@ -1,5 +1,7 @@
 #include "scene/material_parameters.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -141,6 +143,22 @@ void apply_normal_map(const Scene& scene, Material& material, const ParameterVal
     }
 }
 
+// Values that the reflection models of the materials do not ask for.
+void warn_of_idle_values(Scene& scene, std::size_t first, std::size_t end,
+                         const ParameterValues& values) {
+    const auto warn_unless = [&](std::string_view name, std::string_view users, auto uses) {
+        if (!values.is_set(name) || first == end) return;
+        for (std::size_t i = first; i < end; ++i)
+            if (uses(scene.materials[i].brdf)) return;
+        scene.warnings.push_back(fmt::format("{}: only {} asks for it: nothing changes",
+                                             std::string(name), std::string(users)));
+    };
+    warn_unless("ks", "phong or lafortune", [](Brdf brdf) { return !has_half_vectors(brdf); });
+    warn_unless("lafortune_c", "lafortune", [](Brdf brdf) { return brdf == Brdf::lafortune; });
+    if (values.is_set("roughness") && roughness_pair({}, values))
+        scene.warnings.push_back("roughness: the pair set beside it holds: nothing changes");
+}
+
 void warn_of_missing_coordinates(Scene& scene, std::size_t first, std::size_t end) {
     for (const Instance& instance : scene.instances) {
         const auto material = static_cast<std::size_t>(instance.material);
@@ -199,6 +217,7 @@ void apply_material_parameters(Scene& scene, std::size_t first, std::size_t coun
         apply_lobe(scene.materials[i], values);
         apply_color(scene.materials[i], values);
     }
+    warn_of_idle_values(scene, first, first + count, values);
     apply_scratch(scene, first, count, values);
     if (values.is_set("scratch")) warn_of_missing_coordinates(scene, first, first + count);
     for (std::size_t i = first; i < first + count; ++i)
