@@ -80,6 +80,8 @@ Scene load_model(const std::string& path_or_builtin, int triangles) {
     if (extension == ".obj") return load_obj(path);
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
     // Other names are told by content: a binary glTF starts with its name.
+    if (std::filesystem::is_directory(path))
+        throw Error(path_or_builtin, "", "a model or a scene", "a folder");
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error(path_or_builtin, "", "a readable file", reason_of(errno));
     char magic[4] = {};

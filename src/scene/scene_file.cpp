@@ -37,10 +37,12 @@ constexpr std::string_view kBuiltin = "builtin:";
 [[noreturn]] void refuse_name(const JsonPlace& place, std::span<const std::string_view> known,
                               const std::string& kind) {
     const std::string_view nearest = nearest_name(known, place.text());
-    throw Error(place.file(), place.path(), fmt::format("{} ({})", kind, fmt::join(known, " ")),
-                nearest.empty()
-                    ? shown(place.text())
-                    : fmt::format("{}; did you mean '{}'?", shown(place.text()), nearest));
+    throw Error(
+        place.file(), place.path(),
+        fmt::format("{} ({})", kind,
+                    known.empty() ? "there are none" : fmt::to_string(fmt::join(known, " "))),
+        nearest.empty() ? shown(place.text())
+                        : fmt::format("{}; did you mean '{}'?", shown(place.text()), nearest));
 }
 
 // A file named by a scene file lies beside it, unless its path is absolute.
@@ -258,6 +260,9 @@ class SceneFileReader {
 
     LoadedModel& loaded(const JsonPlace& place) {
         const std::string name = beside(path_, place.text());
+        if (name.ends_with(".json"))
+            throw Error(place.file(), place.path(), "a model: scenes hold no scenes",
+                        shown(place.text()));
         if (const auto found = models_.find(name); found != models_.end()) return found->second;
         LoadedModel model;
         try {
