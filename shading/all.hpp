@@ -21,4 +21,5 @@
 #include "shading/brdf_phong.glsl"
 #include "shading/brdf_lafortune.glsl"
 #include "shading/brdf_cosine_lobe.glsl"
+#include "shading/weave.glsl"
 // clang-format on

@@ -54,6 +54,21 @@ void main() {
     vec3 wi = cosine_lobe_sample(own, p, b.xyz, vec2(a.w, b.w), pdf);
     o_values = vec4(cosine_lobe_eval(phong, p, a.xyz, b.xyz), cosine_lobe_eval(own, p, a.xyz, b.xyz),
                     cosine_lobe_albedo(own, p, b.xyz), pdf / cosine_lobe_pdf(own, p, wi, b.xyz));
+#elif defined(WEAVE_POINT)
+    int bits = int(c.w * 32.0);
+    WeaveCell cell;
+    cell.warp_up = (bits & 1) != 0;
+    cell.warp_start = (bits & 2) != 0;
+    cell.warp_end = (bits & 4) != 0;
+    cell.weft_start = (bits & 8) != 0;
+    cell.weft_end = (bits & 16) != 0;
+    WeaveShape shape;
+    shape.crimp = 0.2;
+    shape.bulge = 0.8;
+    shape.gap = 0.125;
+    shape.twist = vec2(0.8, 0.6);
+    WeavePoint w = weave_point(cell, shape, a.w - 0.5, b.w - 0.5);
+    o_values = vec4(w.n.xy, w.height, w.warp + 2.0 * w.cover + 4.0 * w.fibre.x);
 #elif defined(SAMPLE)
     float pdf;
     vec3 wi = brdf_sample(lobe, p, b.xyz, vec2(a.w, b.w), c.w, pdf);
@@ -242,6 +257,25 @@ TEST_F(Parity, CosineLobesAgreeUnderEveryMethod) {
             EXPECT_NEAR(device[i][2], f32::cosine_lobe_albedo(own, p, wo), 1e-4f * own.ks) << i;
             EXPECT_NEAR(device[i][3], 1.0f, 1e-4f) << i;
         }
+    }
+}
+
+// Slopes to 4 of single precision; where an edge lies both say alike, for it is a comparison of
+// floats.
+TEST_F(Parity, WovenPointsAgree) {
+    const auto device = on_device(f32::kMdfGgx, f32::kBrdfMicrofacet, f32::kMethodNone,
+                                  "WEAVE_POINT", {0.3f, 0.3f});
+    const f32::WeaveShape shape{0.2f, 0.8f, 0.125f, {0.8f, 0.6f}};
+    for (std::size_t i = 0; i < kCount; ++i) {
+        const int bits = static_cast<int>(inputs.n[i][3] * 32.0f);
+        const f32::WeaveCell cell{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0,
+                                  (bits & 8) != 0, (bits & 16) != 0};
+        const f32::WeavePoint w =
+            f32::weave_point(cell, shape, inputs.wi[i][3] - 0.5f, inputs.wo[i][3] - 0.5f);
+        EXPECT_NEAR(device[i][0], w.n.x, 2e-6f) << i;
+        EXPECT_NEAR(device[i][1], w.n.y, 2e-6f) << i;
+        EXPECT_NEAR(device[i][2], w.height, 2e-6f) << i;
+        EXPECT_EQ(device[i][3], w.warp + 2 * w.cover + 4 * w.fibre.x) << i;
     }
 }
 
