@@ -19,9 +19,12 @@ float rms_slope_of(const ScratchMaps& maps) {
 }
 
 // Light from the upper left, as relief maps have it; contrast follows the roughness of the map.
+// Grooves that run along that light show no slope to it: their flanks are darkened a little.
 float relief(float sx, float sy, float rms) {
-    const float towards = (sx - sy) / rms * std::numbers::sqrt2_v<float> / 2.0f;
-    return 0.5f + 0.5f * std::tanh(0.7f * towards);
+    constexpr float kDiagonal = std::numbers::sqrt2_v<float> / 2.0f;
+    const float towards = (sx - sy) / rms * kDiagonal;
+    const float across = std::abs(sx + sy) / rms * kDiagonal;
+    return 0.5f + 0.5f * std::tanh(0.7f * towards - 0.35f * across);
 }
 
 // The finest level that is no larger than the picture; its texels repeated to fill it.

@@ -104,6 +104,24 @@ gpu::RenderOptions render_options(const ParameterValues& values) {
     return options;
 }
 
+// Values that others, or the lack of them, keep from mattering.
+void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
+                         std::vector<std::string>& warnings) {
+    const bool shows_environment =
+        values.choice("background") == static_cast<int>(gpu::BackgroundKind::environment) &&
+        !environment.radiance.pixels.empty();
+    if (values.is_set("background_color") && shows_environment)
+        warnings.push_back(
+            "background_color: the environment stands before it: nothing changes "
+            "(--background color)");
+    if (values.is_set("camera_position") &&
+        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
+        warnings.push_back(
+            "camera_position: it holds; azimuth, elevation and distance change nothing");
+    if (values.is_set("scratch_direction") && !values.is_set("scratch"))
+        warnings.push_back("scratch_direction: there is no scratch map: nothing changes");
+}
+
 Environment load_environment_of(const StageRequest& request, const std::string& of_file) {
     const std::string& name = request.environment.empty() ? of_file : request.environment;
     if (name == "none") return {};
@@ -224,6 +242,7 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     }
     stage.environment = load_environment_of(request, environment);
     stage.options = render_options(stage.values);
+    warn_of_idle_values(stage.values, stage.environment, stage.scene.warnings);
     stage.camera =
         place_camera(stage.scene, stage.values,
                      static_cast<double>(stage.options.width) / stage.options.height, all_around);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct Flags {
     RenderRequest request;
     std::string output;
     std::string size;
-    std::string compare;
+    std::optional<std::string> compare;
 };
 
 std::string_view heading(ParameterGroup group) {
@@ -84,7 +85,7 @@ std::vector<Method> parse_methods(const std::string& list) {
 void run(Flags& flags, const Session& session) {
     RenderRequest& request = flags.request;
     if (!flags.size.empty()) set_size(request.stage.values, flags.size);
-    if (!flags.compare.empty()) request.compare = parse_methods(flags.compare);
+    if (flags.compare) request.compare = parse_methods(*flags.compare);
     request.output = flags.output;
     request.command = session.command_line();
     const RenderReport report = render(request, session.progress());

@@ -15,6 +15,7 @@
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
 #include "cli/commands.hpp"
+#include "cli/integer_flag.hpp"
 #include "cli/session.hpp"
 
 namespace burnish::cli {
@@ -248,11 +249,24 @@ void add_scratch_command(CLI::App& parent, Session& session) {
         ->add_option("--settings", flags->settings,
                      "a scratch.json, or the folder of an earlier run")
         ->type_name("FILE|DIR");
-    command->add_option("--size", flags->size, "texels a side, 16 to 16384 (default 2048)")
+    command
+        ->add_option_function<std::string>(
+            "--size",
+            [flags](const std::string& text) {
+                flags->size = whole_number(text, {16, 16384}, "--size");
+            },
+            "texels a side, 16 to 16384 (default 2048)")
         ->type_name("N");
     command->add_option("--tile-mm", flags->tile_mm, "side of the tile on the surface (default 50)")
         ->type_name("MM");
-    command->add_option("--seed", flags->seed, "seed of all random choices (default 1)")
+    command
+        ->add_option_function<std::string>(
+            "--seed",
+            [flags](const std::string& text) {
+                flags->seed =
+                    static_cast<std::uint32_t>(whole_number(text, {0, 2147483647}, "--seed"));
+            },
+            "seed of all random choices, 0 to 2147483647 (default 1)")
         ->type_name("N");
     command->add_option("--amount", flags->amount, "factor on the number of scratches")
         ->type_name("X")
