@@ -146,8 +146,10 @@ class Reader {
     std::vector<std::optional<glm::vec3>> table() {
         const WifSection& palette = text_.section("COLOR PALETTE");
         const WifSection& rows = text_.section("COLOR TABLE");
-        if (const auto form = palette.find("Form"); form && one_line(form->value) != "RGB")
-            palette.fail(*form, "RGB", shown(form->value));
+        if (palette.word("Form").value_or("RGB") != "RGB") {
+            const WifEntry form = *palette.find("Form");
+            palette.fail(form, "RGB", shown(form.value));
+        }
         out_.colours = required(palette, "Entries", 1, kMostColours);
         constexpr int kFarthest = 1 << 24;  // floats count so far
         const auto range = palette.find("Range");
@@ -221,17 +223,9 @@ class Reader {
     double length(const WifSection& family, std::string_view key, double otherwise) const {
         const auto value = family.real(key);
         if (!value) return otherwise;
-        const auto units = family.find("Units");
-        const std::string word = units ? lower(units->value) : "";
-        if (word == "decipoints") return *value * 2.54 / 720.0;
-        return word == "inches" ? *value * 2.54 : *value;
-    }
-
-    static std::string lower(std::string_view text) {
-        std::string out(text);
-        for (char& c : out)
-            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        return out;
+        const std::string units = family.word("Units").value_or("");
+        if (units == "DECIPOINTS") return *value * 2.54 / 720.0;
+        return units == "INCHES" ? *value * 2.54 : *value;
     }
 
     // True when a section such as [WARP SPACING] says anything else than the common value.
@@ -251,10 +245,9 @@ class Reader {
     // A file that was cut short may still make a cloth, in other colours.
     void warn_of_missing_colours() {
         for (const char* name : {"COLOR TABLE", "WARP COLORS", "WEFT COLORS"}) {
-            const auto announced = text_.section("CONTENTS").find(name);
-            if (!announced || text_.has(name)) continue;
-            const std::string word = lower(announced->value);
-            if (word == "yes" || word == "true" || word == "on" || word == "1")
+            const std::string said = text_.section("CONTENTS").word(name).value_or("");
+            if (text_.has(name)) continue;
+            if (said == "YES" || said == "TRUE" || said == "ON" || said == "1")
                 warn(fmt::format("[CONTENTS] announces [{}], which is not there", name));
         }
     }
@@ -270,9 +263,9 @@ class Reader {
             if (warp_varies || weft_varies || uneven)
                 warn(fmt::format("{} differs from yarn to yarn: all are drawn alike", what));
         }
-        const auto version = text_.section("WIF").find("Version");
-        if (version && version->value != "1.1" && version->value != "1.0")
-            warn(fmt::format("version {} of WIF is read as 1.1", shown(version->value)));
+        const std::string version = text_.section("WIF").word("Version").value_or("1.1");
+        if (version != "1.1" && version != "1.0")
+            warn(fmt::format("version {} of WIF is read as 1.1", shown(version)));
         const DraftFigures figures = draft_figures(out_.draft);
         if (figures.loose_ends + figures.loose_picks > 0)
             warn(
@@ -298,6 +291,10 @@ Draft load_wif(const std::filesystem::path& path, std::vector<std::string>& warn
 }
 
 bool is_wif_file(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (extension == ".wif") return true;
     const std::vector<std::byte> head = read_file_head(path, kHeadBytes);
     return looks_like_wif({reinterpret_cast<const char*>(head.data()), head.size()});
 }

@@ -27,7 +27,8 @@ WifFile read_wif(const std::filesystem::path& path);
 // The draft alone; adds to `warnings`.
 Draft load_wif(const std::filesystem::path& path, std::vector<std::string>& warnings);
 
-// Told by content: a file that starts with [WIF].
+// Told by its name (.wif), so that a broken one is refused as what it is, or by content: a file
+// that starts with [WIF].
 bool is_wif_file(const std::filesystem::path& path);
 
 // The draft as a file for weaving programs: a lift plan, one shaft for each different end.

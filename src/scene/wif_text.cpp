@@ -40,7 +40,7 @@ bool same_word(std::string_view a, std::string_view b) {
                       [](char x, char y) { return capital(x) == capital(y); });
 }
 
-// Numbers and yes or no may have a comment behind them; words keep their semicolons.
+// Values may have a comment behind them; only free text, such as titles, keeps its semicolons.
 std::string_view without_comment(std::string_view value) {
     return trimmed(value.substr(0, value.find(';')));
 }
@@ -149,6 +149,12 @@ std::optional<bool> WifSection::truth(std::string_view key) const {
     fail(*entry, "true, on, yes, 1, false, off, no or 0", shown(text));
 }
 
+std::optional<std::string> WifSection::word(std::string_view key) const {
+    const auto entry = find(key);
+    if (!entry) return std::nullopt;
+    return capitals(without_comment(entry->value));
+}
+
 void WifSection::each(std::int64_t count, std::string_view of,
                       const std::function<void(int, const WifEntry&)>& use) const {
     std::vector<bool> seen(static_cast<std::size_t>(count) + 1);
@@ -250,7 +256,9 @@ bool looks_like_wif(std::string_view text) {
     while (!text.empty()) {
         const std::string_view line = trimmed(take_line_of(text));
         if (line.empty() || line.front() == ';') continue;
-        return line.size() >= 5 && same_word(line.substr(0, 5), "[WIF]");
+        const std::size_t end = line.find(']');
+        return line.front() == '[' && end != line.npos &&
+               same_word(trimmed(line.substr(1, end - 1)), "WIF");
     }
     return false;
 }

@@ -38,6 +38,7 @@ class WifSection {
                                       std::int64_t high) const;
     std::optional<double> real(std::string_view key) const;  // finite, not negative
     std::optional<bool> truth(std::string_view key) const;
+    std::optional<std::string> word(std::string_view key) const;  // capital letters, no comment
 
     // Calls `use(number, entry)` for every entry. Throws when a key is no number from 1 to `count`,
     // which `of` explains ("Threads of [WARP]"), or is there twice.

@@ -129,6 +129,34 @@ TEST(Wif, LettersLineEndsCommentsAndOtherSectionsDoNotMatter) {
     EXPECT_EQ(file.draft.name, "A cloth; mine");  // words keep their semicolons
 }
 
+// Values are as free in case as keys, and may have a comment behind them.
+TEST(Wif, WordsMayBeInAnyCaseAndCommented) {
+    Sections sections = small();
+    sections["WIF"] = "Version=1.1 ; of 1997\n";
+    sections["CONTENTS"] = "WEFT COLORS=Yes ; announced, not there\n";
+    sections["COLOR PALETTE"] = "Entries=1\nForm=rgb ; screen\nRange=0,255\n";
+    sections["COLOR TABLE"] = "1=255,0,0\n";
+    sections["WARP"] = "Threads=3\nColor=1\nUnits=INCHES ; the same spacing\nSpacing=0.1\n";
+    sections["WEFT"] = "Threads=3\nUnits=centimeters;\nSpacing=0.254\n";
+    const WifFile file = read(text_of(sections));
+    ASSERT_EQ(file.warnings.size(), 1u) << file.warnings.back();
+    EXPECT_EQ(file.warnings[0], "[CONTENTS] announces [WEFT COLORS], which is not there");
+    ASSERT_EQ(file.draft.warp_colours.size(), 3u);
+    EXPECT_EQ(file.draft.warp_colours[0], glm::vec3(1.0f, 0.0f, 0.0f));
+    sections["COLOR PALETTE"] = "Entries=1\nForm=hsv\nRange=0,255\n";
+    EXPECT_NE(complaint(text_of(sections)).find("Form, line"), std::string::npos);
+}
+
+TEST(Wif, IsToldByItsNameOrByItsFirstSection) {
+    const ScratchFolder folder;
+    EXPECT_TRUE(is_wif_file(folder.write("a.txt", "; cloth\n [ wif ] ; first\nVersion=1.1\n")));
+    EXPECT_FALSE(is_wif_file(folder.write("b.txt", "[WEAVING]\nShafts=2\n[WIF]\n")));
+    EXPECT_FALSE(is_wif_file(folder.write("c.txt", "[WIF\n")));
+    // A broken one is told as such by its name.
+    EXPECT_TRUE(is_wif_file(folder.write("d.WIF", "")));
+    EXPECT_TRUE(is_wif_file(folder.write("e.wif", std::string(1, '\0'))));
+}
+
 TEST(Wif, ColoursAreThoseOfAScreenInAnyRange) {
     // The sRGB curve by its definition (IEC 61966-2-1).
     const auto linear = [](double v) {
