@@ -8,13 +8,13 @@
 #include <map>
 #include <utility>
 
+#include "app/map_folder.hpp"
 #include "app/scratch_preview.hpp"
 #include "app/scratch_recipe.hpp"
 #include "app/version.hpp"
 #include "burnish/error.hpp"
 #include "core/files.hpp"
 #include "core/image_io.hpp"
-#include "core/image_rows.hpp"
 #include "core/memory.hpp"
 #include "maps/scratch.hpp"
 
@@ -23,28 +23,6 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The folder, made when it is not there and removed again when nothing came into it.
-class OutputFolder {
-  public:
-    explicit OutputFolder(const fs::path& path) : path_(path) {
-        std::error_code error;
-        made_ = fs::create_directory(path, error);
-        if (error || !fs::is_directory(path, error))
-            throw Error(path.string(), "", "a folder, or a name for one in a folder that is there",
-                        error ? one_line(error.message()) : "something else");
-    }
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
-    ~OutputFolder() {
-        std::error_code error;
-        if (made_) fs::remove(path_, error);  // refuses when it is not empty
-    }
-
-  private:
-    fs::path path_;
-    bool made_ = false;
-};
 
 Image one_channel(const Image& image) {
     if (image.channels == 1) return image;
@@ -76,40 +54,34 @@ ScratchInputs read_inputs(const ScratchRecipe& recipe) {
     return inputs;
 }
 
-using Rows = std::function<void(int begin, int end, float* to)>;
-
-DataPicture picture(DataFormat format, std::vector<std::string> channels, int size, Rows rows) {
-    return {format, std::move(channels), {{size, std::move(rows)}}, {}};
-}
-
-const std::vector<std::string> kRgb = {"R", "G", "B"};
-
 // Values of the height, put through `value`.
 DataPicture height_picture(const ScratchMaps& maps, DataFormat format,
                            std::function<float(float)> value) {
-    return picture(format, {"Y"}, maps.size, [&maps, value](int begin, int end, float* to) {
-        std::transform(maps.height.at(0, begin),
-                       maps.height.at(0, begin) + (end - begin) * maps.size, to, value);
-    });
+    return picture_of_rows(
+        format, {"Y"}, maps.size, maps.size, [&maps, value](int begin, int end, float* to) {
+            std::transform(maps.height.at(0, begin),
+                           maps.height.at(0, begin) + (end - begin) * maps.size, to, value);
+        });
 }
 
 DataPicture direction_picture(const ScratchMaps& maps) {
-    return picture(DataFormat::png16, kRgb, maps.size, [&maps](int begin, int end, float* to) {
-        const float* from = maps.direction.at(0, begin);
-        for (int i = 0; i < (end - begin) * maps.size; ++i, from += 2, to += 3) {
-            to[0] = 0.5f + 0.5f * from[0];
-            to[1] = 0.5f + 0.5f * from[1];
-            to[2] = from[0] == 0.0f && from[1] == 0.0f ? 0.0f : 1.0f;
-        }
-    });
+    return picture_of_rows(
+        DataFormat::png16, kRgb, maps.size, maps.size, [&maps](int begin, int end, float* to) {
+            const float* from = maps.direction.at(0, begin);
+            for (int i = 0; i < (end - begin) * maps.size; ++i, from += 2, to += 3) {
+                to[0] = 0.5f + 0.5f * from[0];
+                to[1] = 0.5f + 0.5f * from[1];
+                to[2] = from[0] == 0.0f && from[1] == 0.0f ? 0.0f : 1.0f;
+            }
+        });
 }
 
 DataPicture moments_picture(const ScratchMaps& maps) {
-    DataPicture out =
-        picture(DataFormat::exr, {"sx", "sy", "sxx", "syy", "sxy"}, maps.size,
-                [&maps](int begin, int end, float* to) { moment_rows(maps, begin, end, to); });
+    DataPicture out = picture_of_rows(
+        DataFormat::exr, {"sx", "sy", "sxx", "syy", "sxy"}, maps.size, maps.size,
+        [&maps](int begin, int end, float* to) { moment_rows(maps, begin, end, to); });
     for (const MomentLevel& level : maps.moments)
-        out.levels.push_back({level.size, [&level](int begin, int end, float* to) {
+        out.levels.push_back({level.size, level.size, [&level](int begin, int end, float* to) {
                                   const auto side = static_cast<std::size_t>(level.size);
                                   for (std::size_t i = static_cast<std::size_t>(begin) * side;
                                        i < static_cast<std::size_t>(end) * side; ++i) {
@@ -122,16 +94,11 @@ DataPicture moments_picture(const ScratchMaps& maps) {
 }
 
 DataPicture anisotropy_picture(const ScratchMaps& maps, const ScratchLayer& ground) {
-    return picture(DataFormat::png16, kRgb, maps.size,
-                   [&maps, &ground](int begin, int end, float* to) {
-                       stretch_rows(maps, ground, begin, end, to);
-                   });
+    return picture_of_rows(DataFormat::png16, kRgb, maps.size, maps.size,
+                           [&maps, &ground](int begin, int end, float* to) {
+                               stretch_rows(maps, ground, begin, end, to);
+                           });
 }
-
-struct NamedPicture {
-    const char* name;
-    DataPicture picture;
-};
 
 std::vector<NamedPicture> pictures_of(const ScratchMaps& maps, const ScratchLayer& ground,
                                       const ScratchReport& report) {
@@ -142,10 +109,10 @@ std::vector<NamedPicture> pictures_of(const ScratchMaps& maps, const ScratchLaye
     all.push_back({"height.exr", height_picture(maps, DataFormat::exr, [](float h) { return h; })});
     all.push_back({"height.png", height_picture(maps, DataFormat::png16,
                                                 [=](float h) { return (h - low) * scale; })});
-    all.push_back({"normal.png", picture(DataFormat::png16, kRgb, maps.size,
-                                         [&maps](int begin, int end, float* to) {
-                                             normal_rows(maps, begin, end, to);
-                                         })});
+    all.push_back({"normal.png", picture_of_rows(DataFormat::png16, kRgb, maps.size, maps.size,
+                                                 [&maps](int begin, int end, float* to) {
+                                                     normal_rows(maps, begin, end, to);
+                                                 })});
     all.push_back({"direction.png", direction_picture(maps)});
     all.push_back({"anisotropy.png", anisotropy_picture(maps, ground)});
     all.push_back({"moments.exr", moments_picture(maps)});
@@ -184,30 +151,20 @@ ScratchReport make_scratch_maps(const ScratchRequest& request, const Progress& p
     measure(maps, report);
 
     const Metadata metadata = metadata_of(request, report);
-    std::vector<NamedPicture> pictures = pictures_of(maps, settings.layers.front(), report);
-    std::vector<FileToWrite> files;
-    // The last to get its name: where it is, the maps of the same run are.
-    files.push_back({request.output / "scratch.json", [&](const fs::path& path) {
-                         write_text_file(
-                             path, scratch_recipe_text(request.recipe, report, request.command,
-                                                       request.output));
-                     }});
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        pictures[i].picture.metadata = metadata;
-        const fs::path name = request.output / pictures[i].name;
-        files.push_back({name, [&, i, name](const fs::path& path) {
-                             const std::string stage = fmt::format("write {}", pictures[i].name);
-                             write_data_picture(path, pictures[i].picture, name.string(),
-                                                [&](double done) { progress.step(stage, done); });
-                         }});
-    }
-    files.push_back({request.output / "preview.png", [&](const fs::path& path) {
-                         const Sheet sheet = scratch_preview(maps);
-                         if (!sheet.warning.empty()) report.warnings.push_back(sheet.warning);
-                         write_image(path, sheet.image, metadata);
-                     }});
-    write_files_whole(files);
-    for (const FileToWrite& file : files) report.written.push_back(file.path);
+    std::vector<FileToWrite> others;
+    others.push_back({request.output / "scratch.json", [&](const fs::path& path) {
+                          write_text_file(
+                              path, scratch_recipe_text(request.recipe, report, request.command,
+                                                        request.output));
+                      }});
+    others.push_back({request.output / "preview.png", [&](const fs::path& path) {
+                          const Sheet sheet = scratch_preview(maps);
+                          if (!sheet.warning.empty()) report.warnings.push_back(sheet.warning);
+                          write_image(path, sheet.image, metadata);
+                      }});
+    report.written =
+        write_map_folder(request.output, std::move(others),
+                         pictures_of(maps, settings.layers.front(), report), metadata, progress);
     return report;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "burnish/error.hpp"
@@ -43,13 +44,24 @@ class CheckedFile final : public OIIO::Filesystem::IOFile {
     mutable bool short_ = false;
 };
 
-OIIO::ImageSpec spec_of(const DataPicture& picture, int size) {
-    const bool png = picture.format == DataFormat::png16;
-    OIIO::ImageSpec spec(size, size, static_cast<int>(picture.channels.size()),
-                         png ? OIIO::TypeUInt16 : OIIO::TypeFloat);
+OIIO::TypeDesc type_of(DataFormat format) {
+    switch (format) {
+        case DataFormat::png16:
+            return OIIO::TypeUInt16;
+        case DataFormat::png8_srgb:
+            return OIIO::TypeUInt8;
+        case DataFormat::exr:
+            break;
+    }
+    return OIIO::TypeFloat;
+}
+
+OIIO::ImageSpec spec_of(const DataPicture& picture, const DataLevel& level) {
+    OIIO::ImageSpec spec(level.width, level.height, static_cast<int>(picture.channels.size()),
+                         type_of(picture.format));
     spec.channelnames = picture.channels;
-    spec.attribute("oiio:ColorSpace", "Linear");
-    if (png) {
+    spec.attribute("oiio:ColorSpace", picture.format == DataFormat::png8_srgb ? "sRGB" : "Linear");
+    if (picture.format != DataFormat::exr) {
         // Noise-like data hardly compresses: the fastest level is a fifth of the time of 6.
         spec.attribute("png:compressionLevel", 2);
     } else {
@@ -73,29 +85,34 @@ struct Encoder {
     std::function<void()> fail;
 
     void write_level(const DataLevel& level, const std::function<void(double)>& step) const {
-        const std::size_t row = static_cast<std::size_t>(level.size) * picture.channels.size();
-        const std::size_t strip = row * static_cast<std::size_t>(std::min(kStrip, level.size));
-        std::vector<float> values(strip);
-        std::vector<std::uint16_t> codes(picture.format == DataFormat::png16 ? strip : 0);
-        for (int y = 0; y < level.size; y += kStrip) {
-            const int end = std::min(y + kStrip, level.size);
+        const std::size_t row = static_cast<std::size_t>(level.width) * picture.channels.size();
+        std::vector<float> values(row * static_cast<std::size_t>(std::min(kStrip, level.height)));
+        for (int y = 0; y < level.height; y += kStrip) {
+            const int end = std::min(y + kStrip, level.height);
             level.rows(y, end, values.data());
-            if (!write_rows(level.size, y, end, values, codes)) fail();
-            step(static_cast<double>(end) / level.size);
+            if (!write_rows(level.width, y, end, values)) fail();
+            step(static_cast<double>(end) / level.height);
         }
     }
 
-    bool write_rows(int size, int y, int end, const std::vector<float>& values,
-                    std::vector<std::uint16_t>& codes) const {
+    bool write_rows(int width, int y, int end, const std::vector<float>& values) const {
         if (picture.levels.size() > 1)
-            return output.write_tiles(0, size, y, end, 0, 1, OIIO::TypeFloat, values.data());
+            return output.write_tiles(0, width, y, end, 0, 1, OIIO::TypeFloat, values.data());
         if (picture.format == DataFormat::exr)
             return output.write_scanlines(y, end, 0, OIIO::TypeFloat, values.data());
+        return picture.format == DataFormat::png16 ? write_codes<std::uint16_t>(y, end, values)
+                                                   : write_codes<std::uint8_t>(y, end, values);
+    }
+
+    template <typename Code>
+    bool write_codes(int y, int end, const std::vector<float>& values) const {
+        constexpr auto kMost = static_cast<float>(std::numeric_limits<Code>::max());
+        std::vector<Code> codes(values.size());
         std::transform(values.begin(), values.end(), codes.begin(), [](float value) {
             const float clamped = value > 0.0f ? (value < 1.0f ? value : 1.0f) : 0.0f;
-            return static_cast<std::uint16_t>(clamped * 65535.0f + 0.5f);
+            return static_cast<Code>(clamped * kMost + 0.5f);
         });
-        return output.write_scanlines(y, end, 0, OIIO::TypeUInt16, codes.data());
+        return output.write_scanlines(y, end, 0, type_of(picture.format), codes.data());
     }
 };
 
@@ -103,7 +120,7 @@ struct Encoder {
 
 void write_data_picture(const std::filesystem::path& path, const DataPicture& picture,
                         const std::string& name, const std::function<void(double)>& step) {
-    const char* format = picture.format == DataFormat::png16 ? "png" : "openexr";
+    const char* format = picture.format == DataFormat::exr ? "openexr" : "png";
     CheckedFile file(path.string());
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     const auto fail = [&] {
@@ -116,7 +133,7 @@ void write_data_picture(const std::filesystem::path& path, const DataPicture& pi
         fail();
     const Encoder encoder{*output, picture, fail};
     for (std::size_t i = 0; i < picture.levels.size(); ++i) {
-        OIIO::ImageSpec spec = spec_of(picture, picture.levels[i].size);
+        OIIO::ImageSpec spec = spec_of(picture, picture.levels[i]);
         if (i == 0) output->set_ioproxy(&file);
         const auto mode = i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel;
         if (!output->open(path.string(), spec, mode)) fail();

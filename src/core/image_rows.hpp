@@ -10,12 +10,13 @@
 namespace burnish {
 
 enum class DataFormat {
-    png16,  // values 0..1 as 16-bit codes, marked as linear data; 1 or 3 channels
-    exr     // 32-bit float, zip
+    png16,      // values 0..1 as 16-bit codes, marked as linear data; 1 or 3 channels
+    png8_srgb,  // display values 0..1 as 8-bit codes: colours; 3 channels
+    exr         // 32-bit float, zip
 };
 
 struct DataLevel {
-    int size = 0;  // square
+    int width = 0, height = 0;
     // Fills rows [begin, end), packed; called from one thread, from the top down.
     std::function<void(int begin, int end, float* to)> rows;
 };
