@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/map_preview.hpp"
+
 namespace burnish {
 
 namespace {
@@ -74,14 +76,6 @@ void grey(float value, float* rgb) {
     std::fill(rgb, rgb + 3, value);
 }
 
-// A line's hue goes once around in half a turn: red along x, cyan along y.
-void direction_color(const float* line, float* rgb) {
-    if (line[0] == 0.0f && line[1] == 0.0f) return grey(0.2f, rgb);
-    const float hue = std::atan2(line[1], line[0]);
-    for (int c = 0; c < 3; ++c)
-        rgb[c] = 0.5f + 0.45f * std::cos(hue - static_cast<float>(c) * 2.0943951f);
-}
-
 }  // namespace
 
 Sheet scratch_preview(const ScratchMaps& maps) {
@@ -107,7 +101,7 @@ Sheet scratch_preview(const ScratchMaps& maps) {
     const Image heights = part_image(
         part, [&](int x, int y, float* rgb) { grey((*maps.height.at(x, y) - low) / range, rgb); });
     const Image directions = part_image(
-        part, [&](int x, int y, float* rgb) { direction_color(maps.direction.at(x, y), rgb); });
+        part, [&](int x, int y, float* rgb) { line_color(maps.direction.at(x, y), rgb); });
     const double part_mm = maps.tile_mm * side / maps.size;
     return compose_sheet(
         {{{tile_relief(maps, 1), fmt::format("relief, the tile ({:g} mm)", maps.tile_mm)},

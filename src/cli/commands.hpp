@@ -18,5 +18,6 @@ void add_bench_command(CLI::App& parent, Session& session);
 void add_render_command(CLI::App& parent, Session& session);
 void add_gallery_command(CLI::App& parent, Session& session);
 void add_scratch_command(CLI::App& parent, Session& session);
+void add_weave_command(CLI::App& parent, Session& session);
 
 }  // namespace burnish::cli

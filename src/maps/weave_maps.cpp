@@ -36,6 +36,14 @@ std::vector<Place> places(int texels, int yarns, bool upwards) {
     return out;
 }
 
+std::vector<f32::WeaveCell> cells_of(const Draft& draft) {
+    std::vector<f32::WeaveCell> cells;
+    cells.reserve(draft.warp_up.size());
+    for (int pick = 0; pick < draft.picks; ++pick)
+        for (int end = 0; end < draft.ends; ++end) cells.push_back(weave_cell(draft, end, pick));
+    return cells;
+}
+
 class Baker {
   public:
     Baker(const WeaveMapSettings& settings, WeaveMaps& maps)
@@ -43,7 +51,7 @@ class Baker {
           maps_(maps),
           columns_(places(maps.width, maps.ends, false)),
           rows_(places(maps.height, maps.picks, true)),
-          cells_(weave_cells(settings.draft)) {}
+          cells_(cells_of(settings.draft)) {}
 
     void bake_row(int y) const {
         const Place row = rows_[static_cast<std::size_t>(y)];
@@ -166,20 +174,23 @@ void weave_direction_rows(const WeaveMaps& maps, int begin, int end, float* to) 
     }
 }
 
+glm::vec3 weave_yarn_colour(const WeaveMaps& maps, const WeaveMapSettings& settings, int yarn) {
+    if (yarn == 0) return glm::vec3(0.0f);
+    const Draft& draft = settings.draft;
+    const bool warp = yarn <= maps.ends;
+    const std::vector<glm::vec3>& colours = warp ? draft.warp_colours : draft.weft_colours;
+    if (colours.empty()) return warp ? settings.warp_colour : settings.weft_colour;
+    const int number = warp ? yarn - 1 : yarn - 1 - maps.ends;
+    return colours[static_cast<std::size_t>(number) % colours.size()];
+}
+
 void weave_colour_rows(const WeaveMaps& maps, const WeaveMapSettings& settings, int begin, int end,
                        float* to) {
-    const Draft& draft = settings.draft;
-    std::vector<glm::vec3> colours = {glm::vec3(0.0f)};  // by number of yarn
-    for (int i = 0; i < maps.ends; ++i)
-        colours.push_back(draft.warp_colours.empty()
-                              ? settings.warp_colour
-                              : draft.warp_colours[static_cast<std::size_t>(i % draft.ends)]);
-    for (int i = 0; i < maps.picks; ++i)
-        colours.push_back(draft.weft_colours.empty()
-                              ? settings.weft_colour
-                              : draft.weft_colours[static_cast<std::size_t>(i % draft.picks)]);
-    for (glm::vec3& c : colours)
-        c = {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)};
+    std::vector<glm::vec3> colours;  // by number of yarn
+    for (int yarn = 0; yarn <= maps.ends + maps.picks; ++yarn) {
+        const glm::vec3 c = weave_yarn_colour(maps, settings, yarn);
+        colours.emplace_back(srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z));
+    }
     const std::uint16_t* from = yarns_of_row(maps, begin);
     for (int i = 0; i < (end - begin) * maps.width; ++i) {
         const glm::vec3& c = colours[*from++];

@@ -57,7 +57,9 @@ WeaveMaps bake_weave(const WeaveMapSettings& settings, std::uint64_t memory_limi
 void weave_normal_rows(const WeaveMaps& maps, int begin, int end, float* to);  // (1 + n) / 2
 // (1 + cos 2a) / 2, (1 + sin 2a) / 2, and 1 where there is a yarn.
 void weave_direction_rows(const WeaveMaps& maps, int begin, int end, float* to);
-// Display values (sRGB curve); black in holes.
+// Linear colour of a number of `yarns`; black for a hole.
+glm::vec3 weave_yarn_colour(const WeaveMaps& maps, const WeaveMapSettings& settings, int yarn);
+// Display values (sRGB curve) of these.
 void weave_colour_rows(const WeaveMaps& maps, const WeaveMapSettings& settings, int begin, int end,
                        float* to);
 // R 1 on a warp yarn, 1/2 on a weft yarn, 0 in a hole; G (number + 1/2) / yarns of that kind on the
