@@ -1,6 +1,6 @@
 // `make bench`: measures the budgets and writes them beside what was reached.
-// Usage: burnish_bench OUT.md [frames|image-light|loading|first-picture|scratches|distributions
-// ...]
+// Usage: burnish_bench OUT.md [frames|image-light|loading|first-picture|scratches|weaves|
+// distributions ...]
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -22,6 +22,7 @@ constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
     {"loading", burnish::bench::measure_loading},
     {"first-picture", burnish::bench::measure_first_picture},
     {"scratches", burnish::bench::measure_scratches},
+    {"weaves", burnish::bench::measure_weaves},
     {"distributions", burnish::bench::measure_distributions},
 };
 

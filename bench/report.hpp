@@ -29,6 +29,7 @@ void measure_image_light(Report& report);  // nothing without the sample data
 void measure_loading(Report& report);
 void measure_first_picture(Report& report);
 void measure_scratches(Report& report);
+void measure_weaves(Report& report);
 void measure_distributions(Report& report);
 
 }  // namespace burnish::bench
