@@ -18,9 +18,9 @@ WeaveMapSettings twill() {
     settings.draft = builtin_draft("twill-2-2");
     settings.width = settings.height = 4096;
     settings.repeats_u = settings.repeats_v = 32;
-    settings.shape.crimp = 0.12f;
-    settings.shape.bulge = 0.75f;
-    settings.shape.gap = 0.04f;
+    settings.shape.crimp = 0.15f;
+    settings.shape.bulge = 0.7f;
+    settings.shape.gap = 0.08f;
     settings.shape.twist = {0.94f, 0.34f};
     return settings;
 }

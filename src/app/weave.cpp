@@ -58,6 +58,14 @@ void set_size(const WeaveRequest& request, WeaveMapSettings& settings) {
     settings.height = request.height.value_or(rounded(settings.width / aspect));
 }
 
+// A colour that is asked for takes the place of the draft's.
+void dye(std::string_view parameter, const ParameterValues& values, glm::vec3& colour,
+         std::vector<glm::vec3>& of_yarns) {
+    if (!values.is_set(parameter)) return;
+    colour = values.vec3(parameter);
+    of_yarns.clear();
+}
+
 WeaveMapSettings settings_of(const WeaveRequest& request, std::vector<std::string>& warnings) {
     WeaveMapSettings settings;
     settings.draft = draft_of(request.weave, warnings);
@@ -71,8 +79,8 @@ WeaveMapSettings settings_of(const WeaveRequest& request, std::vector<std::strin
     settings.shape.bulge = real("weave_bulge");
     settings.shape.gap = real("weave_gap");
     settings.shape.twist = {std::cos(twist), std::sin(twist)};
-    settings.warp_colour = values.vec3("warp_color");
-    settings.weft_colour = values.vec3("weft_color");
+    dye("warp_color", values, settings.warp_colour, settings.draft.warp_colours);
+    dye("weft_color", values, settings.weft_colour, settings.draft.weft_colours);
     set_size(request, settings);
     check_weave_map_settings(settings, request.weave);
     return settings;
@@ -145,9 +153,9 @@ std::string summary_of(const WeaveRequest& request, const WeaveMapSettings& sett
     out["yarn_mm"] = settings.yarn_mm;
     out["tile_mm"] = {settings.width_mm(), settings.height_mm()};
     for (const std::string_view name : kParameters) {
-        const Parameter& parameter = *find_parameter(name);
+        if (!request.values.has_value(name)) continue;
         auto& value = out["parameters"][std::string(name)];
-        if (parameter.kind == ParameterKind::color) {
+        if (find_parameter(name)->kind == ParameterKind::color) {
             const glm::vec3 c = request.values.vec3(name);
             value = {c.x, c.y, c.z};
         } else {

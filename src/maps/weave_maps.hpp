@@ -18,11 +18,12 @@ namespace burnish {
 
 struct WeaveMapSettings {
     Draft draft;
-    f32::WeaveShape shape;                           // in spacings of the yarns
-    int width = 2048, height = 2048;                 // texels, 16..16384
-    int repeats_u = 1, repeats_v = 1;                // of the draft on the tile
-    double yarn_mm = 1.0;                            // from yarn to yarn, 0.001..1000
-    glm::vec3 warp_colour{1.0f}, weft_colour{1.0f};  // linear, of a draft without colours
+    f32::WeaveShape shape;             // in spacings of the yarns
+    int width = 2048, height = 2048;   // texels, 16..16384
+    int repeats_u = 1, repeats_v = 1;  // of the draft on the tile
+    double yarn_mm = 1.0;              // from yarn to yarn, 0.001..1000
+    glm::vec3 warp_colour{0.45f, 0.43f, 0.38f},
+        weft_colour{0.06f, 0.08f, 0.14f};  // linear, of a draft without colours
 
     int ends() const { return draft.ends * repeats_u; }  // of the whole tile
     int picks() const { return draft.picks * repeats_v; }

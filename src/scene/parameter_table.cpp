@@ -99,16 +99,15 @@ void add_material(Table& t) {
     t.boolean("double_sided", "", "show back faces too");
 }
 
-// Woven cloth (docs/weave.md); lengths in spacings of the yarns.
 void add_cloth(Table& t) {
-    t.real("weave_crimp", 0, 0.5, "0.12", "", "how far yarns rise and fall, in spacings");
-    t.real("weave_bulge", 0, 0.95, "0.75", "",
-           "roundness of yarns: sine of the tilt at their edges (0: ribbons)");
-    t.real("weave_gap", 0, 0.9, "0.04", "", "space between neighbouring yarns, in spacings");
-    t.real("weave_twist", -80, 80, "20", "deg", "angle from a yarn's axis to its fibres");
-    t.color("warp_color", 1, "0.45,0.43,0.38",
-            "colour of warp yarns that the draft gives none: r,g,b linear or #rrggbb");
-    t.color("weft_color", 1, "0.06,0.08,0.14", "the same of weft yarns");
+    t.real("weave_crimp", 0, 0.5, "0.15", "",
+           "rise and fall of a yarn's middle line, in yarn spacings");
+    t.real("weave_bulge", 0, 0.95, "0.7", "", "sine of the tilt of a yarn's surface at its edges");
+    t.real("weave_gap", 0, 0.9, "0.08", "", "gap between neighbouring yarns, in yarn spacings");
+    t.real("weave_twist", -85, 85, "20", "deg",
+           "turn of the fibres, counter-clockwise from their yarn");
+    t.color("warp_color", 1, "", "colour of the warp yarns, along the bitangent: r,g,b or #rrggbb");
+    t.color("weft_color", 1, "", "colour of the weft yarns, along the tangent");
 }
 
 void add_render(Table& t) {

@@ -85,6 +85,21 @@ TEST(WeaveCommand, ColoursComeBackAsTheFileHasThem) {
                 1e-6f);
 }
 
+TEST(WeaveCommand, AColourAskedForTakesThePlaceOfTheDrafts) {
+    const Folder folder;
+    const std::string out = folder.path("out");
+    ASSERT_EQ(weave({kExamples + "houndstooth.wif", "--size", "128", "--warp-color", "#ff0000",
+                     "--weft-color", "#0000ff", "-o", out})
+                  .exit_code,
+              0);
+    const Image colours = read_image(out + "/color.png", {.as_data = true});
+    for (std::size_t i = 0; i < colours.pixels.size(); i += 3) {
+        ASSERT_EQ(colours.pixels[i + 1], 0.0f);
+        ASSERT_LE(colours.pixels[i] + colours.pixels[i + 2], 1.0f);
+    }
+    EXPECT_TRUE(read_wif(out + "/draft.wif").draft.warp_colours.empty());
+}
+
 TEST(WeaveCommand, InfoTellsWhatADraftHolds) {
     const Outcome info = run_burnish({"info", kExamples + "satin-stripe.wif"});
     ASSERT_EQ(info.exit_code, 0) << info.complaint;
