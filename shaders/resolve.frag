@@ -9,6 +9,9 @@
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/environment.glsl"
 #include "shaders/lib/image_light.glsl"
+#ifdef CLOTH
+#include "shaders/lib/cloth.glsl"
+#endif
 #include "shaders/lib/shade.glsl"
 #include "shaders/lib/pack.glsl"
 

@@ -8,6 +8,9 @@
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/environment.glsl"
 #include "shaders/lib/image_light.glsl"
+#ifdef CLOTH
+#include "shaders/lib/cloth.glsl"
+#endif
 #include "shaders/lib/shade.glsl"
 
 in vec3 v_position;

@@ -21,5 +21,6 @@
 #include "shading/brdf_phong.glsl"
 #include "shading/brdf_lafortune.glsl"
 #include "shading/brdf_cosine_lobe.glsl"
+#include "shading/widen.glsl"
 #include "shading/weave.glsl"
 // clang-format on

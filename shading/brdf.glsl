@@ -17,32 +17,37 @@ FN vec3 half_vector(vec3 sum, vec3 n) {
     return choose(l2 > kTiny, sum * (Float(1) / sqrt(max(l2, kTiny))), n);
 }
 
-// `lobe` is of brdf_mdf. 0 where wi or wo is below the perturbed horizon.
-FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
+// What a model takes from its lobe at a point of it, in the model's own scale: D, or Ward's exponential.
+FN Float brdf_lobe_factor(int brdf, Lobe lobe, LobePoint q) {
+    if (brdf == kBrdfAshikhminShirley) { return lobe.paper_norm * lobe_shape(lobe, q); }
+    if (brdf == kBrdfWard || brdf == kBrdfWardDuer) { return ward_factor(lobe, q); }
+    return lobe.projected_norm * lobe_shape(lobe, q);
+}
+
+// The rest of the model around `factor`: masking and cosines. 0 where wi or wo is below the perturbed
+// horizon.
+FN Float brdf_of_factor(int brdf, Lobe lobe, Float factor, Perturbation p, vec3 wi, vec3 wo) {
     vec3 sum = wi + wo;
     Float sum_length = sqrt(max(dot(sum, sum), kTiny));
-    vec3 h = half_vector(sum, p.n);
     Float cos_i = dot(p.n, wi);
     Float cos_o = dot(p.n, wo);
     Float low_i = max(cos_i, kLeastCosine);
     Float low_o = max(cos_o, kLeastCosine);
     Float wi_h = max(Float(0.5) * sum_length, kLeastCosine);  // exactly wi.h, without cancellation
-    LobePoint q = perturb_point(p, h);
-    Float shape = lobe_shape(lobe, q);
     Float f = Float(0);
     if (brdf == kBrdfAshikhminShirley) {
         // Ashikhmin & Shirley 2000 Eq 4: sqrt((e_x+1)(e_y+1))/(8 pi) is K11 Eq 1's prefactor over 4.
-        f = lobe.paper_norm * shape / (Float(4) * wi_h * max(low_i, low_o));
+        f = factor / (Float(4) * wi_h * max(low_i, low_o));
     } else if (brdf == kBrdfWardGmd) {
         // |i+o|^2 exp(-tan^2)/(pi ax ay (i+o)_z^4) = D_beckmann / (4 (i.h)^2).
-        f = lobe.projected_norm * shape / (Float(4) * wi_h * wi_h);
+        f = factor / (Float(4) * wi_h * wi_h);
     } else if (brdf == kBrdfWard) {
-        f = ward_value(lobe, q, sqrt(low_i) * sqrt(low_o));
+        f = factor / (Float(4) * (sqrt(low_i) * sqrt(low_o)));
     } else if (brdf == kBrdfWardDuer) {
-        f = ward_value(lobe, q, low_i * low_o);
+        f = factor / (Float(4) * (low_i * low_o));
     } else if (brdf == kBrdfCookTorrance) {
-        Float g = v_cavity_G(dot(p.n, h), low_i, low_o, wi_h);
-        f = lobe.projected_norm * shape * g / (Float(4) * low_i * low_o);
+        Float g = v_cavity_G(dot(p.n, half_vector(sum, p.n)), low_i, low_o, wi_h);
+        f = factor * g / (Float(4) * low_i * low_o);
     } else {
         vec3 gi = perturb_direction(p, wi);
         vec3 go = perturb_direction(p, wo);
@@ -52,7 +57,13 @@ FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
         } else {
             g = smith_G2(lobe, gi, go);
         }
-        f = lobe.projected_norm * shape * g / (Float(4) * low_i * low_o);
+        f = factor * g / (Float(4) * low_i * low_o);
     }
     return choose(cos_i > Float(0) && cos_o > Float(0), min(f, kMostValue), Float(0));
+}
+
+// `lobe` is of brdf_mdf. 0 where wi or wo is below the perturbed horizon.
+FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
+    LobePoint q = perturb_point(p, half_vector(wi + wo, p.n));
+    return brdf_of_factor(brdf, lobe, brdf_lobe_factor(brdf, lobe, q), p, wi, wo);
 }

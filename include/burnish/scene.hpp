@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,23 @@ struct TextureUse {
 struct Conductor {
     glm::vec3 eta{1.0f};
     glm::vec3 k{0.0f};
+};
+
+struct Draft;  // maps/draft.hpp
+
+// Woven cloth in place of a normal map (docs/weave.md). The lobe's x axis runs along the fibres:
+// along the tangent on weft yarns, the bitangent on warp yarns, turned by twist and
+// anisotropy_rotation.
+struct Cloth {
+    std::shared_ptr<const Draft> draft;
+    float yarns = 100.0f;  // of each family across the texture square
+    float crimp = 0.15f;   // WeaveShape of shading/weave.glsl
+    float bulge = 0.7f;
+    float gap = 0.08f;
+    float twist = 0.34906585f;  // radians
+    float fuzz = 0.1f;    // standard deviation of slopes by which fibres are in disorder
+    // In place of base_color; none: the draft's, or base_color.
+    std::optional<glm::vec3> warp_color, weft_color;
 };
 
 // Names follow glTF 2.0 where glTF has the thing.
@@ -71,7 +89,8 @@ struct Material {
     std::optional<float> ks;  // phong, lafortune: scale; none: as much as keeps its energy
     glm::vec3 lafortune_c{-1.0f, -1.0f, 1.0f};  // Cx, Cy, Cz: the mirror direction
     Method method = Method::follow_grain;
-    bool conserve = false;  // deform-*: the energy-conserving form
+    bool conserve = false;       // deform-*: the energy-conserving form
+    std::optional<Cloth> cloth;  // with `alpha` set, and no normal, anisotropy or roughness texture
 };
 
 // The method that a renderer draws the material with. `normal-map` stands for what engines ship,

@@ -21,7 +21,7 @@ vec3 environment_radiance(vec3 w, float lod) {
 }
 
 vec3 environment_irradiance(vec3 n) {
-    return texture(u_irradiance, environment_direction(n)).rgb * u_environment_scale;
+    return textureLod(u_irradiance, environment_direction(n), 0.0).rgb * u_environment_scale;
 }
 
 // The mip whose texels cover `solid_angle`; a texel of the finest covers 4 pi / (6 face^2) on average.

@@ -14,22 +14,25 @@ uniform uint u_seed;
 // 1/(total pdf) and reads the mip of that size; as the total grows, mip 0 and the exact integral.
 // wi may lie below the geometric horizon, where the map tilts n~ far enough: a mapped bump must match
 // the modelled one (NormalTangentTest), so only the horizon of n~ counts.
+vec3 image_sample(Shading m, Axes a, Perturbation p, vec3 wo, uint index, Rotation rotation) {
+    float pdf;
+    vec3 wi = specular_sample(m, p, wo, point_of(index, rotation), select_of(index, rotation), pdf);
+    float cos_i = dot(p.n, wi);
+    bool counts = pdf > 0.0 && cos_i > 0.0;
+    float weight = specular_eval(m, p, wi, wo) * cos_i / max(pdf, kTiny);
+    float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
+    vec3 radiance = environment_radiance(from_axes(a, wi), lod);
+    float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
+    vec3 term = specular_fresnel(m, cos_h) * radiance * weight;
+    return counts ? finite_radiance(term) : vec3(0.0);
+}
+
 vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < u_image_samples; ++i) {
         uint index = u_frame * uint(u_image_samples) + uint(i);
-        float pdf;
-        vec3 wi = specular_sample(m, p, wo, point_of(index, rotation), select_of(index, rotation),
-                                  pdf);
-        float cos_i = dot(p.n, wi);
-        bool counts = pdf > 0.0 && cos_i > 0.0;
-        float weight = specular_eval(m, p, wi, wo) * cos_i / max(pdf, kTiny);
-        float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
-        vec3 radiance = environment_radiance(from_axes(a, wi), lod);
-        float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
-        vec3 term = specular_fresnel(m, cos_h) * radiance * weight;
-        sum += counts ? finite_radiance(term) : vec3(0.0);
+        sum += image_sample(m, a, p, wo, index, rotation);
     }
     return sum / float(u_image_samples);
 }

@@ -64,17 +64,70 @@ float specular_occlusion(float occlusion, float cos_o, Lobe lobe) {
     return clamp(open - 1.0 + occlusion, 0.0, 1.0);
 }
 
+float specular_open(Surface s, Shading m, float cos_o) {
+#ifdef HAS_OCCLUSION_MAP
+    return specular_occlusion(occlusion_at(s), max(cos_o, 0.0), m.lobe);
+#else
+    return 1.0;
+#endif
+}
+
 // Irradiance stands for light from everywhere: diffuse_eval's dependence on wi is averaged over it.
 vec3 lit_by_environment(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
-    vec3 sum = image_specular(s, m, a, p, wo);
-#ifdef HAS_OCCLUSION_MAP
-    sum *= specular_occlusion(occlusion_at(s), max(dot(p.n, wo), 0.0), m.lobe);
-#endif
+    vec3 sum = image_specular(s, m, a, p, wo) * specular_open(s, m, dot(p.n, wo));
 #ifndef METAL
     sum += diffuse_color(m) * environment_irradiance(from_axes(a, p.n)) *
            (diffuse_albedo(max(dot(p.n, wo), 0.0)) * occlusion_at(s));
 #endif
     return sum;
+}
+#endif
+
+// What the material's normal and direction do to the lobe; `a` becomes the axes of the lobe.
+Perturbation facing_perturbation(Surface s, Shading m, inout Axes a) {
+    vec3 n = m.n;
+#ifdef TURNED
+    // The stretch is not along the tangent: everything is seen against axes turned to it.
+    a = turned(a, m.direction);
+    n = vec3(n.x * m.direction.x + n.y * m.direction.y, n.y * m.direction.x - n.x * m.direction.y, n.z);
+#endif
+#if defined(HAS_NORMAL_MAP) || defined(CLOTH)
+    n = normal_facing(n, to_axes(a, s.to_eye));
+#endif
+    return perturb_make(METHOD, n, m.grooves_along_x, CONSERVE);
+}
+
+vec3 reflected(Surface s, Shading m, Axes a) {
+    Perturbation p = facing_perturbation(s, m, a);
+    vec3 wo = to_axes(a, s.to_eye);
+    vec3 radiance = vec3(0.0);
+#if LIGHTS > 0
+    radiance += lit_by_lights(s, m, a, p, wo);
+#endif
+#if IMAGE_LIGHT > 0
+    radiance += lit_by_environment(s, m, a, p, wo);
+#endif
+    return radiance;
+}
+
+#ifdef CLOTH
+#include "shaders/lib/cloth_mean.glsl"
+
+// The point at the pixel's middle, the mean over its cells, or between the two a mixture. Loops that run
+// once or not at all: software renderers leave a loop, but go through both sides of an `if`.
+vec3 reflected_by_cloth(Surface s, Shading m, Axes a) {
+    ClothPlace place = cloth_place(s);
+    float mean = weave_mean_share(place.size);
+    vec3 radiance = vec3(0.0);
+    for (int i = mean < 1.0 ? 0 : 1; i < 1; ++i) {
+        Shading yarn = m;
+        float cover = put_yarn(yarn, place.at);
+        radiance += reflected(s, yarn, a) * (cover * (1.0 - mean));
+    }
+    for (int i = mean > 0.0 ? 0 : 1; i < 1; ++i) {
+        radiance += cloth_from_afar(s, m, a, place) * mean;
+    }
+    return radiance;
 }
 #endif
 
@@ -85,23 +138,10 @@ vec4 shade(Surface s) {
     if (m.alpha < u_alpha_cutoff) { discard; }
 #endif
     Axes a = surface_axes(s, s.to_eye);
-#ifdef TURNED
-    // The stretch is not along the tangent: everything is seen against axes turned to it.
-    a = turned(a, m.direction);
-    m.n = vec3(m.n.x * m.direction.x + m.n.y * m.direction.y,
-               m.n.y * m.direction.x - m.n.x * m.direction.y, m.n.z);
-#endif
-    vec3 wo = to_axes(a, s.to_eye);
-#ifdef HAS_NORMAL_MAP
-    m.n = normal_facing(m.n, wo);
-#endif
-    Perturbation p = perturb_make(METHOD, m.n, m.grooves_along_x, CONSERVE);
-    vec3 radiance = emission_at(s);
-#if LIGHTS > 0
-    radiance += lit_by_lights(s, m, a, p, wo);
-#endif
-#if IMAGE_LIGHT > 0
-    radiance += lit_by_environment(s, m, a, p, wo);
+#ifdef CLOTH
+    vec3 radiance = emission_at(s) + reflected_by_cloth(s, m, a);
+#else
+    vec3 radiance = emission_at(s) + reflected(s, m, a);
 #endif
 #ifdef BLEND
     float coverage = finite_coverage(m.alpha);

@@ -50,6 +50,18 @@ std::vector<SurfaceVariant> variants() {
             list.push_back(v);
         }
     }
+    for (const Brdf brdf : {Brdf::microfacet, Brdf::ashikhmin_shirley, Brdf::lafortune}) {
+        for (int image_light = 0; image_light < 4; ++image_light) {
+            SurfaceVariant v;
+            v.brdf = brdf;
+            v.method = Method::follow_grain;
+            v.cloth = v.turned = true;
+            v.cloth_colors = v.metal = image_light % 2 == 1;
+            v.lights = image_light;
+            v.image_light = image_light;
+            list.push_back(v);
+        }
+    }
     SurfaceVariant v = with_everything();
     list.push_back(v);
     v.uv_per_texture = v.vertex_color = v.normal_map_xy = true;

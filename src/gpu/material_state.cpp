@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "burnish/f32.hpp"
+#include "gpu/cloth_maps.hpp"
 #include "gpu/texture_units.hpp"
 
 namespace burnish::gpu {
@@ -44,11 +45,18 @@ bool uses_differ(const Material& material) {
     return false;
 }
 
+}  // namespace
+
 f32::Lobe lobe_of(const Material& material) {
     const int mdf = f32::brdf_mdf(static_cast<int>(material.brdf), static_cast<int>(material.mdf));
     const glm::vec2 alpha = alpha_of(material);
-    return f32::lobe_from_alpha(mdf, alpha.x, alpha.y);
+    const f32::Lobe lobe = f32::lobe_from_alpha(mdf, alpha.x, alpha.y);
+    if (!material.cloth) return lobe;
+    const float variance = material.cloth->fuzz * material.cloth->fuzz;
+    return f32::widen_lobe(lobe, variance, variance);
 }
+
+namespace {
 
 void set_textures(Program& program, const Material& material, TextureStore& textures,
                   float lod_bias) {
@@ -108,12 +116,14 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     const f32::Lobe lobe = lobe_of(m);
     v.grooves_along_x =
         v.lobe_from_texture || f32::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);
-    v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map;
+    v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map || m.cloth;
+    v.cloth = with_normal_map && m.cloth;
+    v.cloth_colors = v.cloth && has_yarn_colors(*m.cloth);
     v.uv_per_texture = uses_differ(m);
     v.vertex_color = vertex_color;
     v.alpha_mode = m.alpha_mode;
     // Without a perturbed normal all methods are one.
-    v.method = v.normal_map ? drawn_method(m) : Method::none;
+    v.method = v.normal_map || v.cloth ? drawn_method(m) : Method::none;
     v.conserve = m.conserve && v.method == Method::deform_smooth;
     return v;
 }
@@ -121,7 +131,9 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
 void set_material(Program& program, const Material& m, TextureStore& textures, float lod_bias) {
     const f32::Lobe lobe = lobe_of(m);
     const Conductor conductor = m.conductor.value_or(Conductor{});
-    program.set("u_base_color", m.base_color);
+    // Yarns bring their own.
+    program.set("u_base_color",
+                m.cloth ? glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a) : m.base_color);
     program.set("u_metallic", m.metallic);
     program.set("u_roughness", m.roughness);
     program.set("u_anisotropy", m.anisotropy_strength);

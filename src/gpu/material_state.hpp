@@ -1,6 +1,7 @@
 // From a Material to the variant of the surface shader it needs and the uniforms it sets.
 #pragma once
 
+#include "burnish/f32.hpp"
 #include "burnish/scene.hpp"
 #include "gpu/program.hpp"
 #include "gpu/surface_variant.hpp"
@@ -19,6 +20,9 @@ void set_material(Program& program, const Material& material, TextureStore& text
 
 // The uniforms of surface.vert for the one texture transform in use.
 void set_shared_uv(Program& program, const Material& material);
+
+// The lobe of a material without regard to its textures; that of cloth is widened by its fuzz.
+f32::Lobe lobe_of(const Material& material);
 
 // The roughness pair of a material without regard to its textures, clamped as the shader clamps.
 glm::vec2 alpha_of(const Material& material);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/albedo_table.hpp"
+#include "gpu/cloth_maps.hpp"
 #include "gpu/environment.hpp"
 #include "gpu/geometry.hpp"
 #include "gpu/lights.hpp"
@@ -74,6 +75,7 @@ class Painter {
     DeviceScene& scene_;
     ProgramCache programs_;
     AlbedoTables albedos_;
+    ClothMaps cloths_;
     VertexArray empty_;
 };
 

@@ -36,6 +36,8 @@ std::string SurfaceVariant::defines() const {
         {occlusion_map, "HAS_OCCLUSION_MAP"},
         {emissive_map, "HAS_EMISSIVE_MAP"},
         {anisotropy_map, "HAS_ANISOTROPY_MAP"},
+        {cloth, "CLOTH"},
+        {cloth_colors, "CLOTH_COLORS"},
         {uv_per_texture, "UV_PER_TEXTURE"},
         {vertex_color, "VERTEX_COLOR"},
         {position, "POSITION"},

@@ -25,6 +25,8 @@ struct SurfaceVariant {
     bool occlusion_map = false;
     bool emissive_map = false;
     bool anisotropy_map = false;
+    bool cloth = false;
+    bool cloth_colors = false;  // its draft colours each yarn
     bool uv_per_texture = false;
     bool vertex_color = false;
     AlphaMode alpha_mode = AlphaMode::opaque;

@@ -18,5 +18,10 @@ inline constexpr GLuint kLobeUnit = 12;
 inline constexpr GLuint kAlbedoUnit = 13;
 inline constexpr GLuint kShadowUnit = 14;
 inline constexpr GLuint kScratchUnit = 15;  // uploads
+// Cloth. Units may be more than the 16 samplers that a program may have, which none does.
+inline constexpr GLuint kWeaveCellsUnit = 16;
+inline constexpr GLuint kWeaveWeftUnit = 17;
+inline constexpr GLuint kWeaveWarpUnit = 18;
+inline constexpr GLuint kWeaveLobesUnit = 19;
 
 }  // namespace burnish::gpu

@@ -12,6 +12,7 @@
 #include "burnish/f64.hpp"
 #include "core/image_io.hpp"
 #include "maps/bumps.hpp"
+#include "scene/cloth_material.hpp"
 #include "scene/load.hpp"
 #include "scene/scratch_material.hpp"
 #include "shading/conductors.hpp"
@@ -222,6 +223,8 @@ void apply_material_parameters(Scene& scene, std::size_t first, std::size_t coun
     if (values.is_set("scratch")) warn_of_missing_coordinates(scene, first, first + count);
     for (std::size_t i = first; i < first + count; ++i)
         apply_normal_map(scene, scene.materials[i], values, texture);
+    apply_cloth(scene, first, count, values);
+    if (values.is_set("weave")) warn_of_missing_coordinates(scene, first, first + count);
 }
 
 void apply_material_parameters(Scene& scene, const ParameterValues& values) {

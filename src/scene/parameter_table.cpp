@@ -99,13 +99,23 @@ void add_material(Table& t) {
     t.boolean("double_sided", "", "show back faces too");
 }
 
+// Defaults are those of Cloth (a test holds them together).
 void add_cloth(Table& t) {
+    t.text("weave",
+           "woven cloth in place of a normal map: plain, twill-2-1, twill-2-2, twill-3-1, "
+           "herringbone, satin-5, satin-8, basket, a .wif file, or none");
+    t.real(
+        "weave_yarns", 1, 100000, "100", "",
+        "yarns of each family across the texture square; a multiple of the draft's repeat has no "
+        "seam");
     t.real("weave_crimp", 0, 0.5, "0.15", "",
            "rise and fall of a yarn's middle line, in yarn spacings");
     t.real("weave_bulge", 0, 0.95, "0.7", "", "sine of the tilt of a yarn's surface at its edges");
     t.real("weave_gap", 0, 0.9, "0.08", "", "gap between neighbouring yarns, in yarn spacings");
     t.real("weave_twist", -85, 85, "20", "deg",
            "turn of the fibres, counter-clockwise from their yarn");
+    t.real("weave_fuzz", 0, 1, "0.1", "",
+           "disorder of the fibres: standard deviation of their slopes");
     t.color("warp_color", 1, "", "colour of the warp yarns, along the bitangent: r,g,b or #rrggbb");
     t.color("weft_color", 1, "", "colour of the weft yarns, along the tangent");
 }

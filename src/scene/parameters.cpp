@@ -154,7 +154,10 @@ using Names = std::vector<std::string_view>;
 const std::vector<std::vector<Names>>& alternatives() {
     static const std::vector<std::vector<Names>> all = {
         {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
-        {{"normal_map"}, {"scratch", "scratch_direction"}}};
+        {{"normal_map"},
+         {"scratch", "scratch_direction"},
+         {"weave", "weave_yarns", "weave_crimp", "weave_bulge", "weave_gap", "weave_twist",
+          "weave_fuzz", "warp_color", "weft_color"}}};
     return all;
 }
 

@@ -19,6 +19,7 @@
 #include "scene/json_text.hpp"
 #include "scene/load.hpp"
 #include "scene/material_parameters.hpp"
+#include "scene/cloth_material.hpp"
 #include "scene/scratch_material.hpp"
 
 namespace burnish {
@@ -96,6 +97,7 @@ ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::p
             std::string text = text_of(member, *parameter);
             if (key == "normal_map") text = beside(file, text);
             if (key == "scratch" && !is_scratch_preset(text)) text = beside(file, text);
+            if (key == "weave" && !is_weave_name(text)) text = beside(file, text);
             values.set(key, text, place.file() + ": " + member.path());
         } catch (const UsageError& error) {
             throw Error(error.what());  // the fault is the file's, not the command's
