@@ -50,7 +50,7 @@ struct Cloth {
     float bulge = 0.7f;
     float gap = 0.08f;
     float twist = 0.34906585f;  // radians
-    float fuzz = 0.1f;    // standard deviation of slopes by which fibres are in disorder
+    float fuzz = 0.1f;          // standard deviation of slopes by which fibres are in disorder
     // In place of base_color; none: the draft's, or base_color.
     std::optional<glm::vec3> warp_color, weft_color;
 };

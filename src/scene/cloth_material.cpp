@@ -35,7 +35,7 @@ std::shared_ptr<const Draft> draft_named(const std::string& name,
     return std::make_shared<Draft>(load_wif(name, warnings));
 }
 
-// Maps of what the cloth takes the place of. The roughness pair becomes the fibres'.
+// What the cloth takes the place of.
 void clear_for_cloth(Material& material, const ParameterValues& values) {
     material.normal_texture = {};
     material.anisotropy_texture = {};
@@ -44,12 +44,14 @@ void clear_for_cloth(Material& material, const ParameterValues& values) {
         material.metallic = 0.0f;
         material.conductor.reset();
     }
-    if (material.alpha) return;
-    if (!values.is_set("roughness") && !values.is_set("anisotropy")) {
+    if (!material.alpha && !values.is_set("roughness") && !values.is_set("anisotropy"))
         material.alpha = kClothAlpha;
-        return;
-    }
-    // KHR_materials_anisotropy: stretched across the grooves; here they run along x.
+}
+
+// A pair of the fibres' own, where roughness and anisotropy were given instead.
+// KHR_materials_anisotropy stretches across the grooves; here they run along x.
+void set_fibre_pair(Material& material) {
+    if (material.alpha) return;
     const float alpha = material.roughness * material.roughness;
     const float strength = material.anisotropy_strength * material.anisotropy_strength;
     material.alpha = glm::vec2(alpha, alpha + (1.0f - alpha) * strength);
@@ -79,9 +81,12 @@ bool is_weave_name(std::string_view name) {
 void apply_cloth(Scene& scene, std::size_t first, std::size_t count,
                  const ParameterValues& values) {
     if (count == 0) return;
+    const bool has_other_detail =
+        (values.is_set("normal_map") && values.text("normal_map") != "none") ||
+        values.is_set("scratch");
     std::shared_ptr<const Draft> draft;
     if (values.is_set("weave")) {
-        if (values.is_set("normal_map") || values.is_set("scratch"))
+        if (has_other_detail)
             throw UsageError("weave", "", "a weave, a normal_map or a scratch map", "two of them");
         const std::string name = values.text("weave");
         if (name != "none") draft = draft_named(name, scene.warnings);
@@ -90,7 +95,7 @@ void apply_cloth(Scene& scene, std::size_t first, std::size_t count,
     for (std::size_t i = first; i < first + count; ++i) {
         Material& material = scene.materials[i];
         if (values.is_set("weave") && !draft) material.cloth.reset();
-        if (values.is_set("normal_map") || values.is_set("scratch")) material.cloth.reset();
+        if (has_other_detail) material.cloth.reset();
         if (draft) {
             if (!material.cloth) material.cloth.emplace();
             clear_for_cloth(material, values);
@@ -98,6 +103,7 @@ void apply_cloth(Scene& scene, std::size_t first, std::size_t count,
         }
         if (!material.cloth) continue;
         any = true;
+        set_fibre_pair(material);
         set_numbers(*material.cloth, values);
     }
     if (any) return;

@@ -16,10 +16,10 @@
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
+#include "scene/cloth_material.hpp"
 #include "scene/json_text.hpp"
 #include "scene/load.hpp"
 #include "scene/material_parameters.hpp"
-#include "scene/cloth_material.hpp"
 #include "scene/scratch_material.hpp"
 
 namespace burnish {
