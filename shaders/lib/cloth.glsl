@@ -8,6 +8,7 @@ uniform float u_weave_yarns;             // across the texture square
 uniform vec3 u_weave_shape;              // crimp, bulge, gap
 uniform vec2 u_weave_twist;              // (cos, sin) from a yarn to its fibres
 uniform vec3 u_weave_colors[2];
+uniform float u_weave_filter;            // 0: never the mean over cells
 
 // In yarn spacings, and log2 of the pixel's size in them.
 struct ClothPlace {

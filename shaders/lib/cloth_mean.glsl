@@ -1,6 +1,6 @@
 // Woven cloth from afar: what a pixel sees of many cells is a sum over the two families of yarns. Each
 // family's specular term is the mean of its lobe over the normals of its surface, from a table; its
-// diffuse term a sum over four normals with the same first and second moments (src/maps/weave_mean.hpp).
+// diffuse term a sum over six normals with the same moments (src/maps/weave_mean.hpp).
 
 uniform highp sampler2DArray u_weave_lobes;
 uniform vec3 u_weave_nodes[2];   // normals: rms along and across the yarn, mean out of the cloth
@@ -27,22 +27,28 @@ ClothFamily cloth_family(int family, vec4 seen, Shading m, Axes a, vec3 to_eye) 
     return f;
 }
 
-// Normal i of four.
+// Normals that stand for a family's: two along the yarn, where slopes pile up at their ends, times three
+// across, where the sine of the tilt is spread evenly: the points and weights of Gauss and Legendre.
+const int kClothNodes = 6;
+
 vec3 cloth_node(vec3 node, int i) {
-    return vec3(i < 2 ? node.x : -node.x, (i & 1) == 0 ? node.y : -node.y, node.z);
+    // sqrt(3) sqrt(3/5) root mean squares.
+    return vec3(i < 3 ? node.x : -node.x, float(i % 3 - 1) * (1.3416408 * node.y), node.z);
 }
+
+float cloth_node_weight(int i) { return i % 3 == 1 ? 4.0 / 18.0 : 2.5 / 18.0; }
 
 #if LIGHTS > 0
 #ifdef COSINE_LOBE
-// No half vectors to tabulate over: the lobe at the four normals.
+// No half vectors to tabulate over: the lobe at the normals.
 float cloth_specular(ClothFamily f, vec3 wi) {
     float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = normal_facing(normalize(cloth_node(u_weave_nodes[f.family], i)), f.wo);
         Perturbation p = perturb_make(METHOD, n, GROOVES_ALONG_X, CONSERVE);
-        sum += specular_eval(f.m, p, wi, f.wo) * max(dot(p.n, wi), 0.0);
+        sum += cloth_node_weight(i) * specular_eval(f.m, p, wi, f.wo) * max(dot(p.n, wi), 0.0);
     }
-    return 0.25 * sum;
+    return sum;
 }
 #else
 // Mean of f cos over the family's surface. Masking and cosines are those of the mean normal of what
@@ -65,12 +71,12 @@ float cloth_specular(ClothFamily f, vec3 wi) {
 // Mean of f cos of a white base.
 float cloth_diffuse(ClothFamily f, vec3 wi) {
     float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = cloth_node(u_weave_nodes[f.family], i);
         float cos_i = max(dot(n, wi), 0.0);
-        sum += diffuse_eval(cos_i, max(dot(n, f.wo), 0.0)) * cos_i;
+        sum += cloth_node_weight(i) * diffuse_eval(cos_i, max(dot(n, f.wo), 0.0)) * cos_i;
     }
-    return 0.25 * sum;
+    return sum;
 }
 
 vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
@@ -97,15 +103,34 @@ vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
 #ifndef METAL
 vec3 cloth_lit_by_irradiance(ClothFamily f) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < 4; ++i) {
-        vec3 n = normalize(cloth_node(u_weave_nodes[f.family], i));
-        sum += environment_irradiance(from_axes(f.a, n)) * diffuse_albedo(max(dot(n, f.wo), 0.0));
+    for (int i = 0; i < kClothNodes; ++i) {
+        vec3 n = normal_facing(normalize(cloth_node(u_weave_nodes[f.family], i)), f.wo);
+        sum += environment_irradiance(from_axes(f.a, n)) *
+               (cloth_node_weight(i) * diffuse_albedo(max(dot(n, f.wo), 0.0)));
     }
-    return diffuse_color(f.m) * sum * (0.25 * f.share);
+    return diffuse_color(f.m) * sum * f.share;
 }
 #endif
 
 #if IMAGE_LIGHT > 1
+#if IMAGE_LIGHT == 3 && !defined(COSINE_LOBE)
+// Albedo of the fibres' lobe at its normals over that of the family's one, which is as wide as they
+// are together and masks itself more. `a`: along the fibres.
+float cloth_energy(Shading fibres, Shading wide, ClothFamily f, vec3 wo) {
+    float sum = 0.0;
+    for (int i = 0; i < kClothNodes; ++i) {
+        vec3 n = normalize(cloth_node(u_weave_nodes[f.family], i));
+        n = vec3(n.x * u_weave_twist.x + n.y * u_weave_twist.y, n.y * u_weave_twist.x - n.x * u_weave_twist.y, n.z);
+        Perturbation p = perturb_make(METHOD, normal_facing(n, wo), GROOVES_ALONG_X, CONSERVE);
+        sum += cloth_node_weight(i) * albedo_towards(lobe_alpha_x(fibres.lobe),
+                                                     lobe_alpha_y(fibres.lobe),
+                                                     perturb_direction(p, wo));
+    }
+    float one = albedo_towards(lobe_alpha_x(wide.lobe), lobe_alpha_y(wide.lobe), wo);
+    return sum / max(one, 1e-3);
+}
+#endif
+
 // One lobe as wide as the family's together.
 vec3 cloth_image_specular(Surface s, ClothFamily f) {
     Shading m = f.m;
@@ -116,7 +141,12 @@ vec3 cloth_image_specular(Surface s, ClothFamily f) {
     m.lobe.projected_norm = wide.w;
     Axes a = turned(f.a, u_weave_twist);
     Perturbation p = perturb_make(METHOD, vec3(0.0, 0.0, 1.0), GROOVES_ALONG_X, CONSERVE);
-    return image_specular(s, m, a, p, to_axes(a, s.to_eye)) * f.share;
+    vec3 wo = to_axes(a, s.to_eye);
+    float energy = f.share;
+#if IMAGE_LIGHT == 3 && !defined(COSINE_LOBE)
+    energy *= cloth_energy(f.m, m, f, wo);
+#endif
+    return image_specular(s, m, a, p, wo) * energy;
 }
 #endif
 #endif

@@ -117,7 +117,7 @@ vec3 reflected(Surface s, Shading m, Axes a) {
 // once or not at all: software renderers leave a loop, but go through both sides of an `if`.
 vec3 reflected_by_cloth(Surface s, Shading m, Axes a) {
     ClothPlace place = cloth_place(s);
-    float mean = weave_mean_share(place.size);
+    float mean = weave_mean_share(place.size) * u_weave_filter;
     vec3 radiance = vec3(0.0);
     for (int i = mean < 1.0 ? 0 : 1; i < 1; ++i) {
         Shading yarn = m;

@@ -116,7 +116,10 @@ void Painter::set_surface(Program& program, const Frame& frame, int material) {
     const Material& m = scene_.materials[static_cast<std::size_t>(material)];
     set_common(program, frame);
     set_material(program, m, scene_.textures, lod_bias(frame.options->samples));
-    if (m.cloth && frame.variant == ShadingVariant::full) cloths_.bind(program, material, m);
+    if (m.cloth && frame.variant == ShadingVariant::full) {
+        cloths_.bind(program, material, m);
+        program.set("u_weave_filter", frame.options->filter_cloth ? 1.0f : 0.0f);
+    }
     if (frame.options->image_light != ImageLight::prefiltered || !has_half_vectors(m.brdf)) return;
     albedos_.bind(m.brdf, m.mdf);
     program.set("u_albedo", static_cast<int>(kAlbedoUnit));

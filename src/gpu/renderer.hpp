@@ -48,6 +48,7 @@ struct RenderOptions {
     int image_light_samples = 16;  // environment samples a pixel and sub-pixel sample
     ImageLight image_light = ImageLight::importance;
     bool filter_image_samples = true;  // false: every sample reads the sharp environment
+    bool filter_cloth = true;  // false: cloth is the point at a sample's middle, however far
     float environment_intensity = 1.0f;
     float environment_rotation = 0.0f;  // radians about +y
     BackgroundKind background = BackgroundKind::environment;

@@ -1,0 +1,94 @@
+// Woven cloth as a material: what --weave and its numbers do, and what they refuse.
+#include <gtest/gtest.h>
+
+#include <glm/trigonometric.hpp>
+#include <string>
+
+#include "burnish/error.hpp"
+#include "maps/draft.hpp"
+#include "scene/cloth_material.hpp"
+#include "scene/load.hpp"
+#include "scene/material_parameters.hpp"
+
+namespace burnish {
+namespace {
+
+Scene scene_with(std::initializer_list<std::pair<const char*, const char*>> parameters) {
+    Scene scene = load_model("builtin:plane", 2);
+    ParameterValues values;
+    for (const auto& [name, text] : parameters) values.set(name, text, "");
+    apply_material_parameters(scene, values);
+    return scene;
+}
+
+std::string refusal_of(std::initializer_list<std::pair<const char*, const char*>> parameters) {
+    try {
+        scene_with(parameters);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(ClothMaterial, DefaultsOfTheTableAreThoseOfCloth) {
+    const Cloth cloth;
+    const ParameterValues none;
+    EXPECT_FLOAT_EQ(cloth.yarns, static_cast<float>(none.real("weave_yarns")));
+    EXPECT_FLOAT_EQ(cloth.crimp, static_cast<float>(none.real("weave_crimp")));
+    EXPECT_FLOAT_EQ(cloth.bulge, static_cast<float>(none.real("weave_bulge")));
+    EXPECT_FLOAT_EQ(cloth.gap, static_cast<float>(none.real("weave_gap")));
+    EXPECT_FLOAT_EQ(cloth.fuzz, static_cast<float>(none.real("weave_fuzz")));
+    EXPECT_FLOAT_EQ(cloth.twist, static_cast<float>(glm::radians(none.real("weave_twist"))));
+}
+
+TEST(ClothMaterial, AWeaveMakesTheSurfaceFibres) {
+    const Scene scene =
+        scene_with({{"weave", "satin-5"}, {"weave_twist", "-30"}, {"warp_color", "1,0,0"}});
+    const Material& m = scene.materials.front();
+    ASSERT_TRUE(m.cloth);
+    EXPECT_EQ(m.cloth->draft->ends, 5);
+    EXPECT_FLOAT_EQ(m.cloth->twist, glm::radians(-30.0f));
+    EXPECT_EQ(m.cloth->warp_color, glm::vec3(1, 0, 0));
+    EXPECT_FALSE(m.cloth->weft_color);
+    EXPECT_EQ(m.alpha, kClothAlpha);
+    EXPECT_EQ(m.metallic, 0.0f);
+}
+
+TEST(ClothMaterial, RoughnessIsAPairOfTheFibres) {
+    // Also where the cloth was there before: alpha = roughness^2, stretched across the fibres.
+    Scene scene = scene_with({{"weave", "plain"}});
+    ParameterValues later;
+    later.set("roughness", "0.5", "");
+    later.set("anisotropy", "0.6", "");
+    apply_material_parameters(scene, later);
+    ASSERT_TRUE(scene.materials.front().alpha);
+    EXPECT_FLOAT_EQ(scene.materials.front().alpha->x, 0.25f);
+    EXPECT_FLOAT_EQ(scene.materials.front().alpha->y, 0.25f + 0.75f * 0.36f);
+}
+
+TEST(ClothMaterial, NoneIsNoOtherDetail) {
+    EXPECT_TRUE(scene_with({{"weave", "plain"}, {"normal_map", "none"}}).materials.front().cloth);
+    Scene scene = scene_with({{"weave", "plain"}});
+    ParameterValues later;
+    later.set("normal_map", "none", "");
+    apply_material_parameters(scene, later);
+    EXPECT_TRUE(scene.materials.front().cloth);
+    later.set("weave", "none", "");
+    apply_material_parameters(scene, later);
+    EXPECT_FALSE(scene.materials.front().cloth);
+}
+
+TEST(ClothMaterial, WhatContradictsItselfIsRefused) {
+    EXPECT_NE(refusal_of({{"weave", "plain"}, {"normal_map", "builtin:bumps"}}).find("two of them"),
+              std::string::npos);
+    EXPECT_NE(refusal_of({{"weave", "plain"}, {"scratch", "brushed"}}).find("two of them"),
+              std::string::npos);
+    EXPECT_NE(refusal_of({{"weave_gap", "0.2"}}).find("a weave beside it"), std::string::npos);
+    const std::string unknown = refusal_of({{"weave", "twil-2-2"}});
+    EXPECT_NE(unknown.find("twil-2-2"), std::string::npos);
+    EXPECT_NE(unknown.find("twill-2-2"), std::string::npos);
+    EXPECT_EQ(unknown.find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace burnish
