@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "burnish/parameters.hpp"
+#include "maps/draft.hpp"
 #include "scene/load.hpp"
 
 namespace burnish::soak {
@@ -47,20 +48,28 @@ std::string text_of(const Parameter& parameter, Random& random) {
     return {};
 }
 
-// Left to chance alone these would ask for hours, or for files.
+// Left to chance alone these would ask for hours, for files, or for two things at once.
 bool is_set_elsewhere(std::string_view name) {
     static constexpr std::string_view kNames[] = {
         "width",      "height",       "samples", "image_light_samples", "triangles",
-        "normal_map", "camera_index", "scratch", "scratch_direction",   "cosine_exponent"};
+        "normal_map", "camera_index", "scratch", "scratch_direction",   "cosine_exponent",
+        "weave"};
     return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
+// Refused without a weave beside them.
+bool is_of_cloth(std::string_view name) {
+    return name.starts_with("weave_") || name == "warp_color" || name == "weft_color";
 }
 
 ParameterValues random_values(Random& random) {
     ParameterValues values;
+    const bool woven = one_in(random, 6);
     const bool exponents = one_in(random, 2);
     for (const Parameter& parameter : parameter_table()) {
         const bool other_way = parameter.name.starts_with(exponents ? "alpha_" : "e_");
         if (is_set_elsewhere(parameter.name) || other_way || !one_in(random, 3)) continue;
+        if (is_of_cloth(parameter.name) && !woven) continue;
         // A camera at a chance place of a thousand kilometres sees nothing.
         const bool placed = parameter.name.starts_with("camera_") && !one_in(random, 8);
         if (placed && parameter.kind == ParameterKind::vector) continue;
@@ -75,7 +84,10 @@ ParameterValues random_values(Random& random) {
     set("samples", 1, 4);
     set("image_light_samples", 1, 16);
     set("triangles", 20, 4000);
-    if (one_in(random, 16)) values.set("normal_map", "builtin:bumps", "");
+    if (woven)
+        values.set("weave", std::string(draft_names()[below(random, draft_names().size())]), "");
+    else if (one_in(random, 16))
+        values.set("normal_map", "builtin:bumps", "");
     // Refused with a line, which is not what is tried here.
     if (values.is_set("brdf") && !has_half_vectors(static_cast<Brdf>(values.choice("brdf"))))
         values.set("method", "follow-grain", "");
