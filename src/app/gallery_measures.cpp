@@ -141,6 +141,41 @@ double skirt_difference(const Image& a, const Image& reference, const Image& mas
     });
 }
 
+double flat_share(const Image& linear, const Image& mask, int side) {
+    constexpr double kSeen = 0.25;
+    int flat = 0, all = 0;
+    for (int top = 0; top + side <= linear.height; top += side) {
+        for (int left = 0; left + side <= linear.width; left += side) {
+            double n = 0, s = 0, ss = 0;
+            for (int y = top; y < top + side; ++y)
+                for (int x = left; x < left + side; ++x) {
+                    const std::size_t i =
+                        static_cast<std::size_t>(y) * static_cast<std::size_t>(linear.width) +
+                        static_cast<std::size_t>(x);
+                    if (!counts(mask, i)) continue;
+                    const double value = double{luminance(linear, i)};
+                    n += 1;
+                    s += value;
+                    ss += value * value;
+                }
+            if (n < side * side) continue;
+            ++all;
+            if (std::sqrt(std::max(ss / n - s / n * (s / n), 0.0)) < kSeen * s / n) ++flat;
+        }
+    }
+    return all > 0 ? static_cast<double>(flat) / all : 0;
+}
+
+double concentration(const Image& linear, const Image& mask) {
+    double sum = 0, n = 0;
+    for (std::size_t i = 0; i < pixels_of(linear); ++i) {
+        if (!counts(mask, i)) continue;
+        sum += double{luminance(linear, i)};
+        n += 1;
+    }
+    return sum > 0 ? bright_level(linear, mask, 0.01) * n / sum : 0;
+}
+
 double correlation(const Image& a, const Image& b, const Image& mask) {
     double n = 0, sa = 0, sb = 0, saa = 0, sab = 0, sbb = 0;
     for (std::size_t i = 0; i < pixels_of(a); ++i) {

@@ -41,6 +41,11 @@ double relative_difference(const Image& a, const Image& reference, const Image& 
 // The same only in the skirts of the highlight: where the reference has 2 to 50 % of its brightest
 // hundredth.
 double skirt_difference(const Image& a, const Image& reference, const Image& mask);
+// Share of the squares of `side` pixels, whole within the mask, whose luminance varies by less than
+// 25 % (rms) of its mean: where a pattern smaller than that is not to be seen.
+double flat_share(const Image& linear, const Image& mask, int side);
+// The least luminance of the brightest hundredth over the mean.
+double concentration(const Image& linear, const Image& mask);
 // Correlation of the luminances.
 double correlation(const Image& a, const Image& b, const Image& mask);
 // Ratio of the principal axes of the highlight: second moments of what is above half the brightest
