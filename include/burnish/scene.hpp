@@ -21,6 +21,12 @@ namespace burnish {
 enum class Wrap { repeat, mirror, clamp };
 enum class AlphaMode { opaque, mask, blend };
 
+// How a normal map is read where its texels are smaller than a pixel (docs/normal-map-mips.md).
+enum class NormalFilter {
+    mips,    // the mean of the normals, as engines do: the lobe stays as narrow as it is up close
+    moments  // the mean slope, and the lobe widened by the variance of slopes
+};
+
 // A use of a texture by a material.
 struct TextureUse {
     int texture = -1;           // index into Scene::textures, -1: none
@@ -66,6 +72,7 @@ struct Material {
     TextureUse normal_texture;
     float normal_scale = 1.0f;
     bool flip_green = false;  // the normal map is of the +y-down (DirectX) kind
+    NormalFilter normal_filter = NormalFilter::moments;
     TextureUse occlusion_texture;
     float occlusion_strength = 1.0f;
     glm::vec3 emissive{0.0f};

@@ -57,7 +57,22 @@ struct Shading {
     vec3 n;          // perturbed normal against tangent, bitangent and geometric normal
 };
 
-#ifdef HAS_NORMAL_MAP
+#if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
+// Slopes and their variances (docs/normal-map-mips.md): how the lobe of a normal `n` = normal_of_slopes
+// is to be widened along the tangent and the bitangent. A step ds of the slope turns n by ds nz^2 in
+// the direction of the tilt and by ds nz across it, here resolved along the axes.
+// 1: beyond, lobes of alpha > sqrt(2) are all one, and the widest whose normaliser is good.
+vec2 variance_about(vec3 n, vec2 variance) {
+    vec2 tilted = variance * u_normal_scale * u_normal_scale;
+    return min(tilted * (n.z * n.z) * (1.0 - n.xy * n.xy), vec2(1.0));
+}
+
+vec3 normal_of_slopes(vec2 slopes) {
+    vec2 v = slopes * u_normal_scale;
+    // 0.03: tilts end at 88.8 degrees, short of where the frames of perturb.glsl are singular.
+    return normalize(vec3(v, max(1.0, 0.03 * max(abs(v.x), abs(v.y)))));
+}
+#elif defined(HAS_NORMAL_MAP)
 // A texel that is no direction out of the surface (zero, NaN, z <= 0) leaves it unperturbed. Infinite
 // ones do not get here: texture_upload.cpp.
 vec3 normal_of_texel(vec3 texel) {
@@ -138,7 +153,17 @@ Shading shading_at(Surface s) {
     m.grooves_along_x = GROOVES_ALONG_X;
 #endif
     m.n = vec3(0.0, 0.0, 1.0);
-#ifdef HAS_NORMAL_MAP
+#if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
+    vec4 slopes = MAP_AT(u_normal_map, 2);
+    m.n = normal_of_slopes(slopes.xy);
+    vec2 variance = variance_about(m.n, slopes.zw);
+#ifdef TURNED
+    // Along the stretch and across it; of slopes that vary together nothing is kept.
+    vec2 along = m.direction * m.direction;
+    variance = vec2(dot(variance, along), dot(variance, along.yx));
+#endif
+    m.lobe = widen_lobe(m.lobe, variance.x, variance.y);
+#elif defined(HAS_NORMAL_MAP)
     m.n = normal_of_texel(MAP_AT(u_normal_map, 2).rgb);
 #endif
     return m;

@@ -32,6 +32,7 @@ std::vector<SurfaceVariant> variants() {
         SurfaceVariant v;
         v.method = static_cast<Method>(method);
         v.normal_map = true;
+        v.normal_moments = method % 2 == 1;
         v.conserve = method % 2 == 0;
         v.lights = 1;
         v.image_light = 1;
@@ -64,6 +65,12 @@ std::vector<SurfaceVariant> variants() {
     }
     SurfaceVariant v = with_everything();
     list.push_back(v);
+    for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
+        v.mdf = static_cast<Mdf>(mdf);
+        v.normal_moments = true;
+        list.push_back(v);
+    }
+    v.normal_moments = false;
     v.uv_per_texture = v.vertex_color = v.normal_map_xy = true;
     v.alpha_mode = AlphaMode::mask;
     list.push_back(v);

@@ -68,9 +68,10 @@ void set_textures(Program& program, const Material& material, TextureStore& text
         s[i] = row(uses[i]->transform, 0);
         t[i] = row(uses[i]->transform, 1);
         set[i] = static_cast<float>(uses[i]->texcoord);
-        lod[i] = textures.log2_side(*uses[i]) + lod_bias;
+        const bool slopes = uses[i] == &material.normal_texture && wants_slopes(material);
+        lod[i] = textures.log2_side(*uses[i], slopes) + lod_bias;
         const GLuint unit = kMaterialUnits + static_cast<GLuint>(i);
-        textures.bind(unit, *uses[i]);
+        textures.bind(unit, *uses[i], slopes);
         program.set(kSamplers[i], static_cast<int>(unit));
     }
     program.set("u_uv_s", std::span<const glm::vec3>(s));
@@ -108,7 +109,8 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     v.base_color_map = static_cast<bool>(m.base_color_texture);
     v.metallic_roughness_map = static_cast<bool>(m.metallic_roughness_texture);
     v.normal_map = with_normal_map && m.normal_texture;
-    v.normal_map_xy = v.normal_map && textures.channels(m.normal_texture) == 2;
+    v.normal_moments = v.normal_map && wants_slopes(m);
+    v.normal_map_xy = v.normal_map && !v.normal_moments && textures.channels(m.normal_texture) == 2;
     v.occlusion_map = static_cast<bool>(m.occlusion_texture);
     v.emissive_map = static_cast<bool>(m.emissive_texture);
     v.anisotropy_map = static_cast<bool>(m.anisotropy_texture);

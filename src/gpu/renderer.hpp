@@ -83,7 +83,8 @@ class Renderer {
     // Every value is finite and in [0, 65504].
     Image render(const Camera& camera, const RenderOptions& options, const Progress& progress = {});
 
-    // Materials may be changed between renders (method, mdf, brdf and factors, not textures).
+    // Materials may be changed between renders (method, mdf, brdf and factors, not textures
+    // nor how a normal map is filtered).
     void set_materials(const std::vector<Material>& materials);
 
     // For benchmarks: draws `frames` frames into the float target with no read-back, one sample

@@ -33,6 +33,7 @@ std::string SurfaceVariant::defines() const {
         {metallic_roughness_map, "HAS_METALLIC_ROUGHNESS_MAP"},
         {normal_map, "HAS_NORMAL_MAP"},
         {normal_map_xy, "NORMAL_MAP_XY"},
+        {normal_moments, "NORMAL_MOMENTS"},
         {occlusion_map, "HAS_OCCLUSION_MAP"},
         {emissive_map, "HAS_EMISSIVE_MAP"},
         {anisotropy_map, "HAS_ANISOTROPY_MAP"},

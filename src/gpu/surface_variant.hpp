@@ -21,7 +21,8 @@ struct SurfaceVariant {
     bool base_color_map = false;
     bool metallic_roughness_map = false;
     bool normal_map = false;
-    bool normal_map_xy = false;  // two channels: z is what is left of 1
+    bool normal_map_xy = false;   // two channels: z is what is left of 1
+    bool normal_moments = false;  // the normal map holds slopes and their variances
     bool occlusion_map = false;
     bool emissive_map = false;
     bool anisotropy_map = false;

@@ -11,6 +11,7 @@
 #include "burnish/error.hpp"
 #include "core/image_io.hpp"
 #include "gpu/texture_units.hpp"
+#include "maps/slope_mips.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -168,6 +169,27 @@ GlTexture upload(const Texture& texture, const Pixels& pixels) {
     return made;
 }
 
+// Half floats hold the slopes of 8-bit maps, whose step is 1/127, with room to spare; finer maps
+// keep floats where the device filters them.
+GlTexture upload_slopes(const Texture& texture, bool es) {
+    const bool half = es || texture.type == TexelType::u8;
+    GlTexture made;
+    glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+    glBindTexture(GL_TEXTURE_2D, made.get());
+    GLint level = 0;
+    for (const SlopeLevel& slopes : slope_mips(texture)) {
+        glTexImage2D(GL_TEXTURE_2D, level++, half ? GL_RGBA16F : GL_RGBA32F, slopes.width,
+                     slopes.height, 0, GL_RGBA, GL_FLOAT, slopes.texels.data());
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    check_gl(("uploading " + texture.name).c_str());
+    return made;
+}
+
+float log2_longer_side(const Texture& texture) {
+    return std::log2(static_cast<float>(std::max(texture.width, texture.height)));
+}
+
 GLint wrap_of(Wrap wrap) {
     return wrap == Wrap::repeat   ? GL_REPEAT
            : wrap == Wrap::mirror ? GL_MIRRORED_REPEAT
@@ -176,6 +198,10 @@ GLint wrap_of(Wrap wrap) {
 
 }  // namespace
 
+bool wants_slopes(const Material& material) {
+    return material.normal_texture && material.normal_filter == NormalFilter::moments;
+}
+
 TextureStore::TextureStore(const Context& context, const Scene& scene) {
     // The software renderer pays for every probe of an anisotropic fetch; jittered samples do the
     // same work there for nothing.
@@ -183,21 +209,31 @@ TextureStore::TextureStore(const Context& context, const Scene& scene) {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy_);
         anisotropy_ = std::clamp(anisotropy_, 1.0f, 8.0f);
     }
-    const auto require = [&](const TextureUse& use, TexelRepair repair) {
-        if (!use || textures_.contains(use.texture)) return;
+    const auto checked = [&](const TextureUse& use) -> const Texture& {
         if (static_cast<std::size_t>(use.texture) >= scene.textures.size()) {
             throw Error("material", "texture", "one of " + std::to_string(scene.textures.size()),
                         "number " + std::to_string(use.texture));
         }
         const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
         require_sound(texture, context.max_texture_size());
-        const int longer = std::max(texture.width, texture.height);
+        return texture;
+    };
+    const auto require = [&](const TextureUse& use, TexelRepair repair) {
+        if (!use || textures_.contains(use.texture)) return;
+        const Texture& texture = checked(use);
         const Pixels pixels = pixels_of(texture, context.is_es(), repair);
         textures_.emplace(use.texture, Uploaded{upload(texture, pixels), texture.channels,
-                                                std::log2(static_cast<float>(longer))});
+                                                log2_longer_side(texture)});
     };
     for (const Material& m : scene.materials) {
-        require(m.normal_texture, TexelRepair::flat_normal);
+        const TextureUse& use = m.normal_texture;
+        if (!wants_slopes(m)) {
+            require(use, TexelRepair::flat_normal);
+        } else if (!slopes_.contains(use.texture)) {
+            const Texture& texture = checked(use);
+            slopes_.emplace(use.texture, Uploaded{upload_slopes(texture, context.is_es()),
+                                                  texture.channels, log2_longer_side(texture)});
+        }
     }
     for (const Material& m : scene.materials) {
         for (const TextureUse* use :
@@ -223,18 +259,26 @@ GLuint TextureStore::sampler_for(const TextureUse& use) {
     return sampler;
 }
 
-void TextureStore::bind(GLuint unit, const TextureUse& use) {
+const TextureStore::Uploaded& TextureStore::uploaded(const TextureUse& use, bool slopes) const {
+    const auto& all = slopes ? slopes_ : textures_;
+    const auto found = all.find(use.texture);
+    if (found != all.end()) return found->second;
+    throw Error("material", slopes ? "normal_filter" : "texture",
+                "as it was when the scene was uploaded", "another");
+}
+
+void TextureStore::bind(GLuint unit, const TextureUse& use, bool slopes) {
     glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, textures_.at(use.texture).texture.get());
+    glBindTexture(GL_TEXTURE_2D, uploaded(use, slopes).texture.get());
     glBindSampler(unit, sampler_for(use));
 }
 
 int TextureStore::channels(const TextureUse& use) const {
-    return textures_.at(use.texture).channels;
+    return uploaded(use, false).channels;
 }
 
-float TextureStore::log2_side(const TextureUse& use) const {
-    return textures_.at(use.texture).log2_side;
+float TextureStore::log2_side(const TextureUse& use, bool slopes) const {
+    return uploaded(use, slopes).log2_side;
 }
 
 }  // namespace burnish::gpu

@@ -134,6 +134,8 @@ void apply_normal_map(const Scene& scene, Material& material, const ParameterVal
     }
     if (values.is_set("normal_scale")) material.normal_scale = real_of(values, "normal_scale");
     if (values.is_set("flip_green")) material.flip_green = values.boolean("flip_green");
+    if (values.is_set("normal_filter"))
+        material.normal_filter = static_cast<NormalFilter>(values.choice("normal_filter"));
     if (values.is_set("uv_scale")) {
         const float s = real_of(values, "uv_scale");
         const glm::mat3 scale(s, 0.0f, 0.0f, 0.0f, s, 0.0f, 0.0f, 0.0f, 1.0f);

@@ -16,6 +16,7 @@ constexpr std::array<std::string_view, 8> kMetals = {"none",      "gold",  "silv
                                                      "aluminium", "steel", "brass",  "titanium"};
 constexpr std::array<std::string_view, 4> kImageLights = {"off", "importance", "bent-normal",
                                                           "prefiltered"};
+constexpr std::array<std::string_view, 2> kNormalFilters = {"mips", "moments"};
 constexpr std::array<std::string_view, 2> kScratchDirections = {"keep", "follow"};
 constexpr std::array<std::string_view, 3> kBackgrounds = {"environment", "color", "transparent"};
 
@@ -89,6 +90,9 @@ void add_material(Table& t) {
     t.text("normal_map", "normal map: a picture, builtin:bumps, or none");
     t.real("normal_scale", 0, 16, "", "", "strength of the normal map (1 as stored)");
     t.boolean("flip_green", "", "the normal map has +y down (DirectX)");
+    t.choice("normal_filter", kNormalFilters, "moments",
+             "normal maps from afar: moments widens the lobe by the bumps too small to see, mips "
+             "averages normals");
     t.text("scratch",
            "scratch map in place of a normal map: a folder made by burnish scratch, or brushed, "
            "fine-random, deep-gouges, circular-brushed, swirl-marks, tool-marks");

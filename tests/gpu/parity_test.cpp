@@ -69,6 +69,9 @@ void main() {
     shape.twist = vec2(0.8, 0.6);
     WeavePoint w = weave_point(cell, shape, a.w - 0.5, b.w - 0.5);
     o_values = vec4(w.n.xy, w.height, w.warp + 2.0 * w.cover + 4.0 * w.fibre.x);
+#elif defined(WIDENED)
+    Lobe wide = widen_lobe(lobe, a.w * b.w * 0.2, c.w * c.w * 0.2);
+    o_values = vec4(wide.p0, wide.p1, wide.paper_norm, wide.projected_norm);
 #elif defined(SAMPLE)
     float pdf;
     vec3 wi = brdf_sample(lobe, p, b.xyz, vec2(a.w, b.w), c.w, pdf);
@@ -276,6 +279,27 @@ TEST_F(Parity, WovenPointsAgree) {
         EXPECT_NEAR(device[i][1], w.n.y, 2e-6f) << i;
         EXPECT_NEAR(device[i][2], w.height, 2e-6f) << i;
         EXPECT_EQ(device[i][3], w.warp + 2 * w.cover + 4 * w.fibre.x) << i;
+    }
+}
+
+TEST_F(Parity, WidenedLobesAgree) {
+    for (int mdf = 0; mdf <= f32::kMdfGgx; ++mdf) {
+        const auto device =
+            on_device(mdf, f32::kBrdfMicrofacet, f32::kMethodNone, "WIDENED", {0.15f, 0.5f});
+        const f32::Lobe lobe = f32::lobe_from_alpha(mdf, 0.15f, 0.5f);
+        for (std::size_t i = 0; i < kCount; ++i) {
+            const float select = inputs.n[i][3];
+            const f32::Lobe wide = f32::widen_lobe(lobe, inputs.wi[i][3] * inputs.wo[i][3] * 0.2f,
+                                                   select * select * 0.2f);
+            const float wanted[] = {wide.p0, wide.p1, wide.paper_norm, wide.projected_norm};
+            // Exponents down to 3 are a difference with 2.
+            const float floor[] = {mdf == f32::kMdfAshikhminShirley ? 2.0f : 0.0f, 2.0f, 0.0f,
+                                   0.0f};
+            for (std::size_t k = 0; k < 4; ++k) {
+                EXPECT_NEAR(device[i][k], wanted[k], kBound * (wanted[k] + floor[k]))
+                    << name_of(static_cast<Mdf>(mdf)) << " " << i << " " << k;
+            }
+        }
     }
 }
 
