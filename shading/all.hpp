@@ -9,7 +9,6 @@
 #include "shading/mdf_beckmann.glsl"
 #include "shading/mdf_ggx.glsl"
 #include "shading/lobe.glsl"
-#include "shading/widen.glsl"
 #include "shading/smith.glsl"
 #include "shading/fresnel.glsl"
 #include "shading/brdf_ashikhmin_shirley.glsl"

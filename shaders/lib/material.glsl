@@ -162,7 +162,9 @@ Shading shading_at(Surface s) {
     vec2 along = m.direction * m.direction;
     variance = vec2(dot(variance, along), dot(variance, along.yx));
 #endif
-    m.lobe = widen_lobe(m.lobe, variance.x, variance.y);
+    // normal-map leaves the lobe at the geometric normal: it does not move with n~, which shows in n~.h
+    // alone, and is not widened by it.
+    if (METHOD != kMethodNormalMap) { m.lobe = widen_lobe(m.lobe, variance.x, variance.y); }
 #elif defined(HAS_NORMAL_MAP)
     m.n = normal_of_texel(MAP_AT(u_normal_map, 2).rgb);
 #endif

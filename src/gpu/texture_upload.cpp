@@ -263,8 +263,8 @@ const TextureStore::Uploaded& TextureStore::uploaded(const TextureUse& use, bool
     const auto& all = slopes ? slopes_ : textures_;
     const auto found = all.find(use.texture);
     if (found != all.end()) return found->second;
-    throw Error("material", slopes ? "normal_filter" : "texture",
-                "as it was when the scene was uploaded", "another");
+    throw Error("material", "normal_filter", "the one it was uploaded with",
+                slopes ? "moments" : "mips");
 }
 
 void TextureStore::bind(GLuint unit, const TextureUse& use, bool slopes) {

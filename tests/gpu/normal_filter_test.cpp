@@ -1,0 +1,170 @@
+// Bumps from afar against the truth: the same picture drawn so large that no bump is lost, box
+// filtered.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "gpu_fixture.hpp"
+#include "maps/bumps.hpp"
+#include "test_scene.hpp"
+
+namespace burnish::test {
+namespace {
+
+constexpr int kTexels = 512;
+constexpr int kTrueSide = 2048;  // 4 samples: a pixel is half a texel of the map and less
+
+Image reduced(const Image& image, int factor) {
+    Image small(image.width / factor, image.height / factor, 1);
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x) {
+            double sum = 0;
+            for (int i = 0; i < factor * factor; ++i)
+                sum += static_cast<double>(
+                    image.at(x * factor + i % factor, y * factor + i / factor)[1]);
+            *small.at(x, y) = static_cast<float>(sum / factor / factor);
+        }
+    }
+    return small;
+}
+
+double mean(const Image& image) {
+    double sum = 0;
+    for (const float v : image.pixels) sum += static_cast<double>(v);
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+// What the brightest twentieth of the picture holds: its highlights, wherever they are.
+double highlights(const Image& image) {
+    std::vector<float> sorted = image.pixels;
+    std::sort(sorted.begin(), sorted.end(), std::greater<>());
+    sorted.resize(sorted.size() / 20);
+    double sum = 0;
+    for (const float v : sorted) sum += static_cast<double>(v);
+    return sum;
+}
+
+double distance(const Image& a, const Image& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const double d = static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]);
+        sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(a.pixels.size()));
+}
+
+class NormalFilterTest : public GpuTest {
+  protected:
+    // A metal sphere with 32 bumps around it, 1,024 on it.
+    Scene bumpy_sphere(Mdf mdf, glm::vec2 alpha, Method method, NormalFilter filter) {
+        const Image normals = bump_normal_map(kTexels);
+        std::vector<glm::vec3> texels;
+        for (std::size_t i = 0; i < normals.pixels.size(); i += 3)
+            texels.emplace_back(normals.pixels[i], normals.pixels[i + 1], normals.pixels[i + 2]);
+        Material m;
+        m.normal_texture.texture = 0;
+        m.normal_texture.transform = glm::mat3(4, 0, 0, 0, 2, 0, 0, 0, 1);
+        m.mdf = mdf;
+        m.alpha = alpha;
+        m.method = method;
+        m.normal_filter = filter;
+        Scene scene = one_object(uv_sphere(256, 128), m);
+        scene.textures.push_back(float_texture(kTexels, kTexels, texels));
+        scene.lights.push_back(directional({0.3f, 0.4f, 1.0f}));
+        return scene;
+    }
+
+    Image draw(const Scene& scene, int side, int samples) {
+        gpu::Renderer renderer(*context, scene, nullptr);
+        return renderer.render(camera_on_z(4.0f, 1.1f), small_picture(side, side, samples));
+    }
+};
+
+struct Surface {
+    Mdf mdf;
+    glm::vec2 alpha;
+    Method method;
+};
+
+// One sample a pixel, as when a model is turned. Lower bounds: trilinear look-ups blur over more
+// than a pixel, and most near the limb.
+TEST_F(NormalFilterTest, HighlightsAreNotBrighterThanTheTruth) {
+    const Surface surfaces[] = {{Mdf::ggx, {0.1f, 0.4f}, Method::follow_grain},
+                                {Mdf::beckmann, {0.1f, 0.4f}, Method::follow_grain},
+                                {Mdf::ashikhmin_shirley, {0.3f, 0.3f}, Method::gram_schmidt},
+                                {Mdf::ward, {0.3f, 0.3f}, Method::deform_linear}};
+    for (const Surface& s : surfaces) {
+        const Scene filtered = bumpy_sphere(s.mdf, s.alpha, s.method, NormalFilter::moments);
+        const Scene plain = bumpy_sphere(s.mdf, s.alpha, s.method, NormalFilter::mips);
+        const Image large = draw(plain, kTrueSide, 4);
+        double brightest_plain = 0;
+        for (const int side : {512, 128, 64, 32}) {
+            const Image truth = reduced(large, kTrueSide / side);
+            const Image with = reduced(draw(filtered, side, 1), 1);
+            const Image without = reduced(draw(plain, side, 1), 1);
+            const double ratio = highlights(with) / highlights(truth);
+            const double plain_ratio = highlights(without) / highlights(truth);
+            brightest_plain = std::max(brightest_plain, plain_ratio);
+            const std::string what = std::string(name_of(s.mdf)) + " " + std::to_string(side);
+            if (std::getenv("BURNISH_PRINT_FILTER") != nullptr) {
+                std::printf(
+                    "%-24s highlights %.3f (mips %.3f) mean %.3f (%.3f) rms error %.3f (%.3f)\n",
+                    what.c_str(), ratio, plain_ratio, mean(with) / mean(truth),
+                    mean(without) / mean(truth), distance(with, truth) / mean(truth),
+                    distance(without, truth) / mean(truth));
+            }
+            EXPECT_LT(ratio, 1.01) << what;
+            EXPECT_GT(ratio, 0.75) << what;
+            EXPECT_NEAR(mean(with) / mean(truth), 1, 0.2) << what;
+            // A deformation moves the lobe's far side less than its peak: widening fits it less
+            // well.
+            const double better = is_deformation(s.method) ? 1.0 : 0.85;
+            if (side < 512) {
+                EXPECT_LT(distance(with, truth), better * distance(without, truth)) << what;
+            }
+        }
+        // Without it bumps of the size of a pixel sparkle.
+        EXPECT_GT(brightest_plain, 1.1) << name_of(s.mdf);
+    }
+}
+
+// A still: finer mips and 16 samples.
+TEST_F(NormalFilterTest, StillsConvergeToTheTruth) {
+    const Scene scene =
+        bumpy_sphere(Mdf::ggx, {0.1f, 0.4f}, Method::follow_grain, NormalFilter::moments);
+    const Image truth = reduced(draw(scene, kTrueSide, 4), kTrueSide / 64);
+    const Image still = reduced(draw(scene, 64, 16), 1);
+    EXPECT_NEAR(mean(still) / mean(truth), 1, 0.03);
+    EXPECT_LT(highlights(still) / highlights(truth), 1.0);
+    EXPECT_GT(highlights(still) / highlights(truth), 0.88);
+}
+
+// Up close there is no variance: both read the same normals, interpolated as slopes or as vectors.
+TEST_F(NormalFilterTest, UpCloseBothAreOnePicture) {
+    const Image a = reduced(
+        draw(bumpy_sphere(Mdf::ggx, {0.2f, 0.4f}, Method::follow_grain, NormalFilter::moments),
+             1536, 1),
+        1);
+    const Image b =
+        reduced(draw(bumpy_sphere(Mdf::ggx, {0.2f, 0.4f}, Method::follow_grain, NormalFilter::mips),
+                     1536, 1),
+                1);
+    EXPECT_LT(distance(a, b), 0.03 * mean(b));
+}
+
+TEST_F(NormalFilterTest, ChangingTheFilterAfterUploadIsAnError) {
+    Scene scene = bumpy_sphere(Mdf::ggx, {0.2f, 0.4f}, Method::follow_grain, NormalFilter::moments);
+    gpu::Renderer renderer(*context, scene, nullptr);
+    scene.materials[0].normal_filter = NormalFilter::mips;
+    renderer.set_materials(scene.materials);
+    try {
+        renderer.render(camera_on_z(), small_picture());
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("normal_filter"), std::string::npos)
+            << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace burnish::test
