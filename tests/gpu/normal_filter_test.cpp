@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu_fixture.hpp"
 #include "maps/bumps.hpp"
@@ -150,6 +151,40 @@ TEST_F(NormalFilterTest, UpCloseBothAreOnePicture) {
                      1536, 1),
                 1);
     EXPECT_LT(distance(a, b), 0.03 * mean(b));
+}
+
+// A turntable of 1 degree a frame: what a pixel jumps, the second difference of three frames.
+TEST_F(NormalFilterTest, ATurntableFlickersAsTheTruthDoes) {
+    constexpr std::size_t kFrames = 9;
+    constexpr int kSide = 96;
+    const auto flicker_of = [&](NormalFilter filter, int side) {
+        Scene scene = bumpy_sphere(Mdf::ggx, {0.1f, 0.4f}, Method::follow_grain, filter);
+        std::vector<Image> frames;
+        for (std::size_t i = 0; i < kFrames; ++i) {
+            const float angle = glm::radians(static_cast<float>(i));
+            scene.instances[0].transform =
+                glm::rotate(glm::mat4(1.0f), angle, glm::vec3(0.0f, 1.0f, 0.0f));
+            frames.push_back(reduced(draw(scene, side, 1), side / kSide));
+        }
+        double sum = 0, level = 0;
+        for (std::size_t i = 1; i + 1 < kFrames; ++i) {
+            level += mean(frames[i]) / (kFrames - 2);
+            for (std::size_t p = 0; p < frames[i].pixels.size(); ++p) {
+                const double d = static_cast<double>(frames[i - 1].pixels[p]) -
+                                 2 * static_cast<double>(frames[i].pixels[p]) +
+                                 static_cast<double>(frames[i + 1].pixels[p]);
+                sum += d * d / (static_cast<double>(frames[i].pixels.size()) * (kFrames - 2));
+            }
+        }
+        return std::sqrt(sum) / level;
+    };
+    const double truth = flicker_of(NormalFilter::mips, 16 * kSide);
+    const double plain = flicker_of(NormalFilter::mips, kSide);
+    const double filtered = flicker_of(NormalFilter::moments, kSide);
+    if (std::getenv("BURNISH_PRINT_FILTER") != nullptr)
+        std::printf("flicker: truth %.3f, mips %.3f, moments %.3f\n", truth, plain, filtered);
+    EXPECT_LT(filtered, 1.1 * truth);
+    EXPECT_GT(plain, 1.5 * truth);
 }
 
 TEST_F(NormalFilterTest, ChangingTheFilterAfterUploadIsAnError) {
