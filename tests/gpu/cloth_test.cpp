@@ -2,8 +2,11 @@
 // pictures without the filter and 1,024 samples a pixel.
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "burnish/f64.hpp"
 #include "gpu_fixture.hpp"
@@ -124,6 +127,12 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
         const auto truth = mean_of(
             picture(image_light == gpu::ImageLight::off ? image_light : gpu::ImageLight::importance,
                     false, 1024));
+        if (std::getenv("BURNISH_PRINT_CLOTH") != nullptr) {
+            std::ostringstream view;
+            PrintTo(GetParam(), &view);
+            std::printf("%-32s over the truth %.3f %.3f %.3f\n", view.str().c_str(),
+                        seen[0] / truth[0], seen[1] / truth[1], seen[2] / truth[2]);
+        }
         for (std::size_t c = 0; c < 3; ++c)
             EXPECT_NEAR(seen[c] / truth[c], 1.0, tolerance) << "channel " << c;
     }
