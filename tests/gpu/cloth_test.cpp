@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "burnish/f64.hpp"
+#include "flicker.hpp"
 #include "gpu_fixture.hpp"
 #include "maps/draft.hpp"
 #include "test_scene.hpp"
@@ -157,6 +158,67 @@ INSTANTIATE_TEST_SUITE_P(Views, ClothFromAfar,
                                          View{"twill-2-2", 0.1, 0}, View{"twill-2-2", 1, 0},
                                          View{"twill-2-2", 10, 30}, View{"satin-5", 0.1, 0},
                                          View{"satin-5", 1, 40}, View{"satin-5", 10, 0}));
+
+// --- turning -----------------------------------------------------------------------------------
+
+// Flicker over the truth's.
+struct Turn {
+    double pixels;  // a yarn, in the middle of the picture
+    int truth_samples;
+    double least, most;  // of one sample a pixel
+    double most_of_four;
+    double least_of_points;
+};
+
+void PrintTo(const Turn& t, std::ostream* out) {
+    *out << t.pixels << " pixels a yarn";
+}
+
+class ClothTurning : public GpuTest, public testing::WithParamInterface<Turn> {
+  protected:
+    static constexpr int kSide = 96;
+
+    // A sphere of twill in one lamp's light, drawn `factor` times larger.
+    double flicker(bool filtered, int factor, int samples) {
+        Mesh sphere = uv_sphere(256, 128);
+        for (glm::vec2& uv : sphere.texcoord0) uv.x *= 2.0f;  // as many yarns a metre both ways
+        Material m = cloth_of("twill-2-2");
+        // A pixel is 2.2/96 of the radius, half the way around it pi.
+        m.cloth->yarns =
+            static_cast<float>(std::round(std::numbers::pi / (2.2 / kSide * GetParam().pixels)));
+        Scene scene = one_object(std::move(sphere), m);
+        scene.lights.push_back(directional({0.3f, 0.4f, 1.0f}));
+        return flicker_on_turntable(scene, [&](const Scene& s) {
+            gpu::RenderOptions o = small_picture(kSide * factor, kSide * factor, samples);
+            o.filter_cloth = filtered;
+            gpu::Renderer renderer(*context, s, nullptr);
+            return reduced(renderer.render(camera_on_z(4.0f, 1.1f), o), factor);
+        });
+    }
+};
+
+// Where yarns are seen, one sample is a point of them and their edges jump; four are smooth enough.
+// truth.
+TEST_P(ClothTurning, FlickersAsTheTruthDoes) {
+    const Turn& turn = GetParam();
+    // 4 of its pixels a yarn and more.
+    const double truth = flicker(false, 16, turn.truth_samples);
+    const double one = flicker(true, 1, 1), four = flicker(true, 1, 4),
+                 points = flicker(false, 1, 1);
+    if (std::getenv("BURNISH_PRINT_CLOTH") != nullptr)
+        std::printf(
+            "%g pixels a yarn: flicker %.3f, 4 samples %.3f, points alone %.3f, truth %.3f\n",
+            turn.pixels, one, four, points, truth);
+    EXPECT_GT(one, turn.least * truth);
+    EXPECT_LT(one, turn.most * truth);
+    EXPECT_LT(four, turn.most_of_four * truth);
+    EXPECT_GT(points, turn.least_of_points * truth);
+}
+
+INSTANTIATE_TEST_SUITE_P(Distances, ClothTurning,
+                         testing::Values(Turn{6, 1, 0.9, 2.0, 1.05, 1.5},
+                                         Turn{1, 1, 0.5, 1.0, 1.0, 2},
+                                         Turn{0.25, 4, 0.3, 1.0, 2.5, 15}));
 
 }  // namespace
 }  // namespace burnish::test

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <glm/gtc/matrix_transform.hpp>
 
+#include "flicker.hpp"
 #include "gpu_fixture.hpp"
 #include "maps/bumps.hpp"
 #include "test_scene.hpp"
@@ -14,26 +14,6 @@ namespace {
 
 constexpr int kTexels = 512;
 constexpr int kTrueSide = 2048;  // 4 samples: a pixel is half a texel of the map and less
-
-Image reduced(const Image& image, int factor) {
-    Image small(image.width / factor, image.height / factor, 1);
-    for (int y = 0; y < small.height; ++y) {
-        for (int x = 0; x < small.width; ++x) {
-            double sum = 0;
-            for (int i = 0; i < factor * factor; ++i)
-                sum += static_cast<double>(
-                    image.at(x * factor + i % factor, y * factor + i / factor)[1]);
-            *small.at(x, y) = static_cast<float>(sum / factor / factor);
-        }
-    }
-    return small;
-}
-
-double mean(const Image& image) {
-    double sum = 0;
-    for (const float v : image.pixels) sum += static_cast<double>(v);
-    return sum / static_cast<double>(image.pixels.size());
-}
 
 // What the brightest twentieth of the picture holds: its highlights, wherever they are.
 double highlights(const Image& image) {
@@ -155,28 +135,11 @@ TEST_F(NormalFilterTest, UpCloseBothAreOnePicture) {
 
 // A turntable of 1 degree a frame: what a pixel jumps, the second difference of three frames.
 TEST_F(NormalFilterTest, ATurntableFlickersAsTheTruthDoes) {
-    constexpr std::size_t kFrames = 9;
     constexpr int kSide = 96;
     const auto flicker_of = [&](NormalFilter filter, int side) {
         Scene scene = bumpy_sphere(Mdf::ggx, {0.1f, 0.4f}, Method::follow_grain, filter);
-        std::vector<Image> frames;
-        for (std::size_t i = 0; i < kFrames; ++i) {
-            const float angle = glm::radians(static_cast<float>(i));
-            scene.instances[0].transform =
-                glm::rotate(glm::mat4(1.0f), angle, glm::vec3(0.0f, 1.0f, 0.0f));
-            frames.push_back(reduced(draw(scene, side, 1), side / kSide));
-        }
-        double sum = 0, level = 0;
-        for (std::size_t i = 1; i + 1 < kFrames; ++i) {
-            level += mean(frames[i]) / (kFrames - 2);
-            for (std::size_t p = 0; p < frames[i].pixels.size(); ++p) {
-                const double d = static_cast<double>(frames[i - 1].pixels[p]) -
-                                 2 * static_cast<double>(frames[i].pixels[p]) +
-                                 static_cast<double>(frames[i + 1].pixels[p]);
-                sum += d * d / (static_cast<double>(frames[i].pixels.size()) * (kFrames - 2));
-            }
-        }
-        return std::sqrt(sum) / level;
+        return flicker_on_turntable(
+            scene, [&](const Scene& s) { return reduced(draw(s, side, 1), side / kSide); });
     };
     const double truth = flicker_of(NormalFilter::mips, 16 * kSide);
     const double plain = flicker_of(NormalFilter::mips, kSide);
