@@ -1,5 +1,5 @@
 // `make bench`: measures the budgets and writes them beside what was reached.
-// Usage: burnish_bench OUT.md [frames|image-light|loading|first-picture|scratches|weaves|
+// Usage: burnish_bench OUT.md [frames|cloth|image-light|loading|first-picture|scratches|weaves|
 // distributions ...]
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +18,7 @@ using burnish::bench::Report;
 
 constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
     {"frames", burnish::bench::measure_frames},
+    {"cloth", burnish::bench::measure_cloth},
     {"image-light", burnish::bench::measure_image_light},
     {"loading", burnish::bench::measure_loading},
     {"first-picture", burnish::bench::measure_first_picture},
