@@ -153,12 +153,12 @@ vec3 cloth_image_specular(Surface s, ClothFamily f) {
 
 #if IMAGE_LIGHT == 1
 // Each sample at a point of its own within the pixel: cells, normals and colours as they are there.
-vec3 cloth_image_specular(Surface s, Shading cloth, Axes axes, ClothPlace place) {
+vec3 cloth_image_specular(Surface s, Shading cloth, Axes axes, ClothPlace place, int samples) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     Rotation other = rotation_of_pixel(s.pixel, u_seed + 1u);
     float reach = exp2(place.size);
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < u_image_samples; ++i) {
+    for (int i = 0; i < samples; ++i) {
         uint index = u_frame * uint(u_image_samples) + uint(i);
         // Multiples of sqrt(2) and sqrt(3): uneven with those that choose the direction.
         vec2 shift = vec2(unit_of(index * 1779033703u + other.x), unit_of(index * 3144134277u + other.y));
@@ -172,13 +172,16 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Axes axes, ClothPlace place)
 }
 #endif
 
-vec3 cloth_from_afar(Surface s, Shading m, Axes a, ClothPlace place) {
+// Black where it is not `seen`. Compilers do not write out a loop whose length they do not know: on software
+// renderers, which run a loop of no turns once and throw the result away, that is half of the work.
+vec3 cloth_from_afar(Surface s, Shading m, Axes a, ClothPlace place, bool seen) {
+    int families = seen ? 2 : 0;
     vec2 uv = place.at / vec2(textureSize(u_weave_cells, 0));
     float lod = max(place.size, 0.0);
     vec4 weft = textureLod(u_weave_weft, uv, lod);
     vec4 warp = textureLod(u_weave_warp, uv, lod);
     vec3 sum = vec3(0.0);
-    for (int family = 0; family < 2; ++family) {
+    for (int family = 0; family < families; ++family) {
         ClothFamily f = cloth_family(family, family == 0 ? weft : warp, m, a, s.to_eye);
 #if LIGHTS > 0
         sum += cloth_lit_by_lights(s, f, a.z);
@@ -191,7 +194,8 @@ vec3 cloth_from_afar(Surface s, Shading m, Axes a, ClothPlace place) {
 #endif
     }
 #if IMAGE_LIGHT == 1
-    sum += cloth_image_specular(s, m, a, place) * specular_open(s, m, dot(a.z, s.to_eye));
+    int samples = seen ? u_image_samples : 0;
+    sum += cloth_image_specular(s, m, a, place, samples) * specular_open(s, m, dot(a.z, s.to_eye));
 #endif
     return sum;
 }

@@ -113,7 +113,7 @@ vec3 reflected(Surface s, Shading m, Axes a) {
 #ifdef CLOTH
 #include "shaders/lib/cloth_mean.glsl"
 
-// The point at the pixel's middle, the mean over its cells, or between the two a mixture. Loops that run
+// The point at the pixel's middle, the mean over its cells, or between the two a mixture. A loop that runs
 // once or not at all: software renderers leave a loop, but go through both sides of an `if`.
 vec3 reflected_by_cloth(Surface s, Shading m, Axes a) {
     ClothPlace place = cloth_place(s);
@@ -124,9 +124,7 @@ vec3 reflected_by_cloth(Surface s, Shading m, Axes a) {
         float cover = put_yarn(yarn, place.at);
         radiance += reflected(s, yarn, a) * (cover * (1.0 - mean));
     }
-    for (int i = mean > 0.0 ? 0 : 1; i < 1; ++i) {
-        radiance += cloth_from_afar(s, m, a, place) * mean;
-    }
+    radiance += cloth_from_afar(s, m, a, place, mean > 0.0) * mean;
     return radiance;
 }
 #endif
