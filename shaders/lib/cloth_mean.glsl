@@ -172,8 +172,8 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Axes axes, ClothPlace place,
 }
 #endif
 
-// Black where it is not `seen`. Compilers do not write out a loop whose length they do not know: on software
-// renderers, which run a loop of no turns once and throw the result away, that is half of the work.
+// Black where it is not `seen`. A loop whose length is not known beforehand is not written out, and costs
+// software renderers less, most of all where nothing is seen.
 vec3 cloth_from_afar(Surface s, Shading m, Axes a, ClothPlace place, bool seen) {
     int families = seen ? 2 : 0;
     vec2 uv = place.at / vec2(textureSize(u_weave_cells, 0));
