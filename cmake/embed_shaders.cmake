@@ -6,8 +6,10 @@
 if(NOT CMAKE_SCRIPT_MODE_FILE)
     set(BURNISH_STAGES
         accumulate.frag background.frag fullscreen.vert gbuffer.frag gouraud.frag gouraud.vert
+        ground.frag ground.vert ground_add.frag
         prefilter.frag resolve.frag shadow.frag surface.frag surface.vert
-        lib/cloth.glsl lib/cloth_mean.glsl lib/environment.glsl lib/image_light.glsl lib/lights.glsl lib/material.glsl
+        lib/cloth.glsl lib/cloth_mean.glsl lib/environment.glsl lib/ground.glsl lib/image_light.glsl lib/lights.glsl
+        lib/material.glsl
         lib/output.glsl lib/pack.glsl lib/prefiltered_light.glsl lib/random.glsl lib/shade.glsl lib/specular.glsl lib/surface.glsl)
     set(BURNISH_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 

@@ -94,6 +94,7 @@ gpu::RenderOptions render_options(const ParameterValues& values) {
     options.image_light = static_cast<gpu::ImageLight>(values.choice("image_light"));
     options.image_light_samples = values.integer("image_light_samples");
     options.shadows = values.boolean("shadows");
+    options.ground = values.boolean("ground");
     options.environment_intensity = static_cast<float>(values.real("environment_intensity"));
     options.environment_rotation =
         static_cast<float>(glm::radians(values.real("environment_rotation")));

@@ -112,6 +112,10 @@ void write_all(Writer& writer) {
                                   "gouraud.frag", "prefilter.frag", "shadow.frag"}) {
             writer.write(dialect, "", stage);
         }
+        for (const char* stage : {"ground.vert", "ground.frag", "ground_add.frag"}) {
+            writer.write(dialect, "#define LIGHTS 0\n#define POSITION\n", stage);
+            writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", stage);
+        }
         writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");
         writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
         writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", "gouraud.vert");

@@ -44,6 +44,13 @@ LightUniforms::LightUniforms(const std::vector<Light>& lights) {
     }
 }
 
+glm::vec3 LightUniforms::irradiance(int light, const glm::vec3& position) const {
+    const auto i = static_cast<std::size_t>(light);
+    const glm::vec3 away = glm::vec3(place_[i]) - place_[i].w * position;
+    // 1e-12 as in lights.glsl.
+    return glm::vec3(radiance_[i]) / std::max(glm::dot(away, away), 1e-12f);
+}
+
 void LightUniforms::set(Program& program) const {
     program.set("u_light_place", std::span<const glm::vec4>(place_));
     program.set("u_light_radiance", std::span<const glm::vec4>(radiance_));

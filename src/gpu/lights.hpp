@@ -17,6 +17,10 @@ class LightUniforms {
 
     int count() const { return static_cast<int>(place_.size()); }
     bool any_positional() const { return any_positional_; }
+    // Position and 1, or the direction towards a directional light and 0.
+    const glm::vec4& place(int light) const { return place_[static_cast<std::size_t>(light)]; }
+    // What it gives at most a surface there: without range and cone.
+    glm::vec3 irradiance(int light, const glm::vec3& position) const;
     void set(Program& program) const;
 
   private:

@@ -39,12 +39,20 @@ bool blended(const Material& m) {
     return m.alpha_mode == AlphaMode::blend;
 }
 
+std::size_t triangles_of(const Scene& scene, const std::vector<DrawItem>& items) {
+    std::size_t indices = 0;
+    for (const DrawItem& item : items)
+        indices += scene.meshes[static_cast<std::size_t>(item.mesh)].indices.size();
+    return indices / 3;
+}
+
 }  // namespace
 
 DeviceScene::DeviceScene(Context& context, const Scene& scene, const Environment* light)
     : materials(scene.materials),
       items(draw_items(scene)),
       bounds(gpu::bounds_of(items)),
+      ground(bounds, triangles_of(scene, items), light),
       textures(context, scene),
       lights(scene.lights),
       shadows(scene.lights, bounds) {
@@ -65,9 +73,8 @@ bool Painter::defers(const Frame& frame) const {
         return frame.options->surface_pass == SurfacePass::deferred;
     }
     std::size_t triangles = 0;
-    for (const DrawItem& item : scene_.items) {
+    for (const DrawItem& item : scene_.items)
         triangles += scene_.meshes[static_cast<std::size_t>(item.mesh)].triangles();
-    }
     const double pixels =
         static_cast<double>(frame.options->width) * static_cast<double>(frame.options->height);
     return static_cast<double>(triangles) * kPixelsPerTriangle > pixels;
@@ -142,19 +149,41 @@ bool Painter::needs_position(const Frame& frame) const {
 }
 
 // Masked surfaces cast the shadow of all their triangles, blended ones none.
-void Painter::draw_shadows(const Frame& frame) {
+void Painter::draw_casters(const glm::mat4& clip_from_world) {
     Program& program = programs_.get("surface.vert", "shadow.frag", "");
     program.use();
-    for (int map = 0; map < scene_.shadows.count(); ++map) {
-        program.set("u_clip_from_world", scene_.shadows.begin(map, frame.sample));
-        set_culling(false, false);
-        for (const DrawItem& item : scene_.items) {
-            if (blended(scene_.materials[static_cast<std::size_t>(item.material)])) continue;
-            program.set("u_world_from_local", item.world_from_local);
-            scene_.meshes[static_cast<std::size_t>(item.mesh)].draw();
-        }
+    program.set("u_clip_from_world", clip_from_world);
+    set_culling(false, false);
+    for (const DrawItem& item : scene_.items) {
+        if (blended(scene_.materials[static_cast<std::size_t>(item.material)])) continue;
+        program.set("u_world_from_local", item.world_from_local);
+        scene_.meshes[static_cast<std::size_t>(item.mesh)].draw();
     }
+}
+
+void Painter::draw_shadows(const Frame& frame) {
+    for (int map = 0; map < scene_.shadows.count(); ++map)
+        draw_casters(scene_.shadows.begin(map, frame.sample));
     scene_.shadows.end();
+}
+
+bool Painter::shows_ground(const Frame& frame) const {
+    return frame.options->ground && frame.variant != ShadingVariant::gouraud &&
+           scene_.ground.faces(frame.view.eye);
+}
+
+void Painter::draw_ground_shadow(const Frame& frame) {
+    const RenderOptions& o = *frame.options;
+    // An environment that is shown but lights nothing casts no shadow either.
+    const bool lit = o.image_light != ImageLight::off;
+    scene_.ground.require(programs_, empty_.get(), scene_.lights,
+                          {lit ? o.environment_intensity : 0.0f, o.environment_rotation},
+                          [&](const glm::mat4& clip) { draw_casters(clip); });
+}
+
+void Painter::paint_ground(const Frame& frame) {
+    scene_.ground.paint(programs_, empty_.get(), scene_.lights, frame.view.clip_from_world,
+                        frame.options->background == BackgroundKind::transparent);
 }
 
 void Painter::clear(const Frame& frame, Targets& targets) {
@@ -181,6 +210,7 @@ void Painter::paint(const Frame& frame, Targets& targets) {
         scene_.environment->require_lobes(programs_, empty_.get());
     }
     if (casts_shadows(frame)) draw_shadows(frame);
+    if (shows_ground(frame)) draw_ground_shadow(frame);
     clear(frame, targets);
     std::vector<std::size_t> forward(scene_.items.size());
     std::iota(forward.begin(), forward.end(), std::size_t{0});
@@ -195,6 +225,7 @@ void Painter::paint(const Frame& frame, Targets& targets) {
         }
     }
     if (shows_environment(frame)) paint_background(frame);
+    if (shows_ground(frame)) paint_ground(frame);
     if (!gouraud) paint_blended(frame);
 }
 

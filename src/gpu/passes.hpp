@@ -9,6 +9,7 @@
 #include "gpu/cloth_maps.hpp"
 #include "gpu/environment.hpp"
 #include "gpu/geometry.hpp"
+#include "gpu/ground.hpp"
 #include "gpu/lights.hpp"
 #include "gpu/material_state.hpp"
 #include "gpu/renderer.hpp"
@@ -26,6 +27,7 @@ struct DeviceScene {
     std::vector<MeshBuffers> meshes;
     std::vector<DrawItem> items;
     Bounds bounds;
+    Ground ground;
     TextureStore textures;
     LightUniforms lights;
     ShadowMaps shadows;
@@ -51,7 +53,11 @@ class Painter {
     void accumulate(Targets& targets);
 
   private:
+    void draw_casters(const glm::mat4& clip_from_world);
     void draw_shadows(const Frame& frame);
+    bool shows_ground(const Frame& frame) const;
+    void draw_ground_shadow(const Frame& frame);
+    void paint_ground(const Frame& frame);
     void clear(const Frame& frame, Targets& targets);
     // Items that were shaded once a pixel are left out of `forward`.
     void paint_deferred(const Frame& frame, Targets& targets, std::vector<std::size_t>& forward);

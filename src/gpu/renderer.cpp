@@ -72,8 +72,13 @@ struct Renderer::Impl {
         frame.options = &options;
         frame.tile = tile;
         frame.sample = sample;
-        frame.view = make_view(camera, scene.bounds, options.width, options.height, tile,
-                               pixel_offset(sample));
+        Bounds bounds = scene.bounds;
+        if (options.ground) {
+            const Bounds ground = scene.ground.bounds();
+            bounds = {glm::min(bounds.low, ground.low), glm::max(bounds.high, ground.high)};
+        }
+        frame.view =
+            make_view(camera, bounds, options.width, options.height, tile, pixel_offset(sample));
         return frame;
     }
 

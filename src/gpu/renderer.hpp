@@ -55,6 +55,7 @@ struct RenderOptions {
     glm::vec3 background_color{0.05f};  // linear; also when there is no environment
     float background_blur = 0.0f;       // 0..1
     bool shadows = false;               // of punctual lights; they are never darkened otherwise
+    bool ground = false;                // a shadow on the plane under the scene (ground.hpp)
     unsigned seed = 0;
     int tile_size = 0;  // pixels a side; 0: chosen, so that memory is bounded
     SurfacePass surface_pass = SurfacePass::automatic;

@@ -136,6 +136,7 @@ void add_render(Table& t) {
     t.integer("image_light_samples", 1, 1024, "16", "",
               "environment samples for each sample of a pixel");
     t.boolean("shadows", "true", "lights cast shadows");
+    t.boolean("ground", "false", "the model's shadow on the plane under it");
     t.real("exposure", -20, 20, "0", "EV", "brightness, in powers of two");
     t.choice("tone_map", tone_map_names(), "khronos-neutral",
              "how radiance becomes display colour");

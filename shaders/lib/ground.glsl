@@ -1,0 +1,20 @@
+// The square of the ground on which a shadow may be seen (src/gpu/ground.hpp).
+#include "shaders/lib/lights.glsl"
+
+uniform vec3 u_ground_center;
+uniform float u_ground_half;
+uniform float u_ground_scale;  // stored is irradiance times this
+
+// `place` in [-1, 1]^2: x along the world's, y along its z.
+vec3 ground_position(vec2 place) {
+    return u_ground_center + u_ground_half * vec3(place.x, 0.0, place.y);
+}
+
+#if LIGHTS > 0
+// What light i gives the ground where nothing is between; scaled, and within what is stored.
+vec3 ground_irradiance(int i, vec3 position) {
+    vec3 irradiance;
+    vec3 wi = light_direction(i, position, irradiance);
+    return min(irradiance * (max(wi.y, 0.0) * u_ground_scale), vec3(1000.0));
+}
+#endif
