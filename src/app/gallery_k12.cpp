@@ -111,9 +111,7 @@ std::optional<GalleryPage> k12_fig10(GalleryTools& tools) {
          {"weave_yarns", "40"},
          {"weave_twist", "0"},
          {"weave_fuzz", "0"},
-         {"metallic", "1"},
-         {"warp_color", "0.6,0.32,0.26"},
-         {"weft_color", "0.6,0.32,0.26"}},
+         {"metallic", "1"}},
         "builtin:studio",
         {}}.with(shirley_surface());
     const double side = 1.4 * kSide;

@@ -231,11 +231,9 @@ std::optional<GalleryPage> k12_fig3(GalleryTools&) {
     page.measured = {sentence("Ward", b)};
     page.verdict = b.worst_offset_deg > 20 ? Verdict::borne_out : Verdict::partly;
     page.remark =
-        "The caption's claim, that the lobe hardly moves, holds for the printed form, in which ñ "
-        "enters "
-        "only as 2/(1 + h·ñ). The print also lacks the squares of h_x/α_x and h_y/α_y. Drawn is "
-        "the "
-        "exact form with 1/(h·ñ)².";
+        "ñ enters Eq 3 only as 2/(1 + h·ñ), so the lobe hardly moves. The print lacks the squares "
+        "of "
+        "h_x/α_x and h_y/α_y; drawn is Eq 3 with them.";
     return page;
 }
 

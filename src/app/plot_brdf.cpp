@@ -104,9 +104,10 @@ class Defaults {
   private:
     // 1, or the ks of a power of a cosine whose albedo is 1 head-on.
     double scale(const BrdfModel& model) const {
-        for (const std::string_view exponent : {"n", "alpha"})
-            for (const std::string_view name : parameter_names(model))
-                if (name == exponent) return (of(model, name) + 2) / (2 * std::numbers::pi);
+        for (const ShapeParameter& p : model.parameters)
+            if (p.name == std::string_view("n") || p.name == std::string_view("alpha"))
+                // The exponent that is drawn: that of a narrow pair lies beyond the model's range.
+                return (std::clamp(of(model, p.name), p.low, p.high) + 2) / (2 * std::numbers::pi);
         return 1;
     }
 

@@ -28,7 +28,9 @@ std::shared_ptr<const Draft> draft_named(const std::string& name,
                                          std::vector<std::string>& warnings) {
     if (is_draft_name(name)) return std::make_shared<Draft>(builtin_draft(name));
     std::error_code error;
-    if (!std::filesystem::is_regular_file(name, error))
+    // With a dot or a folder it is meant to be a file.
+    const bool file = name.find_first_of("./\\") != std::string::npos;
+    if (!file && !std::filesystem::is_regular_file(name, error))
         throw UsageError("weave", "",
                          fmt::format("a .wif file, none, or {}", fmt::join(draft_names(), ", ")),
                          shown(name));
@@ -91,7 +93,7 @@ void apply_cloth(Scene& scene, std::size_t first, std::size_t count,
         const std::string name = values.text("weave");
         if (name != "none") draft = draft_named(name, scene.warnings);
     }
-    bool any = false;
+    bool any = false, colours_hidden = false;
     for (std::size_t i = first; i < first + count; ++i) {
         Material& material = scene.materials[i];
         if (values.is_set("weave") && !draft) material.cloth.reset();
@@ -105,7 +107,12 @@ void apply_cloth(Scene& scene, std::size_t first, std::size_t count,
         any = true;
         set_fibre_pair(material);
         set_numbers(*material.cloth, values);
+        if (material.conductor && (values.is_set("warp_color") || values.is_set("weft_color")))
+            colours_hidden = true;
     }
+    if (colours_hidden)
+        scene.warnings.push_back(
+            "warp_color, weft_color: a measured metal has its own colour: nothing changes");
     if (any) return;
     for (const std::string_view name : kNumbers)
         if (values.is_set(name))

@@ -168,8 +168,9 @@ void warn_of_missing_coordinates(Scene& scene, std::size_t first, std::size_t en
         if (material < first || material >= end) continue;
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         if (!mesh.texcoord0.empty()) continue;
+        const char* detail = scene.materials[material].cloth ? "weave" : "normal map";
         const std::string warning = "mesh " + shown(mesh.name) +
-                                    " has no texture coordinates: the normal map does not show";
+                                    " has no texture coordinates: the " + detail + " does not show";
         if (std::find(scene.warnings.begin(), scene.warnings.end(), warning) ==
             scene.warnings.end())
             scene.warnings.push_back(warning);

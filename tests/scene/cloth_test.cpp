@@ -88,6 +88,19 @@ TEST(ClothMaterial, WhatContradictsItselfIsRefused) {
     EXPECT_NE(unknown.find("twil-2-2"), std::string::npos);
     EXPECT_NE(unknown.find("twill-2-2"), std::string::npos);
     EXPECT_EQ(unknown.find('\n'), std::string::npos);
+    EXPECT_NE(refusal_of({{"weave", "missing.wif"}}).find("no such file"), std::string::npos);
+}
+
+TEST(ClothMaterial, ColoursThatAMetalHidesAreSaid) {
+    const auto says_so = [](const Scene& scene) {
+        for (const std::string& warning : scene.warnings)
+            if (warning.find("warp_color") != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_TRUE(
+        says_so(scene_with({{"weave", "plain"}, {"metal", "steel"}, {"warp_color", "1,0,0"}})));
+    EXPECT_FALSE(says_so(scene_with({{"weave", "plain"}, {"metal", "steel"}})));
+    EXPECT_FALSE(says_so(scene_with({{"weave", "plain"}, {"warp_color", "1,0,0"}})));
 }
 
 }  // namespace
