@@ -20,9 +20,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"maps", {"maps", "core", "shading"}},
     {"scene", {"scene", "maps", "core", "shading"}},
     {"gpu", {"gpu", "scene", "maps", "core", "shading"}},
+    {"capture", {"capture", "scene", "maps", "core", "shading"}},
     {"plot", {"plot", "scene", "maps", "core", "shading"}},
-    {"app", {"app", "plot", "gpu", "scene", "maps", "core", "shading"}},
-    {"cli", {"cli", "app", "plot", "gpu", "scene", "maps", "core", "shading"}},
+    {"app", {"app", "plot", "gpu", "capture", "scene", "maps", "core", "shading"}},
+    {"cli", {"cli", "app", "plot", "gpu", "capture", "scene", "maps", "core", "shading"}},
 };
 
 TEST(Layers, IncludesGoDownwardsOnly) {
