@@ -32,7 +32,7 @@ struct RigExposure {
 struct RigLight {
     std::vector<RigExposure> images;  // at least one after reading a stack; none in a relight rig
     RigPlace place;
-    Vec3d intensity{1.0, 1.0, 1.0};  // rgb
+    Vec3d intensity{1.0, 1.0, 1.0};  // rgb, positive
     // Near lights only: cos^exponent of the angle between the axis and the way to the sample.
     Vec3d emission_axis{0.0, 0.0, -1.0};  // unit, the way the light shines
     double emission_exponent = 0.0;       // 0: the same in all directions
@@ -57,11 +57,15 @@ struct Rig {
 struct RigOverrides {
     std::optional<RigResponse> response;
     std::optional<RigPlace> camera;
-    std::optional<double> width_mm;  // height follows from the pictures
+    // Height follows from the pictures; without them from the proportions of the file, else square.
+    std::optional<double> width_mm;
+    bool flip_y = false;  // the file's y points down the image: all of its y change sign
 };
 
 // `needs_images`: every light must name pictures that exist (a stack); else they may be left out (a
-// rig to render under). Throws Error naming file, place in it, expected and found.
+// rig to render under). A `.dome` names none: the pictures beside it are taken in the order of
+// their names. Throws Error naming file, place in it, expected and found. What was read holds: at
+// least one light, all directions unit, everything above the sample (z > 0), every number finite.
 Rig read_rig(const std::filesystem::path& path, bool needs_images,
              const RigOverrides& overrides = {});
 
@@ -69,6 +73,7 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images,
 bool is_rig_file(const std::filesystem::path& path);
 
 // Our JSON, file names relative to the folder that `path` is in; written whole or not at all.
+// Throws Error when the rig has no size, as one from an .lp file: set it first.
 void write_rig(const std::filesystem::path& path, const Rig& rig);
 
 // How the light of one rig entry arrives at a point of the sample.
@@ -79,7 +84,7 @@ struct Arrival {
 Arrival arrival(const RigLight& light, const Vec3d& point_mm);
 Vec3d direction_to(const RigPlace& place, const Vec3d& point_mm);  // unit
 
-// Centre of a pixel on the sample, z = 0.
+// Centre of a pixel on the sample, z = 0; the origin for all of them where the size is not known.
 Vec3d sample_point(const Rig& rig, int width, int height, int column, int row);
 
 }  // namespace burnish

@@ -207,9 +207,14 @@ double JsonPlace::number(double low, double high) const {
     return value;
 }
 
-glm::vec3 JsonPlace::triple(double low, double high) const {
+std::array<double, 3> JsonPlace::double_triple(double low, double high) const {
     if (!value_->is_array() || value_->size() != 3) fail("three numbers [x, y, z]");
-    return glm::vec3(at(0).number(low, high), at(1).number(low, high), at(2).number(low, high));
+    return {at(0).number(low, high), at(1).number(low, high), at(2).number(low, high)};
+}
+
+glm::vec3 JsonPlace::triple(double low, double high) const {
+    const std::array<double, 3> v = double_triple(low, high);
+    return glm::vec3(v[0], v[1], v[2]);
 }
 
 std::vector<std::string> JsonPlace::keys() const {

@@ -1,6 +1,7 @@
 // Reading JSON that a person wrote: errors say where, and what the format leaves open is refused.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -41,6 +42,7 @@ class JsonPlace {
     std::string text() const;
     double number(double low, double high) const;
     glm::vec3 triple(double low, double high) const;  // [x, y, z]
+    std::array<double, 3> double_triple(double low, double high) const;
 
     std::vector<std::string> keys() const;  // of an object
 
