@@ -48,6 +48,11 @@ constexpr std::array kStrangers = {
     Stranger{"glTF"sv, "a glTF binary"},
 };
 
+// Decoded bytes that a byte of a file can stand for, beyond a free allowance. Deflate reaches 1032;
+// wavelet codings of one constant colour reach tens of thousands; a bomb wants millions.
+constexpr std::uint64_t kMaxExpansion = std::uint64_t{1} << 17;
+constexpr std::uint64_t kFreeBytes = std::uint64_t{64} << 20;
+
 std::string_view as_text(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -109,6 +114,17 @@ void check_image_size(std::int64_t width, std::int64_t height, const std::string
     if (fits(width) && fits(height)) return;
     throw Error(name, "", fmt::format("an image of 1 to {} pixels a side", kMaxImageSide),
                 fmt::format("{} x {}", width, height));
+}
+
+void check_decoded_bytes(std::uint64_t decoded, std::uint64_t file_bytes, const std::string& name) {
+    if (decoded > kMaxImageBytes) {
+        throw Error(name, "", fmt::format("at most {} bytes of pixels", kMaxImageBytes),
+                    fmt::format("{}", decoded));
+    }
+    if (decoded > kFreeBytes && (decoded - kFreeBytes) / kMaxExpansion > file_bytes) {
+        throw Error(name, "", "a file as large as its pixels need",
+                    fmt::format("{} bytes for {} bytes of pixels", file_bytes, decoded));
+    }
 }
 
 }  // namespace burnish

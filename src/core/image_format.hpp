@@ -33,6 +33,9 @@ ImageFormat require_image_format(std::span<const std::byte> head, const std::str
 void check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
                            const std::string& name);
 
+// Throws Error for more than kMaxImageBytes of pixels, and for more than the file can stand for.
+void check_decoded_bytes(std::uint64_t decoded, std::uint64_t file_bytes, const std::string& name);
+
 // Throws Error unless 1 <= side <= kMaxImageSide.
 void check_image_size(std::int64_t width, std::int64_t height, const std::string& name);
 

@@ -21,11 +21,6 @@
 namespace burnish {
 namespace {
 
-// Decoded bytes that a byte of a file can stand for, beyond a free allowance. Deflate reaches 1032;
-// wavelet codings of one constant colour reach tens of thousands; a bomb wants millions.
-constexpr std::uint64_t kMaxExpansion = std::uint64_t{1} << 17;
-constexpr std::uint64_t kFreeBytes = std::uint64_t{64} << 20;
-
 // Rows are decoded in bands, so that a file whose first rows are broken costs no more than these.
 constexpr std::uint64_t kBandBytes = std::uint64_t{32} << 20;
 
@@ -130,13 +125,7 @@ class Reader {
         const std::uint64_t decoded = static_cast<std::uint64_t>(spec_.width) *
                                       static_cast<std::uint64_t>(spec_.height) *
                                       static_cast<std::uint64_t>(spec_.nchannels) * texel;
-        if (decoded > kMaxImageBytes) {
-            throw Error(name_, "", fmt::format("at most {} bytes of pixels", kMaxImageBytes),
-                        fmt::format("{}", decoded));
-        }
-        if (decoded > kFreeBytes && (decoded - kFreeBytes) / kMaxExpansion > file_bytes) {
-            fail(fmt::format("{} bytes for {} x {} pixels", file_bytes, spec_.width, spec_.height));
-        }
+        check_decoded_bytes(decoded, file_bytes, name_);
     }
 
     const std::string& name_;
