@@ -8,7 +8,9 @@
 
 #include "app/info_draft.hpp"
 #include "app/info_measured.hpp"
+#include "app/info_rig.hpp"
 #include "app/info_scene.hpp"
+#include "capture/rig.hpp"
 #include "core/image_io.hpp"
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
@@ -70,6 +72,7 @@ std::string describe_file(const std::string& path) {
     if (!mesh && is_tensor_file(path)) return describe_measured(path);
     if (!mesh && is_wif_file(path)) return describe_draft(path);
     if (!mesh && is_image_file(path)) return describe_image(path);
+    if (!mesh && is_rig_file(path)) return describe_rig(path);  // before scenes, which are JSON too
     if (!mesh && is_scene_file(path)) return describe_scene_file(path);
     Scene scene = load_model(path);
     warn_of_odd_normal_maps(scene);

@@ -1,4 +1,5 @@
-// `burnish info`: what a model, scene, image, environment, measured material or draft holds, in lines for a person.
+// `burnish info`: what a model, scene, image, environment, measured material, draft or rig holds,
+// in lines for a person.
 #pragma once
 
 #include <string>

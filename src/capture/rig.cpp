@@ -147,7 +147,8 @@ void warn_of_geometry(Rig& rig) {
                                          [](const RigLight& light) { return light.camera; });
     if (!own_cameras && rig.camera.at[0] == 0.0 && rig.camera.at[1] == 0.0)
         rig.warnings.push_back(
-            "the camera is on the normal: pixels with another grain direction show nothing new");
+            "the camera is on the normal: under lights all round, another grain direction shows "
+            "nothing new");
 }
 
 }  // namespace

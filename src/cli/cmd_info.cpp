@@ -12,7 +12,7 @@ namespace burnish::cli {
 
 void add_info_command(CLI::App& parent, Session&) {
     CLI::App* command = parent.add_subcommand(
-        "info", "What a model, scene, picture, measured material or weaving draft holds");
+        "info", "What a model, scene, picture, measured material, draft or rig holds");
     struct Flags {
         std::string input;
         bool devices = false;
@@ -21,8 +21,8 @@ void add_info_command(CLI::App& parent, Session&) {
     command
         ->add_option(
             "input", flags->input,
-            "a model, scene, picture, environment, measured material, weaving draft (.wif) or "
-            "builtin:")
+            "a model, scene, picture, environment, measured material, weaving draft (.wif), rig "
+            "(.json, .lp, .dome) or builtin:")
         ->type_name("FILE");
     command->add_flag("--devices", flags->devices, "list the GL devices");
     command->callback([flags] {
