@@ -1,0 +1,87 @@
+// From a stack of pictures to a material of measured distributions, in stages that are kept on disk:
+// an interrupted fit goes on where it was, and gives what an uninterrupted one gives.
+//
+//   pictures    every picture read once (image_stack.hpp)
+//   exemplars   partial distributions of some points, clustered, solved for, completed; eta
+//   texels      every pixel: exemplar, angle, diffuse, specular
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/progress.hpp"
+#include "capture/exemplar_solve.hpp"
+#include "capture/image_stack.hpp"
+#include "scene/tabulated_material.hpp"
+
+namespace burnish {
+
+struct CaptureFitSettings {
+    NdfGrid grid;
+    int exemplars = 64;             // at most
+    std::optional<double> eta;      // none: estimated; 0: no Fresnel
+    std::uint64_t seed = 1;
+    int hold_out = 0;               // every n-th light takes no part and judges; 0: none
+    int training_points = 8192;     // at most, from which exemplars are made
+    bool normals = false;           // let normals tilt; else the sample is flat
+};
+
+struct CaptureFitReport {
+    StackCensus census;
+    double spacing_deg = 0.0;       // median, of half vectors in the middle of the sample
+    int training_points = 0;
+    int exemplars = 0;
+    double eta = 0.0;
+    bool eta_estimated = false;
+    CompletionReport completion;
+    double training_error = 0.0;    // root of the mean of PointFit::error
+    std::vector<std::string> warnings;
+};
+
+// Lights that take part (1) or are held out (0).
+std::vector<std::uint8_t> fitted_lights(std::size_t lights, int hold_out);
+
+class CaptureFit {
+  public:
+    // `stages`: a folder for what is kept between runs; made when it is not there.
+    CaptureFit(const Rig& rig, const CaptureFitSettings& settings,
+               const std::filesystem::path& stages, const Progress& progress);
+    ~CaptureFit();
+
+    void find_exemplars();
+    void fit_texels();
+    // After both.
+    TabulatedMaterial material() const;
+
+    const ImageStack& stack() const { return *stack_; }
+    const Exemplars& exemplars() const { return exemplars_; }
+    const CaptureFitReport& report() const { return report_; }
+
+  private:
+    struct Training;
+    struct Texels;
+    struct PixelWork;
+    Training gather_training() const;
+    void solve_round(Training& training, double eta, bool search);
+    double estimate_eta(Training& training);
+    void fit_band(const StackBand& band, Texels& texels) const;
+    bool load_exemplars();
+    void save_exemplars() const;
+    std::uint64_t identity() const;
+
+    Rig rig_;
+    CaptureFitSettings settings_;
+    std::filesystem::path stages_;
+    Progress progress_;
+    std::unique_ptr<ImageStack> stack_;
+    std::unique_ptr<LightGeometry> geometry_;
+    std::vector<std::uint8_t> keep_;
+    Exemplars exemplars_;
+    std::unique_ptr<Texels> texels_;
+    CaptureFitReport report_;
+};
+
+}  // namespace burnish

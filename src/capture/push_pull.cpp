@@ -1,0 +1,93 @@
+#include "capture/push_pull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace burnish {
+
+namespace {
+
+std::size_t index(int side, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+}
+
+// Weights of full pixels count as 1, however many samples they hold: a crowded place must not speak
+// for an empty one (Gortler et al.: w~ = min(w, 1)).
+PushPullImage pulled(const PushPullImage& fine) {
+    PushPullImage coarse(fine.side / 2);
+    for (int y = 0; y < coarse.side; ++y)
+        for (int x = 0; x < coarse.side; ++x) {
+            float sum = 0.0f, weights = 0.0f;
+            for (int k = 0; k < 4; ++k) {
+                const std::size_t from = index(fine.side, 2 * x + (k & 1), 2 * y + (k >> 1));
+                const float w = std::min(fine.weight[from], 1.0f);
+                sum += w * fine.value[from];
+                weights += w;
+            }
+            const std::size_t to = index(coarse.side, x, y);
+            coarse.weight[to] = std::min(weights, 1.0f);
+            coarse.value[to] = weights > 0.0f ? sum / weights : 0.0f;
+        }
+    return coarse;
+}
+
+// Bilinear from the coarse level: the nearest has 9/16, its neighbours 3/16, 3/16 and 1/16.
+void push(const PushPullImage& coarse, PushPullImage& fine) {
+    for (int y = 0; y < fine.side; ++y)
+        for (int x = 0; x < fine.side; ++x) {
+            const std::size_t to = index(fine.side, x, y);
+            const float own = std::min(fine.weight[to], 1.0f);
+            if (own >= 1.0f) continue;
+            const int cx = x / 2, cy = y / 2;
+            const int nx = std::clamp(cx + ((x & 1) ? 1 : -1), 0, coarse.side - 1);
+            const int ny = std::clamp(cy + ((y & 1) ? 1 : -1), 0, coarse.side - 1);
+            float sum = 0.0f, weights = 0.0f;
+            const auto take = [&](int px, int py, float share) {
+                const std::size_t from = index(coarse.side, px, py);
+                const float w = share * coarse.weight[from];
+                sum += w * coarse.value[from];
+                weights += w;
+            };
+            take(cx, cy, 9.0f);
+            take(nx, cy, 3.0f);
+            take(cx, ny, 3.0f);
+            take(nx, ny, 1.0f);
+            if (weights <= 0.0f) continue;
+            const float filled = sum / weights;
+            fine.value[to] = own * fine.value[to] + (1.0f - own) * filled;
+            fine.weight[to] = own + (1.0f - own) * std::min(weights / 16.0f, 1.0f);
+        }
+}
+
+}  // namespace
+
+PushPullImage::PushPullImage(int side_)
+    : side(side_),
+      value(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 0.0f),
+      weight(value.size(), 0.0f) {}
+
+void PushPullImage::splat(float x, float y, float sample) {
+    const float fx = x - 0.5f, fy = y - 0.5f;
+    const int x0 = static_cast<int>(std::floor(fx)), y0 = static_cast<int>(std::floor(fy));
+    const float tx = fx - static_cast<float>(x0), ty = fy - static_cast<float>(y0);
+    for (int k = 0; k < 4; ++k) {
+        const int px = x0 + (k & 1), py = y0 + (k >> 1);
+        if (px < 0 || py < 0 || px >= side || py >= side) continue;
+        const float w = ((k & 1) ? tx : 1.0f - tx) * ((k >> 1) ? ty : 1.0f - ty);
+        const std::size_t to = index(side, px, py);
+        // Kept as a running mean, so that splatting needs no pass afterwards.
+        const float total = weight[to] + w;
+        if (total > 0.0f) value[to] += (sample - value[to]) * (w / total);
+        weight[to] = total;
+    }
+}
+
+void push_pull(PushPullImage& image, int reach) {
+    if (reach <= 0 || image.side < 2) return;
+    PushPullImage coarse = pulled(image);
+    push_pull(coarse, reach - 1);
+    push(coarse, image);
+}
+
+}  // namespace burnish
