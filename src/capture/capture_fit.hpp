@@ -1,5 +1,5 @@
-// From a stack of pictures to a material of measured distributions, in stages that are kept on disk:
-// an interrupted fit goes on where it was, and gives what an uninterrupted one gives.
+// From a stack of pictures to a material of measured distributions, in stages that are kept on
+// disk: an interrupted fit goes on where it was, and gives what an uninterrupted one gives.
 //
 //   pictures    every picture read once (image_stack.hpp)
 //   exemplars   partial distributions of some points, clustered, solved for, completed; eta
@@ -21,23 +21,23 @@ namespace burnish {
 
 struct CaptureFitSettings {
     NdfGrid grid;
-    int exemplars = 64;             // at most
-    std::optional<double> eta;      // none: estimated; 0: no Fresnel
+    int exemplars = 64;         // at most
+    std::optional<double> eta;  // none: estimated; 0: no Fresnel
     std::uint64_t seed = 1;
-    int hold_out = 0;               // every n-th light takes no part and judges; 0: none
-    int training_points = 8192;     // at most, from which exemplars are made
-    bool normals = false;           // let normals tilt; else the sample is flat
+    int hold_out = 0;            // every n-th light takes no part and judges; 0: none
+    int training_points = 8192;  // at most, from which exemplars are made
+    bool normals = false;        // let normals tilt; else the sample is flat
 };
 
 struct CaptureFitReport {
     StackCensus census;
-    double spacing_deg = 0.0;       // median, of half vectors in the middle of the sample
+    double spacing_deg = 0.0;  // median, of half vectors in the middle of the sample
     int training_points = 0;
     int exemplars = 0;
     double eta = 0.0;
     bool eta_estimated = false;
     CompletionReport completion;
-    double training_error = 0.0;    // root of the mean of PointFit::error
+    double training_error = 0.0;  // root of the mean of PointFit::error
     std::vector<std::string> warnings;
 };
 
@@ -66,6 +66,11 @@ class CaptureFit {
     struct PixelWork;
     Training gather_training() const;
     void solve_round(Training& training, double eta, bool search);
+    void solve_tables(const Training& training);
+    void split_exemplars(Training& training);
+    void merge_exemplars(Training& training);
+    void join_alike(Training& training, float alike);
+    void keep_exemplars(Training& training, const std::vector<bool>& alive);
     double estimate_eta(Training& training);
     void fit_band(const StackBand& band, Texels& texels) const;
     bool load_exemplars();

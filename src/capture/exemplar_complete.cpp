@@ -1,5 +1,5 @@
-// Completion of exemplars (W08 section on synthesis): what turns of a distribution's own points do not
-// reach comes from alike exemplars that they do reach; the rest is extrapolated.
+// Completion of exemplars (W08 section on synthesis): what turns of a distribution's own points do
+// not reach comes from alike exemplars that they do reach; the rest is extrapolated.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +40,8 @@ std::vector<float> feathered(const NdfGrid& grid, const float* weights) {
 
 // What donors say about every cell, turned and scaled onto exemplar `e`; `known` counts them.
 void gather_donors(const Exemplars& all, const std::vector<PointTurn>& donors,
-                   const std::vector<float>& scales, std::vector<float>& sum, std::vector<float>& known) {
+                   const std::vector<float>& scales, std::vector<float>& sum,
+                   std::vector<float>& known) {
     const std::size_t cells = cells_of(all);
     std::vector<float> masked(cells), value(cells), weight(cells);
     sum.assign(cells, 0.0f);
@@ -84,7 +85,8 @@ bool take_from_others(const Exemplars& before, int e, const std::vector<PointTur
     return any;
 }
 
-// Of an angle's outermost known ring, averaged over neighbours: P = D cos^4 as a power of the slope.
+// Of an angle's outermost known ring, averaged over neighbours: P = D cos^4 as a power of the
+// slope.
 float tail_power(const Exemplars& all, int e, int column, int ring) {
     const NdfGrid& grid = all.grid;
     const auto mean = [&](int r) {
@@ -142,7 +144,8 @@ void extrapolate(Exemplars& all, int e) {
             for (int k = r; k < grid.rings && outside; ++k)
                 outside = weights[k * grid.azimuths + c] <= 0.0f;
             bool any = false;
-            for (int k = 0; k < grid.rings && !any; ++k) any = weights[k * grid.azimuths + c] > 0.0f;
+            for (int k = 0; k < grid.rings && !any; ++k)
+                any = weights[k * grid.azimuths + c] > 0.0f;
             if (outside && any) continue;
             float sum = 0.0f, total = 0.0f;
             for (int d = 1; d <= grid.azimuths / 2 && total <= 0.0f; ++d)
@@ -176,7 +179,8 @@ CompletionReport complete_exemplars(Exemplars& exemplars) {
         matcher.set_exemplars(exemplars.tables());
         std::vector<std::vector<PointTurn>> donors(static_cast<std::size_t>(exemplars.count));
         std::vector<std::vector<float>> scales(donors.size());
-        matcher.match(exemplars.tables(), [&](std::size_t p, std::span<const RotationMatch> matches) {
+        matcher.match(exemplars.tables(), [&](std::size_t p,
+                                              std::span<const RotationMatch> matches) {
             std::vector<std::size_t> order;
             for (std::size_t e = 0; e < matches.size(); ++e)
                 if (e != p && matches[e].residual < kAlike) order.push_back(e);
@@ -203,7 +207,8 @@ CompletionReport complete_exemplars(Exemplars& exemplars) {
         const std::vector<float> areas = ndf_areas(exemplars.grid, exemplars.table(e));
         exemplars.areas.insert(exemplars.areas.end(), areas.begin(), areas.end());
         for (std::size_t i = 0; i < cells; ++i) {
-            const double share = exemplars.grid.solid_angle(static_cast<int>(i) / exemplars.grid.azimuths);
+            const double share =
+                exemplars.grid.solid_angle(static_cast<int>(i) / exemplars.grid.azimuths);
             const NdfOrigin origin = exemplars.origin[static_cast<std::size_t>(e) * cells + i];
             total += share;
             if (origin == NdfOrigin::measured) report.measured += share;

@@ -36,7 +36,8 @@ TableEquations::TableEquations(const NdfGrid& grid)
       next_ring_(diagonal_),
       next_ring_right_(diagonal_),
       next_ring_left_(diagonal_),
-      target_(diagonal_) {}
+      target_(diagonal_),
+      diffuse_target_(diagonal_) {}
 
 void TableEquations::add(const PointSamples& samples, const PointFitter& fitter,
                          const ExemplarTables& tables, const PointFit& fit) {
@@ -46,27 +47,35 @@ void TableEquations::add(const PointSamples& samples, const PointFitter& fitter,
     const auto columns = static_cast<float>(grid_.azimuths);
     for (std::size_t q = 0; q < samples.size(); ++q) {
         const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2], turn);
-        const double a = static_cast<double>(samples.received[q] * fit.specular * fitter.fresnel()[q] /
-                                             (4.0f * area_in * area_out));
-        const double y = static_cast<double>(samples.value[q] -
-                                             samples.received[q] * fit.diffuse * std::numbers::inv_pi_v<float>);
+        const double a = static_cast<double>(samples.received[q] * fit.specular *
+                                             fitter.fresnel()[q] / (4.0f * area_in * area_out));
+        const double y = static_cast<double>(samples.value[q] - samples.received[q] * fit.diffuse *
+                                                                    std::numbers::inv_pi_v<float>);
+        // Diffuse light of a strength in proportion to the specular one.
+        const double z =
+            static_cast<double>(samples.received[q] * fit.specular * std::numbers::inv_pi_v<float>);
         const double w = static_cast<double>(fitter.weights()[q]);
         const GridPlace& place = samples.half[q];
         float c = std::fmod(place.column - fit.shift, columns);
         if (c < 0.0f) c += columns;
         const int c0 = static_cast<int>(c) % grid_.azimuths;
-        const double t = static_cast<double>(c - std::floor(c)), f = static_cast<double>(place.fraction);
+        const double t = static_cast<double>(c - std::floor(c)),
+                     f = static_cast<double>(place.fraction);
         const bool last = place.ring + 1 >= grid_.rings;
         const std::size_t n00 = at(grid_, place.ring, c0), n01 = at(grid_, place.ring, c0 + 1);
         const double g = last ? 0.0 : f;
-        const double b00 = a * (1 - g) * (1 - t), b01 = a * (1 - g) * t, b10 = a * g * (1 - t), b11 = a * g * t;
+        const double b00 = a * (1 - g) * (1 - t), b01 = a * (1 - g) * t, b10 = a * g * (1 - t),
+                     b11 = a * g * t;
         diagonal_[n00] += w * b00 * b00;
         diagonal_[n01] += w * b01 * b01;
         right_[n00] += w * b00 * b01;
         target_[n00] += w * b00 * y;
+        diffuse_target_[n00] += w * b00 * z;
         target_[n01] += w * b01 * y;
+        diffuse_target_[n01] += w * b01 * z;
         if (last) continue;
-        const std::size_t n10 = at(grid_, place.ring + 1, c0), n11 = at(grid_, place.ring + 1, c0 + 1);
+        const std::size_t n10 = at(grid_, place.ring + 1, c0),
+                          n11 = at(grid_, place.ring + 1, c0 + 1);
         diagonal_[n10] += w * b10 * b10;
         diagonal_[n11] += w * b11 * b11;
         right_[n10] += w * b10 * b11;
@@ -75,7 +84,9 @@ void TableEquations::add(const PointSamples& samples, const PointFitter& fitter,
         next_ring_right_[n00] += w * b00 * b11;
         next_ring_left_[n01] += w * b01 * b10;
         target_[n10] += w * b10 * y;
+        diffuse_target_[n10] += w * b10 * z;
         target_[n11] += w * b11 * y;
+        diffuse_target_[n11] += w * b11 * z;
     }
 }
 
@@ -112,27 +123,26 @@ void TableEquations::apply(const std::vector<double>& x, double smoothness,
 }
 
 // Conjugate gradients, scaled by the diagonal.
-void TableEquations::solve(float* table, float* weights) const {
+std::vector<double> TableEquations::minimiser(const std::vector<double>& target,
+                                              std::vector<double> x) const {
     const std::size_t n = diagonal_.size();
-    const double mean = std::accumulate(diagonal_.begin(), diagonal_.end(), 0.0) / static_cast<double>(n);
-    if (!(mean > 0.0)) {
-        std::fill_n(weights, n, 0.0f);
-        return;
-    }
+    const double mean =
+        std::accumulate(diagonal_.begin(), diagonal_.end(), 0.0) / static_cast<double>(n);
     const double smoothness = kSmoothness * mean;
-    std::vector<double> x(table, table + n), residual(n), direction(n), scaled(n), image(n);
+    std::vector<double> residual(n), direction(n), scaled(n), image(n);
     apply(x, smoothness, image);
-    double rz = 0.0, target = 0.0;
+    double rz = 0.0, square = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-        residual[i] = target_[i] - image[i];
+        residual[i] = target[i] - image[i];
         scaled[i] = residual[i] / (diagonal_[i] + 12.0 * smoothness);
         rz += residual[i] * scaled[i];
-        target += target_[i] * target_[i] / (diagonal_[i] + 12.0 * smoothness);
+        square += target[i] * target[i] / (diagonal_[i] + 12.0 * smoothness);
     }
     direction = scaled;
-    for (int step = 0; step < kMostSteps && rz > kLeastStep * target; ++step) {
+    for (int step = 0; step < kMostSteps && rz > kLeastStep * square; ++step) {
         apply(direction, smoothness, image);
-        const double bend = std::inner_product(direction.begin(), direction.end(), image.begin(), 0.0);
+        const double bend =
+            std::inner_product(direction.begin(), direction.end(), image.begin(), 0.0);
         if (!(bend > 0.0)) break;
         const double length = rz / bend;
         double next = 0.0;
@@ -145,6 +155,28 @@ void TableEquations::solve(float* table, float* weights) const {
         for (std::size_t i = 0; i < n; ++i) direction[i] = scaled[i] + next / rz * direction[i];
         rz = next;
     }
+    return x;
+}
+
+std::vector<float> TableEquations::diffuse_mimic() const {
+    std::vector<float> out(diagonal_.size(), 0.0f);
+    if (std::all_of(diagonal_.begin(), diagonal_.end(), [](double d) { return d <= 0.0; }))
+        return out;
+    const std::vector<double> x =
+        minimiser(diffuse_target_, std::vector<double>(diagonal_.size(), 0.0));
+    std::transform(x.begin(), x.end(), out.begin(), [](double v) { return static_cast<float>(v); });
+    return out;
+}
+
+void TableEquations::solve(float* table, float* weights) const {
+    const std::size_t n = diagonal_.size();
+    const double mean =
+        std::accumulate(diagonal_.begin(), diagonal_.end(), 0.0) / static_cast<double>(n);
+    if (!(mean > 0.0)) {
+        std::fill_n(weights, n, 0.0f);
+        return;
+    }
+    const std::vector<double> x = minimiser(target_, std::vector<double>(table, table + n));
     for (std::size_t i = 0; i < n; ++i) {
         table[i] = static_cast<float>(std::max(x[i], 0.0));
         weights[i] = diagonal_[i] > kLeastShare * mean ? 1.0f : 0.0f;
@@ -157,6 +189,36 @@ void TableEquations::solve(float* table, float* weights) const {
         if (first == grid_.rings || grid_.theta(first) > kInner) continue;
         for (int r = 0; r < first; ++r) weights[at(grid_, r, c)] = 1.0f;
     }
+}
+
+// Every point's diffuse strength is eliminated: y = received (d / pi + c s F Q / (4 g g)).
+void SlideAlong::add(const PointSamples& samples, const PointFitter& fitter,
+                     const ExemplarTables& tables, const float* mimic, const PointFit& fit) {
+    if (fit.specular <= 0.0f) return;
+    const float turn = area_shift(tables.grid, fit.shift);
+    const float area_out = area_at(tables.areas, samples.out, samples.to_eye[2], turn);
+    double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
+    for (std::size_t q = 0; q < samples.size(); ++q) {
+        const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2], turn);
+        const float a =
+            samples.received[q] * fit.specular * fitter.fresnel()[q] / (4.0f * area_in * area_out);
+        const auto u = static_cast<double>(samples.received[q] * std::numbers::inv_pi_v<float>);
+        const auto v =
+            static_cast<double>(a * lookup(tables.grid, mimic, samples.half[q], fit.shift));
+        const auto y =
+            static_cast<double>(samples.value[q] -
+                                a * lookup(tables.grid, tables.D, samples.half[q], fit.shift)) -
+            static_cast<double>(fit.diffuse) * u;
+        const auto w = static_cast<double>(fitter.weights()[q]);
+        uu += w * u * u;
+        uv += w * u * v;
+        vv += w * v * v;
+        uy += w * u * y;
+        vy += w * v * y;
+    }
+    if (uu <= 0.0) return;
+    bend_ += vv - uv * uv / uu;
+    slope_ += vy - uv * uy / uu;
 }
 
 }  // namespace burnish

@@ -13,8 +13,9 @@ namespace {
 
 // A cluster of fewer points is noise that found itself.
 constexpr int kFewestMembers = 3;
-// Exemplars as alike as this many times the points' usual distance from their own are one.
-constexpr float kMergeFactor = 1.5f;
+// Exemplars closer than this share of their members' distance from them are one: means of many
+// points differ less than points do.
+constexpr float kMergeFactor = 0.3f;
 constexpr int kSeedRounds = 5;
 
 std::size_t cells_of(const NdfGrid& grid) {
@@ -43,9 +44,11 @@ Exemplars with_points(const NdfGrid& grid, const MaskedTables& points,
     out.count = static_cast<int>(chosen.size());
     const std::size_t cells = cells_of(grid);
     for (const std::size_t p : chosen) {
-        const auto from = static_cast<std::ptrdiff_t>(p * cells), to = from + static_cast<std::ptrdiff_t>(cells);
+        const auto from = static_cast<std::ptrdiff_t>(p * cells),
+                   to = from + static_cast<std::ptrdiff_t>(cells);
         out.D.insert(out.D.end(), points.values.begin() + from, points.values.begin() + to);
-        out.weights.insert(out.weights.end(), points.weights.begin() + from, points.weights.begin() + to);
+        out.weights.insert(out.weights.end(), points.weights.begin() + from,
+                           points.weights.begin() + to);
     }
     return out;
 }
@@ -56,7 +59,8 @@ void append(Exemplars& all, const Exemplars& more) {
     all.weights.insert(all.weights.end(), more.weights.begin(), more.weights.end());
 }
 
-// Every point's best among the matcher's exemplars, if better than what it has; indices from `base`.
+// Every point's best among the matcher's exemplars, if better than what it has; indices from
+// `base`.
 void improve(const RotationMatcher& matcher, const MaskedTables& points, int base,
              std::vector<PointTurn>& turns) {
     matcher.match(points, [&](std::size_t p, std::span<const RotationMatch> matches) {
@@ -68,8 +72,8 @@ void improve(const RotationMatcher& matcher, const MaskedTables& points, int bas
 
 // Seeds in a few rounds, each drawn by how badly points are matched so far (k-means||, Bahmani et
 // al. 2012).
-Exemplars seeds(const NdfGrid& grid, const MaskedTables& points, int wanted, std::mt19937_64& random,
-                std::vector<PointTurn>& turns, const Progress& progress) {
+Exemplars seeds(const NdfGrid& grid, const MaskedTables& points, int wanted,
+                std::mt19937_64& random, std::vector<PointTurn>& turns, const Progress& progress) {
     Exemplars all;
     all.grid = grid;
     std::vector<double> chance(points.count, 1.0);
@@ -105,10 +109,12 @@ void update(const MaskedTables& points, const std::vector<PointTurn>& turns, Exe
     const std::size_t cells = cells_of(grid);
     std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(all.count));
     for (std::size_t p = 0; p < turns.size(); ++p)
-        if (turns[p].exemplar >= 0) members[static_cast<std::size_t>(turns[p].exemplar)].push_back(p);
+        if (turns[p].exemplar >= 0)
+            members[static_cast<std::size_t>(turns[p].exemplar)].push_back(p);
     parallel_for(members.size(), 1, [&](std::size_t e, std::size_t) {
         if (members[e].empty()) return;
-        std::vector<float> sum(cells, 0.0f), total(cells, 0.0f), masked(cells), value(cells), weight(cells);
+        std::vector<float> sum(cells, 0.0f), total(cells, 0.0f), masked(cells), value(cells),
+            weight(cells);
         for (const std::size_t p : members[e]) {
             const float* t = points.values.data() + p * cells;
             const float* w = points.weights.data() + p * cells;
@@ -172,28 +178,44 @@ std::vector<int> member_counts(const Exemplars& all, const std::vector<PointTurn
 
 void drop_small(Exemplars& all, const std::vector<PointTurn>& turns) {
     const std::vector<int> counts = member_counts(all, turns);
-    const int fewest = std::min<int>(kFewestMembers, *std::max_element(counts.begin(), counts.end()));
+    const int fewest =
+        std::min<int>(kFewestMembers, *std::max_element(counts.begin(), counts.end()));
     std::vector<int> kept;
     for (int e = 0; e < all.count; ++e)
         if (counts[static_cast<std::size_t>(e)] >= std::max(fewest, 1)) kept.push_back(e);
     keep_only(all, kept);
 }
 
-// Larger clusters take in smaller ones that are alike within the points' own spread.
-void merge_alike(Exemplars& all, const std::vector<PointTurn>& turns) {
-    std::vector<float> residuals;
+// Of each exemplar: the median residual of its members.
+std::vector<float> spreads(const Exemplars& all, const std::vector<PointTurn>& turns) {
+    std::vector<std::vector<float>> residuals(static_cast<std::size_t>(all.count));
     for (const PointTurn& turn : turns)
-        if (turn.exemplar >= 0) residuals.push_back(turn.residual);
-    if (residuals.empty() || all.count < 2) return;
-    std::nth_element(residuals.begin(), residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2),
-                     residuals.end());
-    const float alike = kMergeFactor * residuals[residuals.size() / 2];
+        if (turn.exemplar >= 0)
+            residuals[static_cast<std::size_t>(turn.exemplar)].push_back(turn.residual);
+    std::vector<float> out;
+    for (auto& some : residuals) {
+        if (some.empty()) {
+            out.push_back(0.0f);
+            continue;
+        }
+        const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+        std::nth_element(some.begin(), middle, some.end());
+        out.push_back(*middle);
+    }
+    return out;
+}
+
+// Larger clusters take in smaller ones that are alike within their members' own spread.
+void merge_alike(Exemplars& all, const std::vector<PointTurn>& turns) {
+    if (all.count < 2) return;
+    const std::vector<float> spread = spreads(all, turns);
     const auto count = static_cast<std::size_t>(all.count);
     std::vector<float> between(count * count, 1.0f);
     RotationMatcher matcher(all.grid);
     matcher.set_exemplars(all.tables());
     matcher.match(all.tables(), [&](std::size_t p, std::span<const RotationMatch> matches) {
-        for (std::size_t e = 0; e < matches.size(); ++e) between[p * count + e] = matches[e].residual;
+        for (std::size_t e = 0; e < matches.size(); ++e)
+            between[p * count + e] = matches[e].residual;
     });
     const std::vector<int> members = member_counts(all, turns);
     std::vector<int> order(count);
@@ -204,7 +226,10 @@ void merge_alike(Exemplars& all, const std::vector<PointTurn>& turns) {
     std::vector<int> kept;
     for (const int e : order) {
         const bool has_twin = std::any_of(kept.begin(), kept.end(), [&](int k) {
-            return between[static_cast<std::size_t>(e) * count + static_cast<std::size_t>(k)] < alike;
+            const float own =
+                std::min(spread[static_cast<std::size_t>(e)], spread[static_cast<std::size_t>(k)]);
+            return between[static_cast<std::size_t>(e) * count + static_cast<std::size_t>(k)] <
+                   kMergeFactor * own;
         });
         if (!has_twin) kept.push_back(e);
     }
@@ -256,8 +281,9 @@ std::vector<std::vector<PointTurn>> best_turns(const RotationMatcher& matcher,
         for (std::size_t e = 0; e < matches.size(); ++e)
             all.push_back({static_cast<int>(e), matches[e].shift, matches[e].residual});
         const std::size_t kept = std::min(most, all.size());
-        std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(),
-                          [](const PointTurn& a, const PointTurn& b) { return a.residual < b.residual; });
+        std::partial_sort(
+            all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(),
+            [](const PointTurn& a, const PointTurn& b) { return a.residual < b.residual; });
         all.resize(kept);
         out[p] = std::move(all);
     });

@@ -1,5 +1,5 @@
-// Exemplars: the distributions that all points of a sample share, each point turned by its own angle.
-// Found by masked, rotation-aware k-means on partial distributions; docs/capture.md.
+// Exemplars: the distributions that all points of a sample share, each point turned by its own
+// angle. Found by masked, rotation-aware k-means on partial distributions; docs/capture.md.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +42,8 @@ struct PointTurn {
 };
 
 struct ClusterSettings {
-    int exemplars = 64;      // at most
-    int rounds = 6;          // of Lloyd's iteration
+    int exemplars = 64;  // at most
+    int rounds = 6;      // of Lloyd's iteration
     std::uint64_t seed = 1;
 };
 

@@ -77,11 +77,13 @@ std::uint64_t identity_of(const Rig& rig) {
 }
 
 std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height) {
-    std::vector<std::uint8_t> mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1);
+    std::vector<std::uint8_t> mask(
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1);
     if (!rig.mask) return mask;
     const Image image = read_image(*rig.mask, {.as_data = true});
     if (image.width != width || image.height != height)
-        throw Error(rig.mask->string(), "", fmt::format("{} x {} pixels, as the pictures have", width, height),
+        throw Error(rig.mask->string(), "",
+                    fmt::format("{} x {} pixels, as the pictures have", width, height),
                     fmt::format("{} x {}", image.width, image.height));
     for (std::size_t i = 0; i < mask.size(); ++i)
         mask[i] = image.pixels[i * static_cast<std::size_t>(image.channels)] > 0.5f;
@@ -93,13 +95,15 @@ std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height) {
 // A float picture says nowhere where its sensor ended; values that repeat at the very top do.
 constexpr int kRepeatsOfClipping = 8;
 
-void write_at(int file, const void* data, std::size_t bytes, std::uint64_t at, const fs::path& name) {
+void write_at(int file, const void* data, std::size_t bytes, std::uint64_t at,
+              const fs::path& name) {
     const auto* from = static_cast<const char*>(data);
     while (bytes > 0) {
         const ssize_t done = ::pwrite(file, from, bytes, static_cast<off_t>(at));
         if (done < 0 && errno == EINTR) continue;
         if (done <= 0)
-            throw Error(name.string(), "", "a file that can be written", reason_of(done < 0 ? errno : ENOSPC));
+            throw Error(name.string(), "", "a file that can be written",
+                        reason_of(done < 0 ? errno : ENOSPC));
         from += done;
         at += static_cast<std::uint64_t>(done);
         bytes -= static_cast<std::size_t>(done);
@@ -123,7 +127,8 @@ void read_at(int file, void* data, std::size_t bytes, std::uint64_t at, const st
 class OpenFile {
   public:
     OpenFile(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC)) {
-        if (number_ < 0) throw Error(path.string(), "", "a file that can be opened", reason_of(errno));
+        if (number_ < 0)
+            throw Error(path.string(), "", "a file that can be opened", reason_of(errno));
     }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
@@ -173,7 +178,8 @@ ImageStack::ImageStack(const Rig& rig, const fs::path& cache, const Progress& pr
     if (rig.lights.empty()) throw Error(rig.file.string(), "lights", "at least one light", "none");
     if (open_cache(cache)) return;
     make_cache(rig, cache, progress);
-    if (!open_cache(cache)) throw Error(name_, "", "the stack that was just written", "something else");
+    if (!open_cache(cache))
+        throw Error(name_, "", "the stack that was just written", "something else");
 }
 
 ImageStack::~ImageStack() {
@@ -204,7 +210,8 @@ bool ImageStack::open_cache(const fs::path& cache) {
     mask_.resize(pixels());
     scale_.resize(header.lights);
     read_at(file_, mask_.data(), mask_.size(), sizeof header, name_);
-    read_at(file_, scale_.data(), scale_.size() * sizeof(float), sizeof header + mask_.size(), name_);
+    read_at(file_, scale_.data(), scale_.size() * sizeof(float), sizeof header + mask_.size(),
+            name_);
     return true;
 }
 
@@ -221,7 +228,8 @@ void ImageStack::make_cache(const Rig& rig, const fs::path& cache, const Progres
         std::vector<int> at_top;
         double clipped = 0.0, black = 0.0, counted = 0.0;
         for (std::size_t k = 0; k < rig.lights.size(); ++k) {
-            progress.step("reading pictures", static_cast<double>(k) / static_cast<double>(rig.lights.size()));
+            progress.step("reading pictures",
+                          static_cast<double>(k) / static_cast<double>(rig.lights.size()));
             const LightImage image =
                 read_light_image(rig, rig.lights[k], white, static_cast<int>(header.width),
                                  static_cast<int>(header.height));
@@ -244,17 +252,19 @@ void ImageStack::make_cache(const Rig& rig, const fs::path& cache, const Progres
             header.brightest = std::max(header.brightest, static_cast<double>(coded.scale));
             write_light(file.number(), header, k, coded.codes, cache);
         }
-        // Float pictures whose largest value is the stack's and repeats: a negative scale marks them.
+        // Float pictures whose largest value is the stack's and repeats: a negative scale marks
+        // them.
         for (std::size_t k = 0; k < scales.size(); ++k)
-            if (static_cast<double>(scales[k]) == header.brightest && at_top[k] >= kRepeatsOfClipping &&
-                scales[k] > 0.0f) {
+            if (static_cast<double>(scales[k]) == header.brightest &&
+                at_top[k] >= kRepeatsOfClipping && scales[k] > 0.0f) {
                 scales[k] = -scales[k];
                 clipped += at_top[k];
             }
         header.clipped_share = clipped / counted;
         header.black_share = black / counted;
         write_at(file.number(), mask.data(), mask.size(), sizeof header, cache);
-        write_at(file.number(), scales.data(), scales.size() * sizeof(float), sizeof header + mask.size(), cache);
+        write_at(file.number(), scales.data(), scales.size() * sizeof(float),
+                 sizeof header + mask.size(), cache);
         write_at(file.number(), &header, sizeof header, 0, cache);
     });
 }
@@ -269,7 +279,8 @@ StackBand ImageStack::load(std::size_t band) const {
     return out;
 }
 
-void ImageStack::decode(const StackBand& band, std::size_t from, std::size_t count, float* out) const {
+void ImageStack::decode(const StackBand& band, std::size_t from, std::size_t count,
+                        float* out) const {
     const std::size_t lights_count = lights();
     for (std::size_t light = 0; light < lights_count; ++light) {
         const std::uint16_t* codes = band.codes.data() + 3 * (light * band.pixels + from);

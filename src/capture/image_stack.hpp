@@ -1,5 +1,5 @@
-// The pictures of a capture, one light each, read into one flat file so that a band of pixels can be
-// had for all lights at once, however large the stack is.
+// The pictures of a capture, one light each, read into one flat file so that a band of pixels can
+// be had for all lights at once, however large the stack is.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ struct LightImage {
 LightImage read_light_image(const Rig& rig, const RigLight& light, const Image& white, int width,
                             int height);
 
-// The rig's flat field scaled to a mean of 1, its dark places held at 1 % of that; empty: none given.
+// The rig's flat field scaled to a mean of 1, its dark places held at 1 % of that; empty: none
+// given.
 Image read_flat_field(const Rig& rig);
 
 struct StackCensus {
@@ -41,8 +42,8 @@ struct StackBand {
 
 class ImageStack {
   public:
-    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same files
-    // by size and time of change). Throws Error.
+    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same
+    // files by size and time of change). Throws Error.
     ImageStack(const Rig& rig, const std::filesystem::path& cache, const Progress& progress);
     ImageStack(const ImageStack&) = delete;
     ImageStack& operator=(const ImageStack&) = delete;

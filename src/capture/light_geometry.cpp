@@ -32,7 +32,8 @@ void LightGeometry::at(std::size_t pixel, PointLights& out) const {
     out.z.resize(count);
     for (auto& channel : out.received) channel.resize(count);
     const Vec3d eye = direction_to(rig_.camera, point);
-    out.to_eye = {static_cast<float>(eye[0]), static_cast<float>(eye[1]), static_cast<float>(eye[2])};
+    out.to_eye = {static_cast<float>(eye[0]), static_cast<float>(eye[1]),
+                  static_cast<float>(eye[2])};
     for (std::size_t k = 0; k < count; ++k) {
         const Arrival in = arrival(rig_.lights[k], point);
         out.x[k] = static_cast<float>(in.to_light[0]);
@@ -56,7 +57,8 @@ GridPlace grid_place(const NdfGrid& grid, float x, float y, float z) {
 
 GridPlace area_place(float x, float y, float z) {
     const float theta = std::acos(std::clamp(z, 0.0f, 1.0f));
-    const float s = std::sqrt(std::max(1.0f - theta * (2.0f * std::numbers::inv_pi_v<float>), 0.0f));
+    const float s =
+        std::sqrt(std::max(1.0f - theta * (2.0f * std::numbers::inv_pi_v<float>), 0.0f));
     const float at = s * static_cast<float>(kAreaGrid.rings - 1);
     GridPlace place;
     place.ring = std::min(static_cast<int>(at), kAreaGrid.rings - 1);

@@ -16,7 +16,7 @@ using Vec3f = std::array<float, 3>;
 // Directions in sample space and what arrives along them, for one point.
 struct PointLights {
     Vec3f to_eye{0.0f, 0.0f, 1.0f};
-    std::vector<float> x, y, z;            // towards each light, unit
+    std::vector<float> x, y, z;                  // towards each light, unit
     std::array<std::vector<float>, 3> received;  // L cos^m / r^2, rgb
 
     std::size_t size() const { return x.size(); }
@@ -73,16 +73,16 @@ inline float area_at(const float* areas, const GridPlace& place, float z, float 
 // What one point's samples look like to a distribution: only lights above the horizon of the normal
 // and samples that are not clipped.
 struct PointSamples {
-    std::vector<int> light;        // which light each sample is of
-    std::vector<GridPlace> half;   // of h, on the exemplars' grid
-    std::vector<GridPlace> in;     // of i, on the nodes of areas
-    GridPlace out;                 // of o, likewise
+    std::vector<int> light;       // which light each sample is of
+    std::vector<GridPlace> half;  // of h, on the exemplars' grid
+    std::vector<GridPlace> in;    // of i, on the nodes of areas
+    GridPlace out;                // of o, likewise
     std::vector<float> cosine_ih;
-    std::vector<float> weight_rgb[3];  // I = (rho) * this: n.i L cos^m / r^2
-    std::vector<float> value_rgb[3];   // I
+    std::vector<float> weight_rgb[3];    // I = (rho) * this: n.i L cos^m / r^2
+    std::vector<float> value_rgb[3];     // I
     std::vector<float> received, value;  // luminance of both
-    Vec3f to_eye{};                // in the normal's frame
-    std::vector<Vec3f> to_light;   // likewise
+    Vec3f to_eye{};                      // in the normal's frame
+    std::vector<Vec3f> to_light;         // likewise
 
     std::size_t size() const { return light.size(); }
 };

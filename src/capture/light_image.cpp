@@ -26,9 +26,10 @@ Image with_three_channels(const Image& image) {
     Image out(image.width, image.height, 3);
     for (std::size_t i = 0; i < out.pixels.size() / 3; ++i)
         for (std::size_t c = 0; c < 3; ++c)
-            out.pixels[3 * i + c] = image.channels == 1
-                                        ? image.pixels[i]
-                                        : image.pixels[static_cast<std::size_t>(image.channels) * i + c];
+            out.pixels[3 * i + c] =
+                image.channels == 1
+                    ? image.pixels[i]
+                    : image.pixels[static_cast<std::size_t>(image.channels) * i + c];
     return out;
 }
 
@@ -43,7 +44,8 @@ Exposed read_exposure(const Rig& rig, const std::filesystem::path& path) {
 
 void require_size(const std::filesystem::path& path, const Image& image, int width, int height) {
     if (width == 0 || (image.width == width && image.height == height)) return;
-    throw Error(path.string(), "", fmt::format("{} x {} pixels, as the first picture has", width, height),
+    throw Error(path.string(), "",
+                fmt::format("{} x {} pixels, as the first picture has", width, height),
                 fmt::format("{} x {}", image.width, image.height));
 }
 
@@ -55,7 +57,8 @@ Image read_flat_field(const Rig& rig) {
     double sum = 0.0;
     for (const float value : white.pixels) sum += static_cast<double>(value);
     const auto mean = static_cast<float>(sum / static_cast<double>(white.pixels.size()));
-    if (!(mean > 0.0f)) throw Error(rig.white->string(), "", "a picture of a white target", "all black");
+    if (!(mean > 0.0f))
+        throw Error(rig.white->string(), "", "a picture of a white target", "all black");
     for (float& value : white.pixels) value = std::max(value / mean, 0.01f);
     return white;
 }

@@ -24,7 +24,8 @@ float dot(const Vec3f& a, const Vec3f& b) {
 }
 
 float azimuth(const NdfGrid& grid, int column) {
-    return 2.0f * std::numbers::pi_v<float> * static_cast<float>(column) / static_cast<float>(grid.azimuths);
+    return 2.0f * std::numbers::pi_v<float> * static_cast<float>(column) /
+           static_cast<float>(grid.azimuths);
 }
 
 std::vector<Vec3f> directions_of(const NdfGrid& grid) {
@@ -77,7 +78,8 @@ PartialNdfSolver::PartialNdfSolver(const NdfGrid& grid, float spacing_rad, float
 namespace {
 
 // Means over blocks of a fine grid's cells, by mass; cells without weight count as empty.
-void coarsen(const NdfGrid& grid, const float* table, const float* weights, std::vector<float>& out) {
+void coarsen(const NdfGrid& grid, const float* table, const float* weights,
+             std::vector<float>& out) {
     out.assign(static_cast<std::size_t>(kCoarse.cells()), 0.0f);
     std::vector<float> counted(out.size(), 0.0f);
     for (int r = 0; r < grid.rings; ++r) {
@@ -103,7 +105,8 @@ Vec3f reflected(const Vec3f& o, const Vec3f& h) {
 
 }  // namespace
 
-PartialNdf PartialNdfSolver::solve(const PointSamples& samples, float* table, float* weights) const {
+PartialNdf PartialNdfSolver::solve(const PointSamples& samples, float* table,
+                                   float* weights) const {
     PartialNdf result;
     const auto cells = static_cast<std::size_t>(grid_.cells());
     std::fill_n(table, cells, 0.0f);
@@ -118,7 +121,8 @@ PartialNdf PartialNdfSolver::solve(const PointSamples& samples, float* table, fl
         const float rho = samples.value[q] / samples.received[q] - low;
         const GridPlace& place = samples.half[q];
         const float theta = grid_.theta(static_cast<float>(place.ring) + place.fraction);
-        const float phi = place.column * 2.0f * std::numbers::pi_v<float> / static_cast<float>(grid_.azimuths);
+        const float phi =
+            place.column * 2.0f * std::numbers::pi_v<float> / static_cast<float>(grid_.azimuths);
         image.splat(0.5f * static_cast<float>(side_) + scale * theta * std::cos(phi),
                     0.5f * static_cast<float>(side_) + scale * theta * std::sin(phi),
                     4.0f * std::max(rho, 0.0f) / relative_fresnel(eta_, samples.cosine_ih[q]));
@@ -152,11 +156,11 @@ PartialNdf PartialNdfSolver::solve(const PointSamples& samples, float* table, fl
         const Vec3f d = reflected(samples.to_eye, cell_direction_[i]);
         in[i] = grid_place(kCoarse, d[0], d[1], d[2]);
     }
-    const GridPlace out = grid_place(kCoarse, samples.to_eye[0], samples.to_eye[1], samples.to_eye[2]);
+    const GridPlace out =
+        grid_place(kCoarse, samples.to_eye[0], samples.to_eye[1], samples.to_eye[2]);
     std::vector<float> areas, before;
     for (int r = 0; r < kCoarse.rings; ++r)  // S = 1: g(k) = k_z
-        for (int c = 0; c < kCoarse.azimuths; ++c)
-            areas.push_back(std::cos(kCoarse.theta(r)));
+        for (int c = 0; c < kCoarse.azimuths; ++c) areas.push_back(std::cos(kCoarse.theta(r)));
     for (result.rounds = 0; result.rounds < kMostRounds; ++result.rounds) {
         const float area_out = lookup(kCoarse, areas.data(), out, 0.0f);
         float mass = 0.0f;

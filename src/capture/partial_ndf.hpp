@@ -1,8 +1,9 @@
-// The part of a distribution that one point shows by itself: W08's solve, corrected (docs/capture.md).
+// The part of a distribution that one point shows by itself: W08's solve, corrected
+// (docs/capture.md).
 //
-//   rho_q = I_q / received_q; diffuse = the 2nd percentile of rho (the minimum reads low under noise);
-//   D(h_q) = 4 (rho_q - diffuse) g(i_q) g(o) / (F(c_q)/F(1)), g = Int max(h.k, 0) D over the known
-//   part, D normalised before each g; at most 10 rounds.
+//   rho_q = I_q / received_q; diffuse = the 2nd percentile of rho (the minimum reads low under
+//   noise); D(h_q) = 4 (rho_q - diffuse) g(i_q) g(o) / (F(c_q)/F(1)), g = Int max(h.k, 0) D over
+//   the known part, D normalised before each g; at most 10 rounds.
 #pragma once
 
 #include <span>
@@ -30,8 +31,8 @@ class PartialNdfSolver {
   private:
     NdfGrid grid_;
     float eta_;
-    int side_;                       // of the picture that samples are splatted into
-    std::vector<float> area_kernel_; // coarse directions x coarse cells: max(h.k, 0) dw
+    int side_;                        // of the picture that samples are splatted into
+    std::vector<float> area_kernel_;  // coarse directions x coarse cells: max(h.k, 0) dw
     std::vector<Vec3f> cell_direction_;
     std::vector<float> cell_x_, cell_y_;  // place of each cell in that picture
     std::vector<float> cell_mass_;        // cos(theta) dw

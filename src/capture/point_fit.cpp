@@ -53,7 +53,8 @@ PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(samp
 }
 
 PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
-    const float area_out = area_at(tables.areas, samples_.out, samples_.to_eye[2], area_shift(tables.grid, shift));
+    const float area_out =
+        area_at(tables.areas, samples_.out, samples_.to_eye[2], area_shift(tables.grid, shift));
     double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
     for (std::size_t q = 0; q < samples_.size(); ++q) {
         const float b = specular_shape(tables, samples_, q, shift, fresnel_[q], area_out);
@@ -77,8 +78,11 @@ PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
 
 PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float width) const {
     PointFit best = at(tables, shift);
+    const PointFit opposite = at(tables, shift + 0.5f * static_cast<float>(tables.grid.azimuths));
+    if (opposite.error < best.error) best = opposite;
     for (float step = width; step > 0.02f; step *= 0.4f) {
-        const PointFit before = at(tables, best.shift - step), after = at(tables, best.shift + step);
+        const PointFit before = at(tables, best.shift - step),
+                       after = at(tables, best.shift + step);
         const float bend = before.error - 2.0f * best.error + after.error;
         float to = best.shift;
         if (bend > 0.0f)
@@ -95,7 +99,8 @@ PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float w
 
 void PointFitter::colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
                           std::array<float, 3>& specular) const {
-    const float area_out = area_at(tables.areas, samples_.out, samples_.to_eye[2], area_shift(tables.grid, shift));
+    const float area_out =
+        area_at(tables.areas, samples_.out, samples_.to_eye[2], area_shift(tables.grid, shift));
     std::vector<float> shape(samples_.size());
     for (std::size_t q = 0; q < shape.size(); ++q)
         shape[q] = specular_shape(tables, samples_, q, shift, fresnel_[q], area_out);

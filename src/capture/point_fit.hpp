@@ -25,17 +25,18 @@ inline float area_shift(const NdfGrid& grid, float shift) {
 }
 
 // b of one sample at a turn of `shift` columns. `fresnel` is F(c)/F(1).
-inline float specular_shape(const ExemplarTables& tables, const PointSamples& samples, std::size_t q,
-                            float shift, float fresnel, float area_out) {
+inline float specular_shape(const ExemplarTables& tables, const PointSamples& samples,
+                            std::size_t q, float shift, float fresnel, float area_out) {
     const float d = lookup(tables.grid, tables.D, samples.half[q], shift);
-    const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2], area_shift(tables.grid, shift));
+    const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2],
+                                  area_shift(tables.grid, shift));
     return fresnel * d / (4.0f * area_in * area_out);
 }
 
 struct PointFit {
     float shift = 0.0f;                     // columns of the exemplars' grid
     float diffuse = 0.0f, specular = 0.0f;  // luminance
-    float error = 0.0f;                     // weighted mean square of the residuals, 1: nothing explained
+    float error = 0.0f;  // weighted mean square of the residuals, 1: nothing explained
 };
 
 // The weight of a sample is 1 / (I + mean I)^2: relative where a highlight is bright, so that its
@@ -47,7 +48,9 @@ class PointFitter {
 
     // Diffuse and specular at a given turn, neither below 0.
     PointFit at(const ExemplarTables& tables, float shift) const;
-    // The best turn near `shift`, to about 0.02 columns, searched within `width` columns to each side.
+    // The best turn near `shift` or half a turn from it, to about 0.02 columns, searched within
+    // `width` columns to each side: what one camera sees of a distribution is often much the same
+    // from behind.
     PointFit refined(const ExemplarTables& tables, float shift, float width) const;
     // Diffuse and specular of each channel at a turn.
     void colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,

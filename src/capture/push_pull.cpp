@@ -9,7 +9,8 @@ namespace burnish {
 namespace {
 
 std::size_t index(int side, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
+           static_cast<std::size_t>(x);
 }
 
 // Weights of full pixels count as 1, however many samples they hold: a crowded place must not speak

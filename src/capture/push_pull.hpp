@@ -1,6 +1,6 @@
-// Push-pull interpolation of scattered samples (Gortler et al., "The Lumigraph", 1996, section 3.4):
-// samples are splatted with tent weights; coarser levels gather them where the finer one has too few
-// (pull), then fill the finer one's gaps (push).
+// Push-pull interpolation of scattered samples (Gortler et al., "The Lumigraph", 1996,
+// section 3.4): samples are splatted with tent weights; coarser levels gather them where the finer
+// one has too few (pull), then fill the finer one's gaps (push).
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 namespace burnish {
 
 struct PushPullImage {
-    int side = 0;                // square, a power of two
-    std::vector<float> value;    // weighted mean at this level or below
-    std::vector<float> weight;   // 0: no sample near; 1: samples at this level
+    int side = 0;               // square, a power of two
+    std::vector<float> value;   // weighted mean at this level or below
+    std::vector<float> weight;  // 0: no sample near; 1: samples at this level
 
     explicit PushPullImage(int side_ = 0);
     // (x, y) in pixels, pixel centres at whole + 1/2.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "core/parallel.hpp"
@@ -17,8 +18,15 @@ namespace {
 constexpr int kProducts = 3;
 constexpr std::size_t kPointTile = 32, kExemplarTile = 32;
 
-// C (m x n) = A (m x k) B (k x n), all row-major and packed.
-void multiply(std::size_t m, std::size_t n, std::size_t k, const float* a, const float* b, float* c) {
+// C (m x n) = A (m x k) B (k x n), all row-major and packed. Called from many threads, each product
+// on one. A build of OpenBLAS without threads has no locks either and mixes up callers' buffers
+// (measured with 0.3.21): there one call at a time.
+void multiply(std::size_t m, std::size_t n, std::size_t k, const float* a, const float* b,
+              float* c) {
+    static const bool unlocked = openblas_get_parallel() == OPENBLAS_SEQUENTIAL;
+    static std::mutex one_at_a_time;
+    std::unique_lock<std::mutex> lock(one_at_a_time, std::defer_lock);
+    if (unlocked) lock.lock();
     cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(m), static_cast<int>(n),
                 static_cast<int>(k), 1.0f, a, static_cast<int>(k), b, static_cast<int>(n), 0.0f, c,
                 static_cast<int>(n));
@@ -47,8 +55,8 @@ RotationMatcher::RotationMatcher(const NdfGrid& grid, float least_overlap)
     const auto azimuths = static_cast<std::size_t>(grid.azimuths);
     const auto f_count = static_cast<std::size_t>(frequencies_);
     for (int r = 0; r < grid.rings; ++r)
-        ring_weight_.push_back(static_cast<float>(std::cos(static_cast<double>(
-                                   grid.theta(r))) * grid.solid_angle(r)));
+        ring_weight_.push_back(
+            static_cast<float>(std::cos(static_cast<double>(grid.theta(r))) * grid.solid_angle(r)));
     forward_.resize(azimuths * 2 * f_count);
     even_.resize(f_count * f_count);
     odd_.resize(f_count * f_count);
@@ -65,8 +73,8 @@ RotationMatcher::RotationMatcher(const NdfGrid& grid, float least_overlap)
         const bool single = f == 0 || 2 * f == azimuths;
         const double share = (single ? 1.0 : 2.0) / static_cast<double>(azimuths);
         for (std::size_t s = 0; s < f_count; ++s) {
-            even_[f * f_count + s] = static_cast<float>(share * std::cos(angle(f, s)));
-            odd_[f * f_count + s] = static_cast<float>(share * std::sin(angle(f, s)));
+            even_[s * f_count + f] = static_cast<float>(share * std::cos(angle(f, s)));
+            odd_[s * f_count + f] = static_cast<float>(share * std::sin(angle(f, s)));
         }
     }
 }
@@ -99,7 +107,8 @@ void RotationMatcher::spectra_of(const MaskedTables& tables, std::size_t first, 
             sums[t] += ring_weight_[i / azimuths] * std::max(weight[i], 0.0f);
         }
         for (std::size_t k = 0; k < kProducts; ++k) {
-            multiply(rings, 2 * f_count, azimuths, rows[k].data(), forward_.data(), transformed.data());
+            multiply(rings, 2 * f_count, azimuths, rows[k].data(), forward_.data(),
+                     transformed.data());
             for (std::size_t f = 0; f < f_count; ++f) {
                 float* to = out.data() + ((k * f_count + f) * count + t) * 2 * rings;
                 for (std::size_t r = 0; r < rings; ++r) {
@@ -125,7 +134,8 @@ void RotationMatcher::set_exemplars(const MaskedTables& exemplars) {
         spectra_of(exemplars, first, count, true, tile, tile_sums);
         std::copy(tile.begin(), tile.end(),
                   spectra_.begin() + static_cast<std::ptrdiff_t>(kProducts * block() * first));
-        std::copy(tile_sums.begin(), tile_sums.end(), sums_.begin() + static_cast<std::ptrdiff_t>(first));
+        std::copy(tile_sums.begin(), tile_sums.end(),
+                  sums_.begin() + static_cast<std::ptrdiff_t>(first));
     });
 }
 
@@ -269,12 +279,14 @@ void RotationMatcher::match_range(const MaskedTables& points, std::size_t first,
         std::vector<std::vector<float>> sums(spectra.size());
         for (std::size_t t = 0; t < spectra.size(); ++t) {
             const std::size_t from = group_begin + t * kPointTile;
-            spectra_of(points, from, std::min(kPointTile, group_end - from), false, spectra[t], sums[t]);
+            spectra_of(points, from, std::min(kPointTile, group_end - from), false, spectra[t],
+                       sums[t]);
         }
         Tile tile(*this);
         for (std::size_t e = begin_tile * kExemplarTile; e < end; e += kExemplarTile) {
             const std::size_t exemplars = std::min(kExemplarTile, count_ - e);
-            tile.set_exemplars(spectra_.data() + kProducts * block() * e, sums_.data() + e, exemplars);
+            tile.set_exemplars(spectra_.data() + kProducts * block() * e, sums_.data() + e,
+                               exemplars);
             const std::size_t wanted = std::min(exemplars, end - e);
             std::vector<RotationMatch> some(kPointTile * exemplars);
             for (std::size_t t = 0; t < spectra.size(); ++t) {
@@ -282,7 +294,8 @@ void RotationMatcher::match_range(const MaskedTables& points, std::size_t first,
                 tile.match(spectra[t].data(), sums[t].data(), n, some.data(), exemplars);
                 for (std::size_t p = 0; p < n; ++p)
                     std::copy_n(some.data() + p * exemplars, wanted,
-                                matches.data() + (t * kPointTile + p) * width + (e - begin_tile * kExemplarTile));
+                                matches.data() + (t * kPointTile + p) * width +
+                                    (e - begin_tile * kExemplarTile));
             }
         }
         const std::size_t skip = first - begin_tile * kExemplarTile;
@@ -291,7 +304,8 @@ void RotationMatcher::match_range(const MaskedTables& points, std::size_t first,
     });
 }
 
-std::vector<double> RotationMatcher::residuals_directly(const float* point, const float* point_weights,
+std::vector<double> RotationMatcher::residuals_directly(const float* point,
+                                                        const float* point_weights,
                                                         const float* exemplar,
                                                         const float* exemplar_weights) const {
     const int azimuths = grid_.azimuths;
@@ -306,20 +320,24 @@ std::vector<double> RotationMatcher::residuals_directly(const float* point, cons
         double a = 0.0, b = 0.0, x = 0.0, o = 0.0;
         for (int r = 0; r < grid_.rings; ++r)
             for (int c = 0; c < azimuths; ++c) {
-                const int at = r * azimuths + c, from = r * azimuths + (c - s + azimuths) % azimuths;
+                const int at = r * azimuths + c,
+                          from = r * azimuths + (c - s + azimuths) % azimuths;
                 const double w = static_cast<double>(ring_weight_[static_cast<std::size_t>(r)]) *
                                  static_cast<double>(point_weights[at]) *
                                  static_cast<double>(exemplar_weights[from]);
                 if (w <= 0.0) continue;
-                const auto t = static_cast<double>(point[at]), u = static_cast<double>(exemplar[from]);
+                const auto t = static_cast<double>(point[at]),
+                           u = static_cast<double>(exemplar[from]);
                 a += w * t * t;
                 b += w * u * u;
                 x += w * t * u;
                 o += w;
             }
-        const bool counts = o >= static_cast<double>(least_overlap_) * std::min(point_sum, exemplar_sum);
-        out.push_back(counts ? std::max(1.0 - std::pow(std::max(x, 0.0), 2) / std::max(a * b, 1e-30), 0.0)
-                             : 1.0);
+        const bool counts =
+            o >= static_cast<double>(least_overlap_) * std::min(point_sum, exemplar_sum);
+        out.push_back(
+            counts ? std::max(1.0 - std::pow(std::max(x, 0.0), 2) / std::max(a * b, 1e-30), 0.0)
+                   : 1.0);
     }
     return out;
 }
@@ -327,7 +345,8 @@ std::vector<double> RotationMatcher::residuals_directly(const float* point, cons
 RotationMatch RotationMatcher::match_directly(const float* point, const float* point_weights,
                                               const float* exemplar,
                                               const float* exemplar_weights) const {
-    const std::vector<double> all = residuals_directly(point, point_weights, exemplar, exemplar_weights);
+    const std::vector<double> all =
+        residuals_directly(point, point_weights, exemplar, exemplar_weights);
     const auto best = std::min_element(all.begin(), all.end());
     RotationMatch match;
     match.residual = static_cast<float>(*best);

@@ -1,12 +1,12 @@
-// How alike are two distributions, each known on a part of the hemisphere only, when one may be turned
-// and scaled? All turns at once, by correlation over azimuth in frequency space; docs/capture.md
-// derives it.
+// How alike are two distributions, each known on a part of the hemisphere only, when one may be
+// turned and scaled? All turns at once, by correlation over azimuth in frequency space;
+// docs/capture.md derives it.
 //
 // For a point's table T with weights m and an exemplar's C with weights n, over cells weighted by
 // cos(theta) times solid angle, at a turn of s columns:
 //   A = sum m T^2 n(s)    B = sum m n(s) C(s)^2    X = sum m T n(s) C(s)    O = sum m n(s)
-// The scale that fits best is X / B, and what it leaves is A - X^2 / B; the residual is that over A:
-// 0 for the same shape, 1 for unrelated ones. Turns whose overlap O is too small do not count.
+// The scale that fits best is X / B, and what it leaves is A - X^2 / B; the residual is that over
+// A: 0 for the same shape, 1 for unrelated ones. Turns whose overlap O is too small do not count.
 #pragma once
 
 #include <cstddef>
@@ -53,7 +53,8 @@ class RotationMatcher {
     RotationMatch match_directly(const float* point, const float* point_weights,
                                  const float* exemplar, const float* exemplar_weights) const;
 
-    // Of all turns of one pair, by either way; for tests. residual[s] is 1 where overlap is lacking.
+    // Of all turns of one pair, by either way; for tests. residual[s] is 1 where overlap is
+    // lacking.
     std::vector<double> residuals_directly(const float* point, const float* point_weights,
                                            const float* exemplar,
                                            const float* exemplar_weights) const;
@@ -67,11 +68,11 @@ class RotationMatcher {
     NdfGrid grid_;
     float least_overlap_;
     int frequencies_;
-    std::vector<float> ring_weight_;         // cos(theta) dw of a cell
-    std::vector<float> forward_;             // azimuths x 2 frequencies
-    std::vector<float> even_, odd_;          // frequencies x half turns
+    std::vector<float> ring_weight_;  // cos(theta) dw of a cell
+    std::vector<float> forward_;      // azimuths x 2 frequencies
+    std::vector<float> even_, odd_;   // half turns x frequencies
     std::size_t count_ = 0;
-    std::vector<float> spectra_, sums_;      // of the exemplars
+    std::vector<float> spectra_, sums_;  // of the exemplars
 };
 
 }  // namespace burnish

@@ -16,16 +16,18 @@ f64::Lobe lobe_of(const VirtualLobe& lobe) {
 // A lean by the slopes s maps h to h' with slopes m - s: D(h) = P(m - s) / h_z^4 and P(m') = D(h')
 // h'_z^4.
 double leaning_D(const VirtualLobe& lobe, const Vec3d& h) {
-    const Vec3d own = turned_about_z(
-        {h[0] - lobe.lean_x * h[2], h[1] - lobe.lean_y * h[2], h[2]}, -lobe.turn);
+    const Vec3d own =
+        turned_about_z({h[0] - lobe.lean_x * h[2], h[1] - lobe.lean_y * h[2], h[2]}, -lobe.turn);
     const f64::vec3 direction = f64::normalize(f64::vec3(own[0], own[1], own[2]));
     const double ratio = direction.z / h[2];
-    const f64::Perturbation flat = f64::perturb_make(f64::kMethodNone, f64::vec3(0.0, 0.0, 1.0), true, false);
+    const f64::Perturbation flat =
+        f64::perturb_make(f64::kMethodNone, f64::vec3(0.0, 0.0, 1.0), true, false);
     return f64::lobe_D(lobe_of(lobe), flat, direction) * ratio * ratio * ratio * ratio;
 }
 
-// Int max(k.m + k_z, 0) P(m) dm of the lobe at rest, for a k that need not be unit and may lie below
-// the horizon: k_z (1 + Lambda), and the same less k_z mirrored (Smith; Heitz 2014 section 5).
+// Int max(k.m + k_z, 0) P(m) dm of the lobe at rest, for a k that need not be unit and may lie
+// below the horizon: k_z (1 + Lambda), and the same less k_z mirrored (Smith; Heitz 2014 section
+// 5).
 double resting_area(const VirtualLobe& lobe, const Vec3d& k) {
     const double z = std::abs(k[2]);
     const double lateral = std::hypot(k[0], k[1]);

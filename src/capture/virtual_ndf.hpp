@@ -10,8 +10,9 @@
 
 namespace burnish {
 
-// A lobe with its x axis turned by `turn` radians from the class's, about a mean slope: facets lean,
-// as those of a pile or of half-worn scratches do. Slopes are (h_x, h_y) / h_z in the class's frame.
+// A lobe with its x axis turned by `turn` radians from the class's, about a mean slope: facets
+// lean, as those of a pile or of half-worn scratches do. Slopes are (h_x, h_y) / h_z in the class's
+// frame.
 struct VirtualLobe {
     double weight = 1.0;
     Mdf mdf = Mdf::ggx;

@@ -34,13 +34,10 @@ VirtualNdf asymmetric() {
              {.weight = 0.4, .alpha_x = 0.15, .alpha_y = 0.20, .lean_y = 0.45}}};
 }
 VirtualNdf satin(double along, double across) {
-    return {"satin",
-            {{.weight = 0.8, .mdf = Mdf::beckmann, .alpha_x = along, .alpha_y = across},
-             {.weight = 0.2,
-              .mdf = Mdf::beckmann,
-              .alpha_x = 0.25,
-              .alpha_y = 0.35,
-              .turn = kPi / 2}}};
+    return {
+        "satin",
+        {{.weight = 0.8, .mdf = Mdf::beckmann, .alpha_x = along, .alpha_y = across},
+         {.weight = 0.2, .mdf = Mdf::beckmann, .alpha_x = 0.25, .alpha_y = 0.35, .turn = kPi / 2}}};
 }
 // A pile that stands up and leans: bright towards the edge, dark from above.
 VirtualNdf velvet() {
@@ -126,19 +123,31 @@ struct Entry {
 constexpr std::array<Entry, 9> kEntries = {{
     {{"classes", "four patches: beckmann, ggx, two lobes, asymmetric"}, classes},
     {{"satin", "satin with a narrow highlight across its floats"},
-     [] { return one(satin(0.12, 0.45), {0.20, 0.04, 0.05}, 0.22); }},
+     [] {
+         return one(satin(0.12, 0.45), {0.20, 0.04, 0.05}, 0.22);
+     }},
     {{"satin-soft", "a duller satin"},
-     [] { return one(satin(0.22, 0.50), {0.05, 0.10, 0.22}, 0.12); }},
+     [] {
+         return one(satin(0.22, 0.50), {0.05, 0.10, 0.22}, 0.12);
+     }},
     {{"wallpaper", "gilt motifs on a matt ground"}, wallpaper},
     {{"velvet", "a pile that leans to two sides"},
-     [] { return one(velvet(), {0.10, 0.01, 0.03}, 0.08); }},
+     [] {
+         return one(velvet(), {0.10, 0.01, 0.03}, 0.08);
+     }},
     {{"single-grain", "one grain direction: its distribution cannot be completed"}, single_grain},
     {{"isotropic", "no grain at all"},
-     [] { return one(plain("isotropic", 0.25), {0.15, 0.15, 0.12}, 0.15); }},
+     [] {
+         return one(plain("isotropic", 0.25), {0.15, 0.15, 0.12}, 0.15);
+     }},
     {{"mirror", "a lobe narrower than any stack resolves"},
-     [] { return one(plain("mirror", 0.01), {0.02, 0.02, 0.02}, 0.6); }},
+     [] {
+         return one(plain("mirror", 0.01), {0.02, 0.02, 0.02}, 0.6);
+     }},
     {{"diffuse", "no highlight at all"},
-     [] { return one(plain("none", 0.5), {0.4, 0.35, 0.3}, 0.0); }},
+     [] {
+         return one(plain("none", 0.5), {0.4, 0.35, 0.3}, 0.0);
+     }},
 }};
 
 Vec3d waving_normal(double u, double v, double tilt_deg) {

@@ -86,31 +86,33 @@ Image virtual_picture(const VirtualSample& sample, const Rig& rig, std::size_t l
     const double most =
         camera.clip > 0.0 ? camera.clip * white_level(sample, rig) : f64::kMostValue;
     Image image(sample.width, sample.height, 3);
-    parallel_for(static_cast<std::size_t>(sample.height), 4, [&](std::size_t begin, std::size_t end) {
-        for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
-            for (int column = 0; column < sample.width; ++column) {
-                const VirtualTexel& texel = sample.at(column, row);
-                const Vec3d x = sample_point(rig, sample.width, sample.height, column, row);
-                const Arrival in = arrival(lamp, x);
-                const double cosine = std::max(dot(texel.normal, in.to_light), 0.0);
-                const Vec3d rho = virtual_brdf(sample, texel, in.to_light, direction_to(eye, x));
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const double received = cosine * in.irradiance_per_cosine[c];
-                    const std::uint64_t counter =
-                        ((camera.seed * 4096 + light) << 32) +
-                        (static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(sample.width) +
-                         static_cast<std::uint64_t>(column)) *
-                            3 +
-                        c;
-                    double value = rho[c] * received;
-                    if (camera.noise > 0.0)
-                        value += camera.noise * normal_at(counter) *
-                                 (value + kNoiseFloor * received / std::numbers::pi);
-                    image.at(column, row)[c] =
-                        static_cast<float>(std::clamp(value, 0.0, most));
+    parallel_for(
+        static_cast<std::size_t>(sample.height), 4, [&](std::size_t begin, std::size_t end) {
+            for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+                for (int column = 0; column < sample.width; ++column) {
+                    const VirtualTexel& texel = sample.at(column, row);
+                    const Vec3d x = sample_point(rig, sample.width, sample.height, column, row);
+                    const Arrival in = arrival(lamp, x);
+                    const double cosine = std::max(dot(texel.normal, in.to_light), 0.0);
+                    const Vec3d rho =
+                        virtual_brdf(sample, texel, in.to_light, direction_to(eye, x));
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        const double received = cosine * in.irradiance_per_cosine[c];
+                        const std::uint64_t counter =
+                            ((camera.seed * 4096 + light) << 32) +
+                            (static_cast<std::uint64_t>(row) *
+                                 static_cast<std::uint64_t>(sample.width) +
+                             static_cast<std::uint64_t>(column)) *
+                                3 +
+                            c;
+                        double value = rho[c] * received;
+                        if (camera.noise > 0.0)
+                            value += camera.noise * normal_at(counter) *
+                                     (value + kNoiseFloor * received / std::numbers::pi);
+                        image.at(column, row)[c] = static_cast<float>(std::clamp(value, 0.0, most));
+                    }
                 }
-            }
-    });
+        });
     return image;
 }
 

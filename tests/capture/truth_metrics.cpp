@@ -48,14 +48,16 @@ Distance distance(const TabulatedMaterial& m, int exemplar, double turn, const V
             const double phi = 2 * kPi * c / kColumns;
             const double fitted = static_cast<double>(ndf_lookup(
                 m.grid, m.table(exemplar), static_cast<float>(u), static_cast<float>(phi - turn)));
-            const double d = truth.D({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                                      std::cos(theta)});
+            const double d = truth.D({std::sin(theta) * std::cos(phi),
+                                      std::sin(theta) * std::sin(phi), std::cos(theta)});
             const double difference = weight * std::abs(fitted - d);
             out.all += difference;
             const double turns = (phi - turn) / (2 * kPi);
             const int column =
-                static_cast<int>(std::lround((turns - std::floor(turns)) * m.grid.azimuths)) % m.grid.azimuths;
-            const auto cell = static_cast<std::size_t>(exemplar * m.grid.cells() + ring * m.grid.azimuths + column);
+                static_cast<int>(std::lround((turns - std::floor(turns)) * m.grid.azimuths)) %
+                m.grid.azimuths;
+            const auto cell = static_cast<std::size_t>(exemplar * m.grid.cells() +
+                                                       ring * m.grid.azimuths + column);
             if (m.origin[cell] == NdfOrigin::extrapolated) continue;
             out.covered += difference;
             out.covered_mass += weight * d;
@@ -78,7 +80,8 @@ Rig write_stack(const VirtualSample& sample, const Rig& rig, const VirtualCamera
     return out;
 }
 
-std::vector<ClassMetrics> compare_to_truth(const VirtualSample& sample, const TabulatedMaterial& m) {
+std::vector<ClassMetrics> compare_to_truth(const VirtualSample& sample,
+                                           const TabulatedMaterial& m) {
     std::vector<ClassMetrics> out;
     for (std::size_t c = 0; c < sample.ndfs.size(); ++c) {
         ClassMetrics metrics;
@@ -95,15 +98,18 @@ std::vector<ClassMetrics> compare_to_truth(const VirtualSample& sample, const Ta
             offset[e].second += std::sin(2 * turn);
             ++members[e];
             ++metrics.texels;
-            specular.push_back(static_cast<double>(m.specular.pixels[3 * t + 1]) / sample.texels[t].specular[1]);
-            diffuse.push_back(static_cast<double>(m.diffuse.pixels[3 * t + 1]) / sample.texels[t].diffuse[1]);
+            specular.push_back(static_cast<double>(m.specular.pixels[3 * t + 1]) /
+                               sample.texels[t].specular[1]);
+            diffuse.push_back(static_cast<double>(m.diffuse.pixels[3 * t + 1]) /
+                              sample.texels[t].diffuse[1]);
         }
         std::vector<double> errors;
         for (std::size_t t = 0; t < sample.texels.size(); ++t) {
             if (sample.texels[t].ndf != static_cast<int>(c)) continue;
             const auto& o = offset[m.exemplar[t]];
             const double turn = static_cast<double>(m.angle[t]) - sample.texels[t].grain;
-            errors.push_back(std::abs(wrapped(turn - 0.5 * std::atan2(o.second, o.first), kPi)) * 180 / kPi);
+            errors.push_back(std::abs(wrapped(turn - 0.5 * std::atan2(o.second, o.first), kPi)) *
+                             180 / kPi);
         }
         metrics.angle_median_deg = median(errors);
         metrics.angle_p90_deg = median(errors, 0.9);
@@ -113,8 +119,8 @@ std::vector<ClassMetrics> compare_to_truth(const VirtualSample& sample, const Ta
             Distance best;
             best.all = 1e9;
             for (int half = 0; half < 2; ++half) {
-                const Distance d =
-                    distance(m, e, -0.5 * std::atan2(o.second, o.first) + half * kPi - 0.0, sample.ndfs[c]);
+                const Distance d = distance(m, e, 0.5 * std::atan2(o.second, o.first) + half * kPi,
+                                            sample.ndfs[c]);
                 if (d.all < best.all) best = d;
             }
             for (int k = 0; k < members[e]; ++k) {
@@ -138,8 +144,8 @@ std::vector<std::vector<float>> areas_of(const TabulatedMaterial& material) {
     return out;
 }
 
-Vec3d material_brdf(const TabulatedMaterial& m, const std::vector<std::vector<float>>& areas, int column,
-                    int row, const Vec3d& to_light, const Vec3d& to_eye) {
+Vec3d material_brdf(const TabulatedMaterial& m, const std::vector<std::vector<float>>& areas,
+                    int column, int row, const Vec3d& to_light, const Vec3d& to_eye) {
     const std::size_t t = static_cast<std::size_t>(row * m.width + column);
     const int e = m.exemplar[t];
     const double a = -static_cast<double>(m.angle[t]);
@@ -152,12 +158,14 @@ Vec3d material_brdf(const TabulatedMaterial& m, const std::vector<std::vector<fl
         ndf_lookup(m.grid, m.table(e), static_cast<float>(std::sqrt(theta * 2 / kPi)),
                    static_cast<float>(std::atan2(sum[1], sum[0]))));
     const auto area = [&](const Vec3d& k) {
-        return static_cast<double>(ndf_area_lookup(areas[static_cast<std::size_t>(e)].data(), static_cast<float>(k[0]),
-                                                   static_cast<float>(k[1]), static_cast<float>(k[2])));
+        return static_cast<double>(
+            ndf_area_lookup(areas[static_cast<std::size_t>(e)].data(), static_cast<float>(k[0]),
+                            static_cast<float>(k[1]), static_cast<float>(k[2])));
     };
     double fresnel = 1.0;
     if (m.eta > 0.0)
-        fresnel = f64::fresnel_conductor(m.eta, 0.0, 0.5 * length) / f64::fresnel_conductor(m.eta, 0.0, 1.0);
+        fresnel = f64::fresnel_conductor(m.eta, 0.0, 0.5 * length) /
+                  f64::fresnel_conductor(m.eta, 0.0, 1.0);
     const double shape = fresnel * D / (4.0 * area(i) * area(o));
     Vec3d rho;
     for (std::size_t c = 0; c < 3; ++c)

@@ -1,5 +1,5 @@
-// How far a fitted material is from the simulated sample it was fitted to. Works from the truth's own
-// closed forms; takes nothing from the fit but its material.
+// How far a fitted material is from the simulated sample it was fitted to. Works from the truth's
+// own closed forms; takes nothing from the fit but its material.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,8 @@
 
 namespace burnish::test {
 
-// Writes a stack of the sample under the rig into `folder` as OpenEXR; returns the rig with pictures.
+// Writes a stack of the sample under the rig into `folder` as OpenEXR; returns the rig with
+// pictures.
 Rig write_stack(const VirtualSample& sample, const Rig& rig, const VirtualCamera& camera,
                 const std::filesystem::path& folder);
 
@@ -24,8 +25,8 @@ struct ClassMetrics {
     double diffuse_ratio = 0.0;
 };
 
-// One entry a distribution of the sample. `skip`: texels this near the seams of patches (share of the
-// width) are left out.
+// One entry a distribution of the sample. `skip`: texels this near the seams of patches (share of
+// the width) are left out.
 std::vector<ClassMetrics> compare_to_truth(const VirtualSample& sample,
                                            const TabulatedMaterial& material);
 
