@@ -22,9 +22,12 @@ std::string describe_lights(const Rig& rig, const RigCoverage& coverage) {
     const std::string kind = near == 0                   ? "far away"
                              : near == rig.lights.size() ? "near"
                                                          : fmt::format("{} of them near", near);
-    return fmt::format("  {}, {}, {:.1f} to {:.1f} deg over the sample, {:.0f} deg of azimuth\n",
-                       plural(rig.lights.size(), "light"), kind, coverage.lowest_light,
-                       coverage.highest_light, coverage.azimuth_spread);
+    const std::string lowest = fmt::format("{:.1f}", coverage.lowest_light);
+    const std::string highest = fmt::format("{:.1f}", coverage.highest_light);
+    return fmt::format("  {}, {}, {} deg over the sample, {:.0f} deg of azimuth\n",
+                       plural(rig.lights.size(), "light"), kind,
+                       lowest == highest ? lowest : lowest + " to " + highest,
+                       coverage.azimuth_spread);
 }
 
 std::string describe_camera(const Rig& rig, const RigCoverage& coverage) {

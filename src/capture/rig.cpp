@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "burnish/error.hpp"
@@ -61,15 +63,27 @@ Reading read_any(const std::filesystem::path& path, bool needs_images, bool has_
 }
 
 // JPEG and 8-bit PNG hold display values; the others are what cameras' raw data are turned into.
-RigResponse usual_response(const Rig& rig) {
-    for (const RigLight& light : rig.lights) {
-        if (light.images.empty()) continue;
-        const std::string extension = lower_extension(light.images.front().image);
-        const bool linear = extension == ".exr" || extension == ".hdr" || extension == ".tif" ||
-                            extension == ".tiff";
-        return linear ? RigResponse::linear : RigResponse::srgb;
-    }
-    return RigResponse::linear;
+RigResponse usual_response(const std::filesystem::path& picture) {
+    const std::string extension = lower_extension(picture);
+    const bool linear =
+        extension == ".exr" || extension == ".hdr" || extension == ".tif" || extension == ".tiff";
+    return linear ? RigResponse::linear : RigResponse::srgb;
+}
+
+// One response holds for all pictures.
+RigResponse usual_response(Rig& rig) {
+    std::optional<RigResponse> usual;
+    bool warned = false;
+    for (const RigLight& light : rig.lights)
+        for (const RigExposure& exposure : light.images) {
+            const RigResponse response = usual_response(exposure.image);
+            if (!usual) usual = response;
+            if (response == *usual || std::exchange(warned, true)) continue;
+            rig.warnings.push_back(
+                fmt::format("{}: a picture of another kind than the first: all are taken for {}",
+                            light.where, *usual == RigResponse::linear ? "linear" : "sRGB"));
+        }
+    return usual.value_or(RigResponse::linear);
 }
 
 void flip_y(Rig& rig) {

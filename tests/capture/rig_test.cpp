@@ -243,6 +243,15 @@ TEST(RigJson, ResponseFollowsTheKindOfPictureWhenNothingIsSaid) {
               RigResponse::srgb);
 }
 
+TEST(RigJson, WarnsOfPicturesOfSeveralKindsWithoutAResponse) {
+    const auto of = [](const std::string& more) {
+        return read(rig_of(std::string(kCamera) + more + R"(, "lights": [
+            {"direction": [0,0,1], "image": "a.exr"}, {"direction": [0,1,1], "image": "b.png"}])"));
+    };
+    EXPECT_TRUE(warns(of(""), "lights[1]: a picture of another kind than the first"));
+    EXPECT_FALSE(warns(of(R"(, "response": "linear")"), "kind"));
+}
+
 TEST(RigJson, WidthMayComeFromTheCaller) {
     const std::string text = rig_of(std::string(kCamera) + ", " + kLights);
     const Rig rig = read(text, {{}, {}, 100.0});
