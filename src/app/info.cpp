@@ -9,9 +9,11 @@
 #include "app/info_draft.hpp"
 #include "app/info_measured.hpp"
 #include "app/info_scene.hpp"
+#include "app/info_tabulated.hpp"
 #include "core/image_io.hpp"
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
+#include "scene/tabulated_material.hpp"
 #include "scene/tensor_file.hpp"
 #include "scene/wif.hpp"
 
@@ -69,6 +71,7 @@ std::string describe_file(const std::string& path) {
     }
     if (!mesh && is_tensor_file(path)) return describe_measured(path);
     if (!mesh && is_wif_file(path)) return describe_draft(path);
+    if (!mesh && is_tabulated_material(path)) return describe_tabulated(path);
     if (!mesh && is_image_file(path)) return describe_image(path);
     if (!mesh && is_scene_file(path)) return describe_scene_file(path);
     Scene scene = load_model(path);

@@ -157,7 +157,8 @@ const std::vector<std::vector<Names>>& alternatives() {
         {{"normal_map"},
          {"scratch", "scratch_direction"},
          {"weave", "weave_yarns", "weave_crimp", "weave_bulge", "weave_gap", "weave_twist",
-          "weave_fuzz", "warp_color", "weft_color"}}};
+          "weave_fuzz", "warp_color", "weft_color"}},
+        {{"tabulated"}, {"scratch", "scratch_direction"}, {"weave"}}};
     return all;
 }
 

@@ -45,8 +45,8 @@ void check_sizes(const std::string& file, const TabulatedMaterial& m) {
                     fmt::format("tables that fit {} x {}", kMostAtlasSide, kMostAtlasSide),
                     fmt::format("{} of {} x {}", m.exemplars, m.grid.azimuths, m.grid.rings));
     }
-    if (!(m.eta == 0 || (m.eta >= 1 && m.eta <= 100)))
-        throw Error(file, "eta", "0, or 1 to 100", fmt::format("{:g}", m.eta));
+    if (!(m.eta == 0 || (m.eta >= 1.01 && m.eta <= 100)))
+        throw Error(file, "eta", "0, or 1.01 to 100", fmt::format("{:g}", m.eta));
     for (const double side : {m.width_mm, m.height_mm})
         if (!(side >= 0 && side <= 1e9))
             throw Error(file, "width_mm, height_mm", "0 to 1e9", fmt::format("{:g}", side));
