@@ -38,6 +38,13 @@ void warn_of_hidden(Scene& scene, const ParameterValues& values) {
                     fmt::join(hidden, ", ")));
 }
 
+bool sets_other_detail(const ParameterValues& values) {
+    const auto names_one = [&](const char* name) {
+        return values.is_set(name) && values.text(name) != "none";
+    };
+    return names_one("weave") || names_one("scratch");
+}
+
 // The one that is there already, or the file's.
 std::shared_ptr<const TabulatedMaterial> tabulated_named(const Scene& scene,
                                                          const std::string& name) {
@@ -75,23 +82,25 @@ std::shared_ptr<const TabulatedMaterial> load_tabulated(const std::filesystem::p
 
 void apply_tabulated(Scene& scene, std::size_t first, std::size_t count,
                      const ParameterValues& values) {
-    if (!values.is_set("tabulated") || count == 0) return;
-    for (const char* other : {"weave", "scratch"}) {
-        if (values.is_set(other) && values.text(other) != "none")
-            throw UsageError("tabulated", "", fmt::format("no {} beside it", other), "both");
-    }
-    const std::string name = values.text("tabulated");
+    const bool set = values.is_set("tabulated");
+    const bool other = sets_other_detail(values);
+    if (set && other && values.text("tabulated") != "none")
+        throw UsageError("tabulated", "", "no weave or scratch map beside it", "both");
     std::shared_ptr<const TabulatedMaterial> tabulated;
-    if (name != "none") {
-        tabulated = tabulated_named(scene, name);
-        warn_of_hidden(scene, values);
-    }
+    const std::string name = set ? values.text("tabulated") : "none";
+    if (name != "none" && count > 0) tabulated = tabulated_named(scene, name);
+    bool any = false;
     for (std::size_t i = first; i < first + count; ++i) {
         Material& material = scene.materials[i];
-        material.tabulated = tabulated;
-        material.tabulated_file = tabulated ? name : "";
-        if (tabulated) clear_for_tabulated(material);
+        if (set || other) {
+            material.tabulated = tabulated;
+            material.tabulated_file = tabulated ? name : "";
+        }
+        if (!material.tabulated) continue;
+        any = true;
+        clear_for_tabulated(material);
     }
+    if (any) warn_of_hidden(scene, values);
 }
 
 }  // namespace burnish

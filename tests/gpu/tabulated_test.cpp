@@ -39,15 +39,16 @@ constexpr char kStage[] = R"(
 struct Shading { vec3 specular; ivec2 table; ivec2 areas; float groove; int tap; };
 #include "shaders/lib/tabulated.glsl"
 uniform sampler2D u_inputs;  // of look-ups: direction; of draws: xi
-uniform int u_area_rows;
+uniform int u_tabulated_columns;
+uniform int u_tabulated_area_rows;
 layout(location = 0) out vec4 o_values;
 
 void main() {
     vec4 v = texelFetch(u_inputs, ivec2(gl_FragCoord.xy), 0);
     Shading m;
-    // The last of three exemplars, two beside one another.
-    m.table = ivec2(0, 1) * u_tabulated_grid;
-    m.areas = ivec2(0, 1) * ivec2(kAreaGrid.x, u_area_rows);
+    ivec2 block = ivec2(3 % u_tabulated_columns, 3 / u_tabulated_columns);
+    m.table = block * u_tabulated_grid;
+    m.areas = block * ivec2(kAreaGrid.x, u_tabulated_area_rows);
     m.groove = 0.0;
 #ifdef DRAWS
     vec3 h = tabulated_base_sample(m, v.xy);
@@ -63,11 +64,12 @@ void main() {
 
 class TabulatedLookUp : public GpuTest {
   protected:
-    TabulatedMaterial three() const {
+    // Five, which lie in two columns; number 3 is looked at.
+    TabulatedMaterial five() const {
         TabulatedMaterial m = blank_material({24, 80}, 2, 1);
-        add_exemplar(m, ggx_table(m.grid, 0.5, 0.5), 0);
-        add_exemplar(m, ggx_table(m.grid, 0.1, 0.5), 0);
+        for (int i = 0; i < 3; ++i) add_exemplar(m, ggx_table(m.grid, 0.5, 0.5), 0);
         add_exemplar(m, ggx_table(m.grid, 0.15, 0.5, 0.7), 0.7F);
+        add_exemplar(m, ggx_table(m.grid, 0.1, 0.5), 0);
         return m;
     }
 
@@ -98,7 +100,6 @@ class TabulatedLookUp : public GpuTest {
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, input.get());
         program.set("u_inputs", 0);
-        program.set("u_area_rows", kAreaGrid.rings + 1 + 1);
         program.set("u_depth", 0.0f);
         glBindVertexArray(empty.get());
         glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -110,8 +111,8 @@ class TabulatedLookUp : public GpuTest {
 };
 
 TEST_F(TabulatedLookUp, IsThatOfTheTables) {
-    const TabulatedMaterial m = three();
-    const std::vector<float> areas = ndf_areas(m.grid, m.table(2));
+    const TabulatedMaterial m = five();
+    const std::vector<float> areas = ndf_areas(m.grid, m.table(3));
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(0, 1);
     std::vector<std::array<float, 4>> inputs;
@@ -122,13 +123,13 @@ TEST_F(TabulatedLookUp, IsThatOfTheTables) {
             {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z), 0.0f});
     }
     const auto values = on_device(m, "LOOK_UPS", inputs);
-    const float peak = m.table(2)[0];
+    const float peak = m.table(3)[0];
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const auto [x, y, z, none] = inputs[i];
         const float theta = std::atan2(std::hypot(x, y), z);
         const float u = std::sqrt(theta * 2 / kPiF);
         // 2e-5: rounding of the place in the table, times its steepest slope.
-        EXPECT_NEAR(values[i][0], ndf_lookup(m.grid, m.table(2), u, std::atan2(y, x)),
+        EXPECT_NEAR(values[i][0], ndf_lookup(m.grid, m.table(3), u, std::atan2(y, x)),
                     2e-5F * peak);
         EXPECT_NEAR(values[i][1], ndf_area_lookup(areas.data(), x, y, z), 1e-5F);
         EXPECT_NEAR(values[i][2], 3 * values[i][1], 1e-5F);  // of degree one
@@ -137,7 +138,7 @@ TEST_F(TabulatedLookUp, IsThatOfTheTables) {
 
 // E[1/p] is the hemisphere's area and E[D cos/p] the table's mass, by even points.
 TEST_F(TabulatedLookUp, DrawsHaveTheDensityThatTheySay) {
-    const TabulatedMaterial m = three();
+    const TabulatedMaterial m = five();
     std::vector<std::array<float, 4>> inputs;
     for (int i = 0; i < kSide * kSide; ++i) {
         inputs.push_back({(static_cast<float>(i % kSide) + 0.5f) / kSide,
