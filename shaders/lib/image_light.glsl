@@ -32,9 +32,9 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 sum = vec3(0.0);
 #ifdef TABULATED
     // The texels that a pixel sees share its samples.
-    int samples = max(u_image_samples / u_tabulated_taps, 1);
+    int samples = max(u_image_samples / m.taps, 1);
     for (int i = 0; i < samples; ++i) {
-        uint index = (u_frame * uint(samples) + uint(i)) * uint(u_tabulated_taps) + uint(m.tap);
+        uint index = (u_frame * uint(samples) + uint(i)) * uint(m.taps) + uint(m.tap);
         sum += image_sample(m, a, p, wo, index, rotation);
     }
     return sum / float(samples);

@@ -60,7 +60,8 @@ struct Shading {
     ivec2 table;    // tabulated.glsl
     ivec2 areas;
     float groove;
-    int tap;        // which of the texels that a pixel sees
+    int tap;        // which of the texels that a pixel sees, and how many there are
+    int taps;
 #endif
 };
 
@@ -166,6 +167,7 @@ Shading shading_at(Surface s) {
     m.areas = ivec2(0);
     m.groove = 0.0;
     m.tap = 0;
+    m.taps = 1;
 #endif
 #if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
     vec4 slopes = MAP_AT(u_normal_map, 2);

@@ -5,7 +5,6 @@
 uniform highp sampler2D u_tabulated_tables;
 uniform highp sampler2D u_tabulated_areas;
 uniform ivec2 u_tabulated_grid;     // azimuths, rings
-uniform int u_tabulated_taps;       // texels that a pixel sees: 1 where all are one, else 4
 uniform vec2 u_tabulated_fresnel;   // refractive index (0: no Fresnel), 1/F at normal incidence
 
 const ivec2 kAreaGrid = ivec2(32, 16);  // of ndf_grid.hpp

@@ -1,13 +1,15 @@
 // Which exemplars a pixel sees of a tabulated material, and what it sees of each: texels cannot be
 // mixed before the light is reflected, so radiance is mixed after. Up close the four texels about the
 // point, weighed as a bilinear filter weighs them. Where the pixel (or its part for one of several
-// samples) is wider than a texel, four texels drawn evenly from its area: their mean over the samples
+// samples) is wider than a texel, 4 to 16 texels drawn evenly from its area: their mean over the samples
 // of a pixel is the mean over all texels.
 
 uniform highp usampler2D u_tabulated_texels;  // x: exemplar, angle; y: normal
 uniform sampler2D u_tabulated_diffuse;
 uniform sampler2D u_tabulated_specular;
 uniform int u_tabulated_columns;              // of blocks beside one another
+uniform float u_tabulated_part;               // side of a sample's share of the pixel
+uniform int u_tabulated_one;                  // 1 where all texels are one
 uniform int u_tabulated_area_rows;            // of a block of areas
 #if IMAGE_LIGHT != 1
 uniform uint u_frame;
@@ -55,30 +57,32 @@ bool put_texel(inout Shading m, vec2 whole) {
     return true;
 }
 
-// Multiples of sqrt(2) and sqrt(3): uneven with those that choose directions.
-vec2 tabulated_shift(Surface s) {
-    Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
-    return vec2(unit_of(u_frame * 1779033703u + rotation.y),
-                unit_of(u_frame * 3144134277u + rotation.z));
+// Where in its part of the pixel a tap lies. Multiples of sqrt(2) and sqrt(3): uneven with those that
+// choose directions.
+vec2 tap_place(Rotation rotation, int tap) {
+    uint index = u_frame * 16u + uint(tap);
+    return vec2(unit_of(index * 1779033703u + rotation.y), unit_of(index * 3144134277u + rotation.z));
 }
 
 vec3 reflected_by_texels(Surface s, Shading m, Axes a) {
     vec2 at = tabulated_uv(s) * vec2(textureSize(u_tabulated_texels, 0));
-    float part = exp2(u_lod_bias);
-    vec2 right = dFdx(at) * part;
-    vec2 up = dFdy(at) * part;
-    bool wide = max(dot(right, right), dot(up, up)) > 1.0;
-    vec2 shift = tabulated_shift(s);
+    vec2 right = dFdx(at) * u_tabulated_part;
+    vec2 up = dFdy(at) * u_tabulated_part;
+    float extent = sqrt(max(dot(right, right), dot(up, up)));
+    bool wide = extent > 1.0;
+    int side = wide ? clamp(int(min(ceil(extent), 4.0)), 2, 4) : 2;
+    m.taps = u_tabulated_one > 0 ? 1 : side * side;
+    Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     vec2 first = floor(at - 0.5);
     vec2 between = at - 0.5 - first;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
-    for (int tap = 0; tap < u_tabulated_taps; ++tap) {
-        vec2 corner = vec2(float(tap % 2), float(tap / 2));
+    for (int tap = 0; tap < m.taps; ++tap) {
+        vec2 corner = vec2(float(tap % side), float(tap / side));
         vec2 share = mix(1.0 - between, between, corner);
-        vec2 place = 0.5 * (corner + shift) - 0.5;
+        vec2 place = (corner + tap_place(rotation, tap)) / float(side) - 0.5;
         vec2 cell = wide ? floor(at + right * place.x + up * place.y) : first + corner;
-        float weight = wide || u_tabulated_taps == 1 ? 1.0 : share.x * share.y;
+        float weight = wide || u_tabulated_one > 0 ? 1.0 : share.x * share.y;
         Shading t = m;
         t.tap = tap;
         if (weight > 0.0 && put_texel(t, cell)) {

@@ -131,6 +131,8 @@ void Painter::set_surface(Program& program, const Frame& frame, int material) {
         const bool sampled =
             scene_.environment && frame.options->image_light == ImageLight::importance;
         tabulated_.bind(program, m, sampled);
+        program.set("u_tabulated_part",
+                    1.0f / std::sqrt(static_cast<float>(std::max(frame.options->samples, 1))));
         return;
     }
     if (frame.options->image_light != ImageLight::prefiltered || !has_half_vectors(m.brdf)) return;

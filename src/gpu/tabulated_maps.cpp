@@ -249,7 +249,7 @@ void TabulatedMaps::bind(Program& program, const Material& material, bool draws)
     program.set("u_tabulated_grid", glm::ivec2(m.grid.azimuths, m.grid.rings));
     program.set("u_tabulated_columns", made->columns);
     program.set("u_tabulated_area_rows", made->area_rows);
-    program.set("u_tabulated_taps", m.texels() == 1 ? 1 : 4);
+    program.set("u_tabulated_one", m.texels() == 1 ? 1 : 0);
     const auto eta = static_cast<float>(m.eta);
     const float normal = f32::fresnel_conductor(std::max(eta, 1.0F), 0.0F, 1.0F);
     program.set("u_tabulated_fresnel", glm::vec2(eta, 1.0F / std::max(normal, 1e-6F)));
