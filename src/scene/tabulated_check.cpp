@@ -39,6 +39,7 @@ void check_sizes(const std::string& file, const TabulatedMaterial& m) {
     within("exemplars", m.exemplars, 1, kMostExemplars);
     within("width", m.width, 1, kMostAtlasSide);
     within("height", m.height, 1, kMostAtlasSide);
+    check_cells(file, m.grid, m.exemplars);
     const TabulatedAtlas atlas = tabulated_atlas(m.grid, m.exemplars);
     if (atlas.width() > kMostAtlasSide || atlas.height() > kMostAtlasSide) {
         throw Error(file, "exemplars",
