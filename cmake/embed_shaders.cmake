@@ -10,7 +10,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
         prefilter.frag resolve.frag shadow.frag surface.frag surface.vert
         lib/cloth.glsl lib/cloth_mean.glsl lib/environment.glsl lib/ground.glsl lib/image_light.glsl lib/lights.glsl
         lib/material.glsl
-        lib/output.glsl lib/pack.glsl lib/prefiltered_light.glsl lib/random.glsl lib/shade.glsl lib/specular.glsl lib/surface.glsl)
+        lib/output.glsl lib/pack.glsl lib/prefiltered_light.glsl lib/random.glsl lib/shade.glsl lib/specular.glsl lib/surface.glsl
+        lib/tabulated.glsl lib/tabulated_texels.glsl)
     set(BURNISH_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
     # The order of the texts of shading/ is that of the #include lines of all.hpp.

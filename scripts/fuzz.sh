@@ -1,13 +1,13 @@
 #!/bin/sh
 # Fuzzes the readers, each for so many seconds of one core. Usage: fuzz.sh [SECONDS [READER...]]
-#   READER: gltf obj scene csv scratch bsdf image wif rig (default: all, one after the other)
+#   READER: gltf obj scene csv scratch bsdf image rig tabulated wif (default: all, one after the other)
 # Builds with the preset `fuzz`; corpora, logs and findings stay in build/fuzz. Small files of the
 # folder that BURNISH_DATA names join the seeds. docs/hardening.md says what counts as a finding.
 set -eu
 cd "$(dirname "$0")/.."
 seconds=${1:-600}
 [ $# -gt 0 ] && shift
-readers=${*:-gltf obj scene csv scratch bsdf image wif rig}
+readers=${*:-gltf obj scene csv scratch bsdf image rig tabulated wif}
 build=build/fuzz
 data=${BURNISH_DATA:-../shared/data}
 

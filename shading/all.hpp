@@ -23,4 +23,5 @@
 #include "shading/brdf_cosine_lobe.glsl"
 #include "shading/widen.glsl"
 #include "shading/weave.glsl"
+#include "shading/mdf_tabulated.glsl"
 // clang-format on

@@ -44,7 +44,8 @@ struct Conductor {
     glm::vec3 k{0.0f};
 };
 
-struct Draft;  // maps/draft.hpp
+struct Draft;              // maps/draft.hpp
+struct TabulatedMaterial;  // scene/tabulated_material.hpp
 
 // Woven cloth in place of a normal map (docs/weave.md). The lobe's x axis runs along the fibres:
 // along the tangent on weft yarns, the bitangent on warp yarns, turned by twist and
@@ -98,6 +99,11 @@ struct Material {
     Method method = Method::follow_grain;
     bool conserve = false;       // deform-*: the energy-conserving form
     std::optional<Cloth> cloth;  // with `alpha` set, and no normal, anisotropy or roughness texture
+    // A measured lobe, colours and normals at every texel in place of lobe and base colour
+    // (docs/tabulated-material.md), read where normal_texture is, which may perturb it further;
+    // anisotropy_rotation turns it. No cloth beside it, no other texture of lobe or colour.
+    std::shared_ptr<const TabulatedMaterial> tabulated;
+    std::string tabulated_file;  // where it is from, for messages
 };
 
 // The method that a renderer draws the material with. `normal-map` stands for what engines ship,

@@ -30,11 +30,21 @@ vec3 image_sample(Shading m, Axes a, Perturbation p, vec3 wo, uint index, Rotati
 vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     vec3 sum = vec3(0.0);
+#ifdef TABULATED
+    // The texels that a pixel sees share its samples.
+    int samples = max(u_image_samples / m.taps, 1);
+    for (int i = 0; i < samples; ++i) {
+        uint index = (u_frame * uint(samples) + uint(i)) * uint(m.taps) + uint(m.tap);
+        sum += image_sample(m, a, p, wo, index, rotation);
+    }
+    return sum / float(samples);
+#else
     for (int i = 0; i < u_image_samples; ++i) {
         uint index = u_frame * uint(u_image_samples) + uint(i);
         sum += image_sample(m, a, p, wo, index, rotation);
     }
     return sum / float(u_image_samples);
+#endif
 }
 
 #elif IMAGE_LIGHT > 1 && defined(COSINE_LOBE)

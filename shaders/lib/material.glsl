@@ -55,6 +55,14 @@ struct Shading {
     Bool grooves_along_x;
     vec2 direction;  // of the stretch, from the tangent: unit
     vec3 n;          // perturbed normal against tangent, bitangent and geometric normal
+#ifdef TABULATED
+    vec3 specular;  // reflectance at normal incidence
+    ivec2 table;    // tabulated.glsl
+    ivec2 areas;
+    float groove;
+    int tap;        // which of the texels that a pixel sees, and how many there are
+    int taps;
+#endif
 };
 
 #if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
@@ -153,6 +161,14 @@ Shading shading_at(Surface s) {
     m.grooves_along_x = GROOVES_ALONG_X;
 #endif
     m.n = vec3(0.0, 0.0, 1.0);
+#ifdef TABULATED
+    m.specular = vec3(0.0);
+    m.table = ivec2(0);
+    m.areas = ivec2(0);
+    m.groove = 0.0;
+    m.tap = 0;
+    m.taps = 1;
+#endif
 #if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
     vec4 slopes = MAP_AT(u_normal_map, 2);
     m.n = normal_of_slopes(slopes.xy);
@@ -191,6 +207,7 @@ vec3 normal_incidence(Shading m) {
     return mix(vec3(u_dielectric_f0), m.base_color, m.metallic);
 }
 
+#ifndef TABULATED
 // The Fresnel factor of the specular term at the half vector.
 vec3 specular_fresnel(Shading m, float cos_h) {
 #ifdef CONDUCTOR
@@ -199,3 +216,4 @@ vec3 specular_fresnel(Shading m, float cos_h) {
     return fresnel_schlick(normal_incidence(m), cos_h);
 #endif
 }
+#endif

@@ -10,18 +10,26 @@ float diffuse_through(float cosine) {
 // The diffuse term of a white base. The 2000 model of Ashikhmin and Shirley has its own, coupled to
 // the specular one by its reflectance; no frame enters either, cosines are those of n~.
 float diffuse_eval(float cos_i, float cos_o) {
+#ifdef TABULATED
+    return 1.0 / kPi;  // what the albedo was fitted with
+#else
     if (BRDF == kBrdfAshikhminShirley) {
         return ashikhmin_shirley_diffuse(1.0, u_dielectric_f0, cos_i, cos_o);
     }
     return diffuse_through(cos_o) * diffuse_through(cos_i) / kPi;
+#endif
 }
 
 // What diffuse_eval reflects of constant light all around: both exactly. The cosine-weighted mean of
 // Schlick's term is f0 + (1 - f0)/21.
 float diffuse_albedo(float cos_o) {
+#ifdef TABULATED
+    return 1.0;
+#else
     float share = 1.0 - u_dielectric_f0;
     if (BRDF == kBrdfAshikhminShirley) { return share * ashikhmin_shirley_through(cos_o); }
     return share * (20.0 / 21.0) * diffuse_through(cos_o);
+#endif
 }
 
 vec3 diffuse_color(Shading m) {
@@ -91,7 +99,7 @@ Perturbation facing_perturbation(Surface s, Shading m, inout Axes a) {
     a = turned(a, m.direction);
     n = vec3(n.x * m.direction.x + n.y * m.direction.y, n.y * m.direction.x - n.x * m.direction.y, n.z);
 #endif
-#if defined(HAS_NORMAL_MAP) || defined(CLOTH)
+#if defined(HAS_NORMAL_MAP) || defined(CLOTH) || defined(TABULATED)
     n = normal_facing(n, to_axes(a, s.to_eye));
 #endif
     return perturb_make(METHOD, n, m.grooves_along_x, CONSERVE);
@@ -129,6 +137,10 @@ vec3 reflected_by_cloth(Surface s, Shading m, Axes a) {
 }
 #endif
 
+#ifdef TABULATED
+#include "shaders/lib/tabulated_texels.glsl"
+#endif
+
 // Premultiplied by alpha when BLEND.
 vec4 shade(Surface s) {
     Shading m = shading_at(s);
@@ -138,6 +150,8 @@ vec4 shade(Surface s) {
     Axes a = surface_axes(s, s.to_eye);
 #ifdef CLOTH
     vec3 radiance = emission_at(s) + reflected_by_cloth(s, m, a);
+#elif defined(TABULATED)
+    vec3 radiance = emission_at(s) + reflected_by_texels(s, m, a);
 #else
     vec3 radiance = emission_at(s) + reflected(s, m, a);
 #endif

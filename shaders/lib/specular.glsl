@@ -1,6 +1,8 @@
 // The specular term without Fresnel and without the cosine, and its sampling. BRDF: the model, over a
 // distribution of half vectors or, with COSINE_LOBE, a power of the cosine about a direction.
-#ifdef COSINE_LOBE
+#ifdef TABULATED
+#include "shaders/lib/tabulated.glsl"
+#elif defined(COSINE_LOBE)
 
 CosineLobe cosine_lobe_of(Shading m) {
     float n = cosine_exponent_from_alpha(lobe_alpha_x(m.lobe), lobe_alpha_y(m.lobe));

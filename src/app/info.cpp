@@ -11,9 +11,11 @@
 #include "app/info_rig.hpp"
 #include "app/info_scene.hpp"
 #include "capture/rig.hpp"
+#include "app/info_tabulated.hpp"
 #include "core/image_io.hpp"
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
+#include "scene/tabulated_material.hpp"
 #include "scene/tensor_file.hpp"
 #include "scene/wif.hpp"
 
@@ -71,6 +73,7 @@ std::string describe_file(const std::string& path) {
     }
     if (!mesh && is_tensor_file(path)) return describe_measured(path);
     if (!mesh && is_wif_file(path)) return describe_draft(path);
+    if (!mesh && is_tabulated_material(path)) return describe_tabulated(path);
     if (!mesh && is_image_file(path)) return describe_image(path);
     if (!mesh && is_rig_file(path)) return describe_rig(path);  // before scenes, which are JSON too
     if (!mesh && is_scene_file(path)) return describe_scene_file(path);

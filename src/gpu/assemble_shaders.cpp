@@ -63,6 +63,17 @@ std::vector<SurfaceVariant> variants() {
             list.push_back(v);
         }
     }
+    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+        SurfaceVariant v = method % 2 == 0 ? with_everything() : SurfaceVariant();
+        v.method = static_cast<Method>(method);
+        v.tabulated = v.turned = true;
+        v.lobe_from_texture = v.base_color_map = v.metallic_roughness_map = false;
+        v.anisotropy_map = false;
+        v.image_light = method % 2 == 0 ? 1 : 0;
+        v.lights = method;
+        v.uv_per_texture = method == 4;
+        list.push_back(v);
+    }
     SurfaceVariant v = with_everything();
     list.push_back(v);
     for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {

@@ -29,7 +29,9 @@ glm::vec3 row(const glm::mat3& m, int r) {
     return {m[0][r], m[1][r], m[2][r]};
 }
 
+// A tabulated material is read where its normal map is, or would be.
 const TextureUse* first_use(const Material& material) {
+    if (material.tabulated) return &material.normal_texture;
     for (const TextureUse* use : uses_of(material)) {
         if (*use) return use;
     }
@@ -64,10 +66,12 @@ void set_textures(Program& program, const Material& material, TextureStore& text
     std::array<float, kMaterialTextures> set{}, lod{};
     const auto uses = uses_of(material);
     for (std::size_t i = 0; i < uses.size(); ++i) {
-        if (!*uses[i]) continue;
+        const bool texels = material.tabulated && uses[i] == &material.normal_texture;
+        if (!*uses[i] && !texels) continue;
         s[i] = row(uses[i]->transform, 0);
         t[i] = row(uses[i]->transform, 1);
         set[i] = static_cast<float>(uses[i]->texcoord);
+        if (!*uses[i]) continue;
         const bool slopes = uses[i] == &material.normal_texture && wants_slopes(material);
         lod[i] = textures.log2_side(*uses[i], slopes) + lod_bias;
         const GLuint unit = kMaterialUnits + static_cast<GLuint>(i);
@@ -121,11 +125,17 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map || m.cloth;
     v.cloth = with_normal_map && m.cloth;
     v.cloth_colors = v.cloth && has_yarn_colors(*m.cloth);
+    v.tabulated = static_cast<bool>(m.tabulated);
+    if (v.tabulated) {
+        v.turned = v.grooves_along_x = true;  // tabulated_texels.glsl turns the lobe to them
+        v.conductor = v.metal = v.lobe_from_texture = false;
+        v.brdf = Brdf::microfacet_separable;
+    }
     v.uv_per_texture = uses_differ(m);
     v.vertex_color = vertex_color;
     v.alpha_mode = m.alpha_mode;
     // Without a perturbed normal all methods are one.
-    v.method = v.normal_map || v.cloth ? drawn_method(m) : Method::none;
+    v.method = v.normal_map || v.cloth || v.tabulated ? drawn_method(m) : Method::none;
     v.conserve = m.conserve && v.method == Method::deform_smooth;
     return v;
 }

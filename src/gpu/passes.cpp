@@ -127,6 +127,14 @@ void Painter::set_surface(Program& program, const Frame& frame, int material) {
         cloths_.bind(program, material, m);
         program.set("u_weave_filter", frame.options->filter_cloth ? 1.0f : 0.0f);
     }
+    if (m.tabulated) {
+        const bool sampled =
+            scene_.environment && frame.options->image_light == ImageLight::importance;
+        tabulated_.bind(program, m, sampled);
+        program.set("u_tabulated_part",
+                    1.0f / std::sqrt(static_cast<float>(std::max(frame.options->samples, 1))));
+        return;
+    }
     if (frame.options->image_light != ImageLight::prefiltered || !has_half_vectors(m.brdf)) return;
     albedos_.bind(m.brdf, m.mdf);
     program.set("u_albedo", static_cast<int>(kAlbedoUnit));

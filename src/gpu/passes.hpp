@@ -14,6 +14,7 @@
 #include "gpu/material_state.hpp"
 #include "gpu/renderer.hpp"
 #include "gpu/shadow_maps.hpp"
+#include "gpu/tabulated_maps.hpp"
 #include "gpu/targets.hpp"
 #include "gpu/view.hpp"
 
@@ -82,6 +83,7 @@ class Painter {
     ProgramCache programs_;
     AlbedoTables albedos_;
     ClothMaps cloths_;
+    TabulatedMaps tabulated_;
     VertexArray empty_;
 };
 

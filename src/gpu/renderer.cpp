@@ -30,6 +30,17 @@ void require_sound(const RenderOptions& o) {
     within("tile_size", o.tile_size, 0, kLargestPicture);
 }
 
+// What a tabulated lobe has no shortcut for.
+void require_drawable(const DeviceScene& scene, const RenderOptions& o) {
+    const bool any = std::ranges::any_of(
+        scene.materials, [](const Material& m) { return static_cast<bool>(m.tabulated); });
+    const bool sampled =
+        o.image_light == ImageLight::importance || o.image_light == ImageLight::off;
+    if (!any || sampled || !scene.environment || !(o.environment_intensity > 0.0f)) return;
+    throw Error("render", "image_light", "importance or off for a tabulated material",
+                o.image_light == ImageLight::prefiltered ? "prefiltered" : "bent-normal");
+}
+
 float writable(float v) {
     return std::isfinite(v) ? std::clamp(v, 0.0f, 65504.0f) : 0.0f;
 }
@@ -111,6 +122,7 @@ void Renderer::set_materials(const std::vector<Material>& materials) {
 Image Renderer::render(const Camera& camera, const RenderOptions& options,
                        const Progress& progress) {
     require_sound(options);
+    require_drawable(impl_->scene, options);
     impl_->context.make_current();
     const int side = std::min(options.tile_size > 0 ? options.tile_size : kLargestTile,
                               impl_->context.max_texture_size());
@@ -144,6 +156,7 @@ Image Renderer::render(const Camera& camera, const RenderOptions& options,
 FrameTimes Renderer::measure_frames(const Camera& camera, const RenderOptions& options, int frames,
                                     int warm_up, ShadingVariant variant) {
     require_sound(options);
+    require_drawable(impl_->scene, options);
     impl_->context.make_current();
     const int side = std::min(impl_->context.max_texture_size(), kLargestPicture);
     if (options.width > side || options.height > side) {

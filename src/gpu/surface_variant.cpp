@@ -39,6 +39,7 @@ std::string SurfaceVariant::defines() const {
         {anisotropy_map, "HAS_ANISOTROPY_MAP"},
         {cloth, "CLOTH"},
         {cloth_colors, "CLOTH_COLORS"},
+        {tabulated, "TABULATED"},
         {uv_per_texture, "UV_PER_TEXTURE"},
         {vertex_color, "VERTEX_COLOR"},
         {position, "POSITION"},

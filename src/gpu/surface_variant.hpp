@@ -28,6 +28,7 @@ struct SurfaceVariant {
     bool anisotropy_map = false;
     bool cloth = false;
     bool cloth_colors = false;  // its draft colours each yarn
+    bool tabulated = false;
     bool uv_per_texture = false;
     bool vertex_color = false;
     AlphaMode alpha_mode = AlphaMode::opaque;
@@ -36,9 +37,10 @@ struct SurfaceVariant {
     int shadow_maps = 0;
     int image_light = 0;  // 0 off, 1 importance, 2 bent normal, 3 prefiltered
 
-    // Whether gbuffer.frag holds all that shading needs.
+    // Whether gbuffer.frag holds all that shading needs. Tabulated materials ask for the shape of
+    // the pixel on them, of which it has the size only.
     bool can_resolve() const {
-        return alpha_mode == AlphaMode::opaque && !vertex_color && !uv_per_texture;
+        return alpha_mode == AlphaMode::opaque && !vertex_color && !uv_per_texture && !tabulated;
     }
 
     std::string defines() const;  // lines for assemble_stage, and the key of the program

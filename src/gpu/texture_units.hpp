@@ -23,5 +23,7 @@ inline constexpr GLuint kWeaveCellsUnit = 16;
 inline constexpr GLuint kWeaveWeftUnit = 17;
 inline constexpr GLuint kWeaveWarpUnit = 18;
 inline constexpr GLuint kWeaveLobesUnit = 19;
+// Tabulated materials.
+inline constexpr GLuint kTabulatedUnits = 20;  // and the five behind it
 
 }  // namespace burnish::gpu

@@ -199,7 +199,9 @@ GLint wrap_of(Wrap wrap) {
 }  // namespace
 
 bool wants_slopes(const Material& material) {
-    return material.normal_texture && material.normal_filter == NormalFilter::moments;
+    // A tabulated lobe has no width to widen.
+    return material.normal_texture && !material.tabulated &&
+           material.normal_filter == NormalFilter::moments;
 }
 
 TextureStore::TextureStore(const Context& context, const Scene& scene) {

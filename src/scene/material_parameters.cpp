@@ -15,6 +15,7 @@
 #include "scene/cloth_material.hpp"
 #include "scene/load.hpp"
 #include "scene/scratch_material.hpp"
+#include "scene/tabulated_apply.hpp"
 #include "shading/conductors.hpp"
 
 namespace burnish {
@@ -168,7 +169,8 @@ void warn_of_missing_coordinates(Scene& scene, std::size_t first, std::size_t en
         if (material < first || material >= end) continue;
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         if (!mesh.texcoord0.empty()) continue;
-        const char* detail = scene.materials[material].cloth ? "weave" : "normal map";
+        const Material& m = scene.materials[material];
+        const char* detail = m.cloth ? "weave" : m.tabulated ? "tabulated material" : "normal map";
         const std::string warning = "mesh " + shown(mesh.name) +
                                     " has no texture coordinates: the " + detail + " does not show";
         if (std::find(scene.warnings.begin(), scene.warnings.end(), warning) ==
@@ -228,6 +230,9 @@ void apply_material_parameters(Scene& scene, std::size_t first, std::size_t coun
         apply_normal_map(scene, scene.materials[i], values, texture);
     apply_cloth(scene, first, count, values);
     if (values.is_set("weave")) warn_of_missing_coordinates(scene, first, first + count);
+    apply_tabulated(scene, first, count, values);
+    if (values.is_set("tabulated") && values.text("tabulated") != "none")
+        warn_of_missing_coordinates(scene, first, first + count);
 }
 
 void apply_material_parameters(Scene& scene, const ParameterValues& values) {

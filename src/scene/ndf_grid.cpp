@@ -12,8 +12,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Parts of a cell along u and phi for integrals of the table as it is read.
-constexpr int kPartsAlongU = 4, kPartsAlongPhi = 3;
+// Parts of a cell along u and phi for integrals of the table as it is read: fewer where cells are
+// small. Odd along phi, so that they lie symmetrically about the columns.
+int parts_along_u(const NdfGrid& grid) {
+    return std::clamp(256 / grid.rings, 1, 4);
+}
+int parts_along_phi(const NdfGrid& grid) {
+    return grid.azimuths < 256 ? 3 : 1;
+}
 
 // A table is large where its lobe is, and there g is not small.
 constexpr float kLeastArea = 1e-6F;
@@ -59,33 +65,30 @@ struct Part {
 };
 
 // One ring of parts: u from u0 to u1.
-void append_ring(const NdfGrid& grid, const float* table, double u0, double u1,
-                 std::vector<Part>& parts) {
+template <typename Take>
+void take_ring(const NdfGrid& grid, const float* table, double u0, double u1, const Take& take) {
     const double t0 = theta_of_u(u0), t1 = theta_of_u(u1), middle = (t0 + t1) / 2;
-    const int around = grid.azimuths * kPartsAlongPhi;
+    const int along = parts_along_phi(grid), around = grid.azimuths * along;
     // cos t0 - cos t1 and the mean cosine over the ring, without cancellation.
     const double height = 2 * std::sin(middle) * std::sin((t1 - t0) / 2);
     const double mean_z = (std::cos(t0) + std::cos(t1)) / 2;
     const double sine = std::sqrt(std::max(1 - mean_z * mean_z, 0.0));
     for (int a = 0; a < around; ++a) {
-        // Symmetrical about the columns.
-        const double phi = 2 * kPi * (a - (kPartsAlongPhi - 1) / 2) / around;
+        const double phi = 2 * kPi * (a - (along - 1) / 2) / around;
         const double D = static_cast<double>(
             ndf_lookup(grid, table, static_cast<float>((u0 + u1) / 2), static_cast<float>(phi)));
         if (!(D > 0)) continue;
-        parts.push_back(
-            {sine * std::cos(phi), sine * std::sin(phi), mean_z, D * height * 2 * kPi / around});
+        take(Part{sine * std::cos(phi), sine * std::sin(phi), mean_z,
+                  D * height * 2 * kPi / around});
     }
 }
 
-std::vector<Part> parts_of(const NdfGrid& grid, const float* table) {
-    std::vector<Part> parts;
-    parts.reserve(index_of(grid.cells()) * kPartsAlongU * kPartsAlongPhi);
-    const int rings = grid.rings * kPartsAlongU;
+template <typename Take>
+void take_parts(const NdfGrid& grid, const float* table, const Take& take) {
+    const int rings = grid.rings * parts_along_u(grid);
     for (int r = 0; r < rings; ++r)
-        append_ring(grid, table, static_cast<double>(r) / rings, static_cast<double>(r + 1) / rings,
-                    parts);
-    return parts;
+        take_ring(grid, table, static_cast<double>(r) / rings, static_cast<double>(r + 1) / rings,
+                  take);
 }
 
 }  // namespace
@@ -112,12 +115,13 @@ float ndf_lookup(const NdfGrid& grid, const float* table, float u, float phi) {
 
 double ndf_mass(const NdfGrid& grid, const float* table) {
     double sum = 0;
-    for (const Part& part : parts_of(grid, table)) sum += part.amount * part.z;
+    take_parts(grid, table, [&](const Part& part) { sum += part.amount * part.z; });
     return sum;
 }
 
 std::vector<float> ndf_areas(const NdfGrid& grid, const float* table, const NdfGrid& seen) {
-    const std::vector<Part> parts = parts_of(grid, table);
+    std::vector<Part> parts;
+    take_parts(grid, table, [&](const Part& part) { parts.push_back(part); });
     std::vector<float> areas(index_of(seen.cells()));
     parallel_for(areas.size(), index_of(seen.azimuths), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

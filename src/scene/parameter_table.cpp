@@ -98,8 +98,13 @@ void add_material(Table& t) {
            "fine-random, deep-gouges, circular-brushed, swirl-marks, tool-marks");
     t.choice("scratch_direction", kScratchDirections, "keep",
              "grooves of the lobe: keep the material's, or follow the scratches");
+    t.text(
+        "tabulated",
+        "measured material in place of the lobe and its colours: a file of burnish capture fit, an "
+        "RGL .bsdf (its distribution of normals), or none");
     t.real("uv_scale", 0.01, 1000, "", "",
-           "repeats of the normal or scratch map across the texture square");
+           "repeats of the normal or scratch map, or the tabulated material, across the texture "
+           "square");
     t.boolean("double_sided", "", "show back faces too");
 }
 

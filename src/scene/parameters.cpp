@@ -152,12 +152,14 @@ std::string hint_for(const Parameter& p, std::string_view text) {
 // Ways of saying the same thing; who says it later replaces what was said before.
 using Names = std::vector<std::string_view>;
 const std::vector<std::vector<Names>>& alternatives() {
+    static const Names scratch = {"scratch", "scratch_direction"};
+    static const Names weave = {"weave",       "weave_yarns", "weave_crimp",
+                                "weave_bulge", "weave_gap",   "weave_twist",
+                                "weave_fuzz",  "warp_color",  "weft_color"};
     static const std::vector<std::vector<Names>> all = {
         {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
-        {{"normal_map"},
-         {"scratch", "scratch_direction"},
-         {"weave", "weave_yarns", "weave_crimp", "weave_bulge", "weave_gap", "weave_twist",
-          "weave_fuzz", "warp_color", "weft_color"}}};
+        {{"normal_map"}, scratch, weave},
+        {{"tabulated"}, scratch, weave}};
     return all;
 }
 

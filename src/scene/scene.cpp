@@ -54,7 +54,7 @@ Scene scene_of_builtin(const std::string& name, int triangles) {
 }  // namespace
 
 Method drawn_method(const Material& m) {
-    const bool isotropic = !m.anisotropy_texture &&
+    const bool isotropic = !m.anisotropy_texture && !m.tabulated &&
                            (m.alpha ? m.alpha->x == m.alpha->y : m.anisotropy_strength == 0.0f);
     return m.method == Method::normal_map && isotropic ? Method::gram_schmidt : m.method;
 }

@@ -95,7 +95,7 @@ ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::p
             if (only_material && parameter->group != ParameterGroup::material)
                 throw Error(place.file(), member.path(), "a parameter of materials", shown(key));
             std::string text = text_of(member, *parameter);
-            if (key == "normal_map") text = beside(file, text);
+            if (key == "normal_map" || key == "tabulated") text = beside(file, text);
             if (key == "scratch" && !is_scratch_preset(text)) text = beside(file, text);
             if (key == "weave" && !is_weave_name(text)) text = beside(file, text);
             values.set(key, text, place.file() + ": " + member.path());

@@ -39,14 +39,15 @@ void check_sizes(const std::string& file, const TabulatedMaterial& m) {
     within("exemplars", m.exemplars, 1, kMostExemplars);
     within("width", m.width, 1, kMostAtlasSide);
     within("height", m.height, 1, kMostAtlasSide);
+    check_cells(file, m.grid, m.exemplars);
     const TabulatedAtlas atlas = tabulated_atlas(m.grid, m.exemplars);
     if (atlas.width() > kMostAtlasSide || atlas.height() > kMostAtlasSide) {
         throw Error(file, "exemplars",
                     fmt::format("tables that fit {} x {}", kMostAtlasSide, kMostAtlasSide),
                     fmt::format("{} of {} x {}", m.exemplars, m.grid.azimuths, m.grid.rings));
     }
-    if (!(m.eta == 0 || (m.eta >= 1 && m.eta <= 100)))
-        throw Error(file, "eta", "0, or 1 to 100", fmt::format("{:g}", m.eta));
+    if (!(m.eta == 0 || (m.eta >= 1.01 && m.eta <= 100)))
+        throw Error(file, "eta", "0, or 1.01 to 100", fmt::format("{:g}", m.eta));
     for (const double side : {m.width_mm, m.height_mm})
         if (!(side >= 0 && side <= 1e9))
             throw Error(file, "width_mm, height_mm", "0 to 1e9", fmt::format("{:g}", side));

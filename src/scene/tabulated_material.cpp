@@ -42,6 +42,13 @@ TabulatedAtlas tabulated_atlas(const NdfGrid& grid, int exemplars) {
     return {grid, exemplars, std::clamp(std::max(wished, least), 1, std::min(most, exemplars))};
 }
 
+void check_cells(const std::string& file, const NdfGrid& grid, int exemplars) {
+    const std::int64_t cells = std::int64_t{exemplars} * grid.cells();
+    if (cells <= kMostCells) return;
+    throw Error(file, "exemplars", fmt::format("at most {} cells in all", kMostCells),
+                fmt::format("{} of {} x {}", exemplars, grid.azimuths, grid.rings));
+}
+
 bool is_tabulated_material(const std::filesystem::path& path) {
     return has_image_part_attribute(path, kTabulatedVersionKey);
 }

@@ -72,6 +72,7 @@ void read_exemplars(Parts& parts, TabulatedMaterial& m) {
     m.grid.rings = parts.integer(part, "tabulated:rings", 2, kMostRings);
     m.grid.azimuths = parts.integer(part, "tabulated:azimuths", 4, kMostAzimuths);
     m.exemplars = parts.integer(part, "tabulated:exemplars", 1, kMostExemplars);
+    check_cells(parts.file(), m.grid, m.exemplars);
     m.eta = parts.real(part, "tabulated:eta");
     const TabulatedAtlas atlas{
         m.grid, m.exemplars,

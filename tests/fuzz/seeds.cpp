@@ -2,6 +2,7 @@
 #include "seeds.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include "burnish/parameters.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
+#include "scene/tabulated_material.hpp"
 #include "shading/brdf_models.hpp"
 
 namespace burnish::fuzz {
@@ -521,6 +523,50 @@ const Words kRigWords = {"burnish-rig",
                          "\\",
                          "\xEF\xBB\xBF"};
 
+// Two exemplars of a constant table, 1/pi, whose integral of D cos is 1; with and without maps.
+Words tabulated_seeds() {
+    TabulatedMaterial m;
+    m.grid = {4, 6};
+    m.exemplars = 2;
+    m.D.assign(48, 0.31831F);
+    m.origin.assign(48, NdfOrigin::measured);
+    m.groove = {0.0F, 1.0F};
+    m.width = m.height = 2;
+    m.exemplar = {0, 1, TabulatedMaterial::kNoExemplar, 1};
+    m.angle = {0.0F, 1.0F, 2.0F, 3.0F};
+    m.diffuse = m.specular = m.normal = Image(2, 2, 3);
+    for (std::size_t i = 2; i < 12; i += 3) m.normal.pixels[i] = 1;
+    const fs::path file = fs::temp_directory_path() / fmt::format("burnish-seed-{}.exr", getpid());
+    Words seeds;
+    for (int i = 0; i < 2; ++i) {
+        write_tabulated_material(file, m);
+        seeds.push_back(read_text_file(file));
+        m.maps["ward.alpha_x"] = {1, 2, 3, 4};
+        m.metadata["source"] = "seed";
+    }
+    fs::remove(file);
+    return seeds;
+}
+
+const Words kTabulatedWords = {"exemplars",
+                               "texels",
+                               "maps",
+                               "tabulated:version",
+                               "tabulated:rings",
+                               "tabulated:azimuths",
+                               "tabulated:exemplars",
+                               "tabulated:columns",
+                               "tabulated:eta",
+                               "chunkCount",
+                               "dataWindow",
+                               "displayWindow",
+                               "scanlineimage",
+                               "compression",
+                               "channels",
+                               "exemplar",
+                               "angle",
+                               "diffuse.R"};
+
 std::string escaped(std::string_view word) {
     std::string text;
     for (const char c : word) {
@@ -558,6 +604,7 @@ int main(int count, char** arguments) {
         write(folder, "csv", csv_seeds(), csv_words());
         write(folder, "scratch", scratch_seeds(), kScratchWords);
         write(folder, "bsdf", bsdf_seeds(), kBsdfWords);
+        write(folder, "tabulated", tabulated_seeds(), kTabulatedWords);
         write(folder, "image", image_seeds(), kImageWords);
         write(folder, "wif", wif_seeds(), kWifWords);
         write(folder, "rig", rig_seeds(), kRigWords);

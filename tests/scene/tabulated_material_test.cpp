@@ -185,6 +185,10 @@ TEST(TabulatedMaterialFile, FaultsAreNamed) {
         {"eta", [](TabulatedMaterial& m) { m.eta = 0.5; }},
         {"rings", [](TabulatedMaterial& m) { m.grid.rings = 0; }},
         {"exemplars", [](TabulatedMaterial& m) { m.exemplars = 70000; }},
+        {"cells",
+         [](TabulatedMaterial& m) {
+             m.exemplars = 60000, m.grid = {64, 128};
+         }},
         {"width", [](TabulatedMaterial& m) { m.width = -1; }}};
     for (const Fault& fault : faults) {
         TabulatedMaterial m = sample_material();

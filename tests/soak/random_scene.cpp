@@ -53,7 +53,7 @@ bool is_set_elsewhere(std::string_view name) {
     static constexpr std::string_view kNames[] = {
         "width",      "height",       "samples", "image_light_samples", "triangles",
         "normal_map", "camera_index", "scratch", "scratch_direction",   "cosine_exponent",
-        "weave"};
+        "weave",      "tabulated"};
     return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 

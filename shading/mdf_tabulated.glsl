@@ -1,0 +1,41 @@
+// Distributions given as tables: src/scene/ndf_grid.hpp has their layout. Whoever has the tables looks
+// values up; here is where, and what the BRDF k_s F D / (4 g(i) g(o)) makes of them. The perturbation
+// is that of every lobe: D is read at perturb_point, g at perturb_direction.
+
+// u = sqrt(2 theta / pi). From sine and cosine: near the pole a cosine alone knows nothing. Under
+// normal-map the elevation is about n~ and the azimuth about n, as K11 Eq 2 has it.
+FN Float tabulated_u(LobePoint q) {
+    return sqrt(atan(sqrt(max(q.s2, Float(0))), max(q.z, Float(0))) * (Float(2) / kPi));
+}
+
+// kTiny: GLSL does not say what the azimuth of the pole is.
+FN Float tabulated_phi(Float x, Float y) {
+    return atan(y, choose(abs(x) + abs(y) > kTiny, x, Float(1)));
+}
+
+// Where areas are stored: s = sqrt(1 - 2 theta / pi), 0 at the horizon and below.
+FN Float tabulated_s(vec3 w) {
+    Float theta = atan(sqrt(w.x * w.x + w.y * w.y), max(w.z, kTiny));
+    return sqrt(clamp(Float(1) - theta * (Float(2) / kPi), Float(0), Float(1)));
+}
+
+// |w| g(w/|w|) from what is stored, `more` = g - z. Frames that are not of unit rows (normal-map,
+// rotate-approx) give longer or shorter w, and a Smith G1 asks for their ratios only: with
+// G1 = z/g and z = n~.w, G1(i) G1(o) / (n~.i n~.o) = 1 / (|i| g |o| g).
+FN Float tabulated_area(Float more, vec3 w) {
+    Float l = length(w);
+    // 1e-6: as ndf_area_lookup.
+    return max(w.z + more * l, Float(1e-6) * l);
+}
+
+// Areas of tabulated_area; without Fresnel and colour. 0 where wi or wo is below the perturbed horizon.
+FN Float tabulated_brdf(Float D, Float area_i, Float area_o, Float cos_i, Float cos_o) {
+    Float f = min(D / max(Float(4) * area_i * area_o, kTiny), kMostValue);
+    return choose(cos_i > Float(0) && cos_o > Float(0), f, Float(0));
+}
+
+// One normal over another: slopes add.
+FN vec3 tabulated_normal(vec3 below, vec3 above) {
+    return normalize(vec3(below.x * above.z + above.x * below.z,
+                          below.y * above.z + above.y * below.z, below.z * above.z));
+}

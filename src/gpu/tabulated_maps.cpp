@@ -1,0 +1,258 @@
+#include "gpu/tabulated_maps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <numbers>
+#include <string>
+
+#include "burnish/error.hpp"
+#include "burnish/f32.hpp"
+#include "gpu/texture_units.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+std::size_t index_of(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// Of all draws, evenly over the projected hemisphere: weights stay bounded where the table is 0 and
+// a method reads it elsewhere.
+constexpr double kEven = 0.02;
+
+// A picture of blocks, `values` numbers a texel.
+struct Blocks {
+    int columns, width, height, values;
+    std::vector<float> texels;
+
+    Blocks(int exemplars, int columns_, int width_, int height_, int values_)
+        : columns(columns_), width(width_), height(height_), values(values_) {
+        texels.resize(index_of(total_width()) *
+                      index_of((exemplars + columns - 1) / columns * height) * index_of(values));
+    }
+    int total_width() const { return columns * width; }
+    int total_height() const {
+        return static_cast<int>(texels.size() / index_of(values) / index_of(total_width()));
+    }
+    float* at(int exemplar, int x, int y) {
+        const std::size_t row = index_of(exemplar / columns * height + y);
+        const std::size_t column = index_of(exemplar % columns * width + x);
+        return texels.data() + (row * index_of(total_width()) + column) * index_of(values);
+    }
+};
+
+struct Format {
+    GLenum internal, layout, type;
+};
+
+// Read by texel, never filtered by the device.
+void upload(GLuint texture, const Format& format, int width, int height, const void* texels) {
+    glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.internal), width, height, 0,
+                 format.layout, format.type, texels);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void upload(GLuint texture, const Blocks& blocks) {
+    const Format format =
+        blocks.values == 1 ? Format{GL_R32F, GL_RED, GL_FLOAT} : Format{GL_RG32F, GL_RG, GL_FLOAT};
+    upload(texture, format, blocks.total_width(), blocks.total_height(), blocks.texels.data());
+}
+
+int largest_side() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    return most;
+}
+
+int rows_of_areas(const NdfGrid& grid) {
+    return kAreaGrid.rings + 1 + (grid.rings + kAreaGrid.azimuths - 1) / kAreaGrid.azimuths;
+}
+
+// About square blocks of tables, within what the device takes.
+int columns_for(const TabulatedMaterial& m) {
+    const int side = largest_side();
+    const int widest = std::max(m.grid.azimuths, kAreaGrid.azimuths);
+    const int highest = std::max(m.grid.rings, rows_of_areas(m.grid));
+    const int most = side / widest, rows = side / highest;
+    if (most < 1 || rows < 1 || (m.exemplars + most - 1) / most > rows) {
+        throw Error("tabulated material", "exemplars",
+                    "at most " + std::to_string(most * rows) + " of " +
+                        std::to_string(m.grid.azimuths) + " x " + std::to_string(m.grid.rings) +
+                        " on this device",
+                    std::to_string(m.exemplars));
+    }
+    const int least = (m.exemplars + rows - 1) / rows;
+    const int wished =
+        static_cast<int>(std::ceil(std::sqrt(static_cast<double>(m.exemplars) * highest / widest)));
+    return std::clamp(std::max(wished, least), 1, most);
+}
+
+std::uint32_t code_of_angle(float angle) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const double turns = static_cast<double>(angle) / kTurn;
+    return static_cast<std::uint32_t>(std::lround((turns - std::floor(turns)) * 65536)) & 0xffffU;
+}
+
+std::uint32_t code_of_slope(float v) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(v, -1.0F, 1.0F) * 32767.0F) + 32768);
+}
+
+std::vector<std::uint32_t> texels_of(const TabulatedMaterial& m) {
+    std::vector<std::uint32_t> words;
+    words.reserve(2 * m.texels());
+    for (std::size_t i = 0; i < m.texels(); ++i) {
+        const float* n = m.normal.pixels.data() + 3 * i;
+        words.push_back(m.exemplar[i] | code_of_angle(m.angle[i]) << 16);
+        words.push_back(code_of_slope(n[0]) | code_of_slope(n[1]) << 16);
+    }
+    return words;
+}
+
+std::vector<std::uint16_t> halves_of(const Image& image) {
+    std::vector<std::uint16_t> halves;
+    halves.reserve(image.pixels.size() / 3 * 4);
+    for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3) {
+        for (std::size_t c = 0; c < 3; ++c)
+            halves.push_back(glm::packHalf1x16(std::min(image.pixels[i + c], 65504.0F)));
+        halves.push_back(glm::packHalf1x16(1.0F));
+    }
+    return halves;
+}
+
+void bind_texture(Program& program, const char* name, int unit, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + kTabulatedUnits + static_cast<GLuint>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
+    program.set(name, static_cast<int>(kTabulatedUnits) + unit);
+}
+
+// The mean over a cell and its neighbours.
+double blurred(const NdfGrid& grid, const float* table, int ring, int column) {
+    double sum = 0;
+    for (int y = -1; y <= 1; ++y) {
+        const int r = std::clamp(ring + y, 0, grid.rings - 1);
+        for (int x = -1; x <= 1; ++x) {
+            const int a = (column + x + grid.azimuths) % grid.azimuths;
+            sum += static_cast<double>(table[index_of(r) * index_of(grid.azimuths) + index_of(a)]);
+        }
+    }
+    return sum / 9;
+}
+
+}  // namespace
+
+TabulatedDraws tabulated_draws(const NdfGrid& grid, const float* table) {
+    TabulatedDraws draws;
+    double total = 0;
+    std::vector<double> rings, weights;
+    for (int r = 0; r < grid.rings; ++r) {
+        // Of the cell's middle: within the cell draws are even.
+        const double cosine = std::max(std::cos(static_cast<double>(grid.theta(r))), 1e-4);
+        const double angle = grid.solid_angle(r);
+        double ring = 0;
+        for (int a = 0; a < grid.azimuths; ++a) {
+            const double D = blurred(grid, table, r, a) + kEven / std::numbers::pi;
+            weights.push_back(D * cosine);
+            ring += D * cosine * angle;
+            draws.cells.push_back(static_cast<float>(ring));
+        }
+        for (int a = 0; a < grid.azimuths; ++a) {
+            float& share = draws.cells[index_of(r * grid.azimuths + a)];
+            share = static_cast<float>(static_cast<double>(share) / ring);
+        }
+        total += ring;
+        rings.push_back(total);
+    }
+    for (const double ring : rings) draws.rings.push_back(static_cast<float>(ring / total));
+    for (const double weight : weights) draws.density.push_back(static_cast<float>(weight / total));
+    return draws;
+}
+
+void TabulatedMaps::make(Made& made, std::shared_ptr<const TabulatedMaterial> material) {
+    const TabulatedMaterial& m = *material;
+    const int side = largest_side();
+    if (m.width > side || m.height > side) {
+        throw Error("tabulated material", "texels",
+                    "at most " + std::to_string(side) + " a side on this device",
+                    std::to_string(m.width) + " x " + std::to_string(m.height));
+    }
+    made.material = std::move(material);
+    made.columns = columns_for(m);
+    made.area_rows = rows_of_areas(m.grid);
+    Blocks tables(m.exemplars, made.columns, m.grid.azimuths, m.grid.rings, 1);
+    Blocks areas(m.exemplars, made.columns, kAreaGrid.azimuths, made.area_rows, 1);
+    for (int e = 0; e < m.exemplars; ++e) {
+        for (int r = 0; r < m.grid.rings; ++r) {
+            std::copy_n(m.table(e) + r * m.grid.azimuths, m.grid.azimuths, tables.at(e, 0, r));
+        }
+        const std::vector<float> seen = ndf_areas(m.grid, m.table(e));
+        for (int r = 0; r < kAreaGrid.rings; ++r) {
+            std::copy_n(seen.data() + r * kAreaGrid.azimuths, kAreaGrid.azimuths,
+                        areas.at(e, 0, r));
+        }
+        *areas.at(e, 0, kAreaGrid.rings) = m.groove[index_of(e)];
+        const TabulatedDraws draws = tabulated_draws(m.grid, m.table(e));
+        for (int r = 0; r < m.grid.rings; ++r) {
+            *areas.at(e, r % kAreaGrid.azimuths, kAreaGrid.rings + 1 + r / kAreaGrid.azimuths) =
+                draws.rings[index_of(r)];
+        }
+    }
+    upload(made.tables.get(), tables);
+    upload(made.areas.get(), areas);
+    upload(made.texels.get(), {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT}, m.width, m.height,
+           texels_of(m).data());
+    const Format half = {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+    upload(made.diffuse.get(), half, m.width, m.height, halves_of(m.diffuse).data());
+    upload(made.specular.get(), half, m.width, m.height, halves_of(m.specular).data());
+    check_gl("uploading a tabulated material");
+}
+
+void TabulatedMaps::make_draws(Made& made) {
+    const TabulatedMaterial& m = *made.material;
+    Blocks blocks(m.exemplars, made.columns, m.grid.azimuths, m.grid.rings, 2);
+    for (int e = 0; e < m.exemplars; ++e) {
+        const TabulatedDraws draws = tabulated_draws(m.grid, m.table(e));
+        for (int r = 0; r < m.grid.rings; ++r) {
+            for (int a = 0; a < m.grid.azimuths; ++a) {
+                float* to = blocks.at(e, a, r);
+                to[0] = draws.cells[index_of(r * m.grid.azimuths + a)];
+                to[1] = draws.density[index_of(r * m.grid.azimuths + a)];
+            }
+        }
+    }
+    made.draws = std::make_unique<GlTexture>();
+    upload(made.draws->get(), blocks);
+    check_gl("uploading a tabulated material");
+}
+
+void TabulatedMaps::bind(Program& program, const Material& material, bool draws) {
+    std::unique_ptr<Made>& made = made_[material.tabulated.get()];
+    if (!made) {
+        auto fresh = std::make_unique<Made>();
+        make(*fresh, material.tabulated);
+        made = std::move(fresh);
+    }
+    if (draws && !made->draws) make_draws(*made);
+    const TabulatedMaterial& m = *made->material;
+    bind_texture(program, "u_tabulated_tables", 0, made->tables.get());
+    bind_texture(program, "u_tabulated_areas", 1, made->areas.get());
+    bind_texture(program, "u_tabulated_texels", 2, made->texels.get());
+    bind_texture(program, "u_tabulated_diffuse", 3, made->diffuse.get());
+    bind_texture(program, "u_tabulated_specular", 4, made->specular.get());
+    if (made->draws) bind_texture(program, "u_tabulated_draws", 5, made->draws->get());
+    program.set("u_tabulated_grid", glm::ivec2(m.grid.azimuths, m.grid.rings));
+    program.set("u_tabulated_columns", made->columns);
+    program.set("u_tabulated_area_rows", made->area_rows);
+    program.set("u_tabulated_one", m.texels() == 1 ? 1 : 0);
+    const auto eta = static_cast<float>(m.eta);
+    const float normal = f32::fresnel_conductor(std::max(eta, 1.0F), 0.0F, 1.0F);
+    program.set("u_tabulated_fresnel", glm::vec2(eta, 1.0F / std::max(normal, 1e-6F)));
+}
+
+}  // namespace burnish::gpu

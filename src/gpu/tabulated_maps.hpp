@@ -1,0 +1,54 @@
+// What the shader of tabulated materials reads (shaders/lib/tabulated.glsl, tabulated_texels.glsl).
+// Each exemplar has a block in three pictures, block i at (i % columns, i / columns):
+//
+//   tables  azimuths x rings: D
+//   draws   the same: share of the ring's draws up to and with the cell, density of draws in it
+//   areas   kAreaGrid: g - z; a row with the angle of the groove; the share of draws up to and with
+//           each ring, kAreaGrid.azimuths a row
+//
+// and of each texel there are exemplar (16 bits) and angle (16 bits, 2 pi / 65536), the normal's x
+// and y (16 bits each), diffuse and specular colour as half floats.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "burnish/scene.hpp"
+#include "gpu/handles.hpp"
+#include "gpu/program.hpp"
+#include "scene/tabulated_material.hpp"
+
+namespace burnish::gpu {
+
+// How half vectors of one table are drawn: evenly within cells, of which each is drawn as often as
+// its light weighs, and its neighbours' (values are read between cells), and a little besides.
+struct TabulatedDraws {
+    std::vector<float> cells;    // per cell: share of its ring so far
+    std::vector<float> density;  // per cell: of draws, per steradian
+    std::vector<float> rings;    // share so far, ends at 1
+};
+TabulatedDraws tabulated_draws(const NdfGrid& grid, const float* table);
+
+class TabulatedMaps {
+  public:
+    // Of a material with `tabulated`; made when it is first seen. `draws`: the environment is
+    // sampled. Throws Error when it is larger than the device's textures.
+    void bind(Program& program, const Material& material, bool draws);
+
+  private:
+    struct Made {
+        std::shared_ptr<const TabulatedMaterial> material;
+        int columns = 1, area_rows = 0;
+        GlTexture tables, areas, texels, diffuse, specular;
+        std::unique_ptr<GlTexture> draws;
+    };
+    static void make(Made& made, std::shared_ptr<const TabulatedMaterial> material);
+    static void make_draws(Made& made);
+    std::map<const TabulatedMaterial*, std::unique_ptr<Made>> made_;
+};
+
+}  // namespace burnish::gpu
