@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
-#include "capture/exemplar_solve.hpp"
+#include "capture/exemplar_search.hpp"
 #include "capture/image_stack.hpp"
 #include "scene/tabulated_material.hpp"
 
@@ -35,7 +35,6 @@ struct CaptureFitReport {
     int training_points = 0;
     int exemplars = 0;
     double eta = 0.0;
-    bool eta_estimated = false;
     CompletionReport completion;
     double training_error = 0.0;  // root of the mean of PointFit::error
     std::vector<std::string> warnings;
@@ -61,18 +60,16 @@ class CaptureFit {
     const CaptureFitReport& report() const { return report_; }
 
   private:
-    struct Training;
     struct Texels;
-    struct PixelWork;
-    Training gather_training() const;
-    void solve_round(Training& training, double eta, bool search);
-    void solve_tables(const Training& training);
-    void split_exemplars(Training& training);
-    void merge_exemplars(Training& training);
-    void join_alike(Training& training, float alike);
-    void keep_exemplars(Training& training, const std::vector<bool>& alive);
-    double estimate_eta(Training& training);
-    void fit_band(const StackBand& band, Texels& texels) const;
+    struct TexelTools;
+    std::vector<std::size_t> training_pixels() const;
+    std::vector<float> training_values(const std::vector<std::size_t>& pixels) const;
+    void fit_texel(std::size_t pixel, const float* values, const std::vector<PointTurn>& candidates,
+                   const TexelTools& tools, PixelWork& work, Texels& texels) const;
+    void fit_band(const StackBand& band, const TexelTools& tools, Texels& texels) const;
+    std::size_t load_texels();
+    void save_texels(std::size_t bands) const;
+    std::uint64_t texel_identity() const;
     bool load_exemplars();
     void save_exemplars() const;
     std::uint64_t identity() const;
@@ -83,7 +80,7 @@ class CaptureFit {
     Progress progress_;
     std::unique_ptr<ImageStack> stack_;
     std::unique_ptr<LightGeometry> geometry_;
-    std::vector<std::uint8_t> keep_;
+    SampleContext context_;
     Exemplars exemplars_;
     std::unique_ptr<Texels> texels_;
     CaptureFitReport report_;

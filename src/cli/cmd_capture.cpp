@@ -1,0 +1,16 @@
+// burnish capture: from photographs to materials.
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/usage.hpp"
+
+namespace burnish::cli {
+
+void add_capture_command(CLI::App& parent, Session& session) {
+    CLI::App* capture = parent.add_subcommand("capture", "Materials from photographs");
+    require_command(*capture);
+    add_capture_simulate_command(*capture, session);
+    add_capture_fit_command(*capture, session);
+}
+
+}  // namespace burnish::cli
