@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <string>
 
 #include "app/fit_capture.hpp"
 #include "burnish/error.hpp"
+#include "burnish/shading_names.hpp"
 #include "cli/commands.hpp"
 #include "cli/integer_flag.hpp"
 #include "cli/session.hpp"

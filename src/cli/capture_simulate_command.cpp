@@ -8,6 +8,7 @@
 
 #include "app/simulate_capture.hpp"
 #include "burnish/error.hpp"
+#include "burnish/shading_names.hpp"
 #include "cli/commands.hpp"
 #include "cli/integer_flag.hpp"
 #include "cli/session.hpp"
