@@ -230,8 +230,8 @@ class RotationMatcher::Tile {
                 // A positive correlation only: a negative scale would match the shape's opposite.
                 const float cosine = std::max(x[i], 0.0f);
                 const float left = 1.0f - cosine * cosine / std::max(product, 1e-30f);
-                const bool counts = o[i] >= m_.least_overlap_ * least_[i];
-                r[i] = counts ? std::max(left, 0.0f) : 1.0f;
+                const bool enough = o[i] >= m_.least_overlap_ * least_[i];
+                r[i] = enough ? std::max(left, 0.0f) : 1.0f;
             }
             for (std::size_t i = 0; i < pairs; ++i) {
                 const bool better = r[i] < best_[i];
@@ -246,11 +246,20 @@ class RotationMatcher::Tile {
                 const auto at = [&](std::size_t shift) { return residual_[shift * pairs + i]; };
                 RotationMatch& match = out[p * stride + e];
                 match.residual = best_[i];
-                match.shift = best_shift_[i] + vertex(at((s + azimuths - 1) % azimuths), best_[i],
-                                                      at((s + 1) % azimuths));
+                const std::size_t before = (s + azimuths - 1) % azimuths;
+                const std::size_t after = (s + 1) % azimuths;
+                const bool both_count =
+                    counts(before * pairs + i, i) && counts(after * pairs + i, i);
+                match.shift =
+                    best_shift_[i] + (both_count ? vertex(at(before), best_[i], at(after)) : 0.0f);
                 match.scale = x_[s * pairs + i] / std::max(b_[s * pairs + i], 1e-30f);
                 match.overlap = o_[s * pairs + i] / std::max(least_[i], 1e-30f);
             }
+    }
+
+    // Is there overlap enough? Of the pair `pair`, at `at` in the sums of all turns.
+    bool counts(std::size_t at, std::size_t pair) const {
+        return o_[at] >= m_.least_overlap_ * least_[pair];
     }
 
     const RotationMatcher& m_;

@@ -19,10 +19,12 @@
 namespace burnish {
 
 struct RotationMatch {
-    float residual = 1.0f;  // 1 also where no turn has enough overlap
-    float shift = 0.0f;     // columns by which the exemplar is turned to lie on the point
-    float scale = 0.0f;     // the point's table over the exemplar's
-    float overlap = 0.0f;   // O over the smaller of the two tables' own sums of weights
+    float residual = 1.0f;  // at the nearest whole turn; 1 also where no turn has enough overlap
+    // Columns by which the exemplar is turned to lie on the point, from -1/2 to azimuths - 1/2;
+    // whole where a turn beside the best one does not count.
+    float shift = 0.0f;
+    float scale = 0.0f;    // the point's table over the exemplar's
+    float overlap = 0.0f;  // O over the smaller of the two tables' own sums of weights
 };
 
 // Tables with their weights, cells in ring-major order, one after another. Weights in [0, 1]; the
