@@ -39,6 +39,7 @@ void push(const PushPullImage& coarse, PushPullImage& fine) {
         for (int x = 0; x < fine.side; ++x) {
             const std::size_t to = index(fine.side, x, y);
             const float own = std::min(fine.weight[to], 1.0f);
+            fine.weight[to] = own;
             if (own >= 1.0f) continue;
             const int cx = x / 2, cy = y / 2;
             const int nx = std::clamp(cx + ((x & 1) ? 1 : -1), 0, coarse.side - 1);
@@ -85,7 +86,10 @@ void PushPullImage::splat(float x, float y, float sample) {
 }
 
 void push_pull(PushPullImage& image, int reach) {
-    if (reach <= 0 || image.side < 2) return;
+    if (reach <= 0 || image.side < 2) {
+        for (float& w : image.weight) w = std::min(w, 1.0f);
+        return;
+    }
     PushPullImage coarse = pulled(image);
     push_pull(coarse, reach - 1);
     push(coarse, image);

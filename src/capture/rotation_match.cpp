@@ -230,8 +230,8 @@ class RotationMatcher::Tile {
                 // A positive correlation only: a negative scale would match the shape's opposite.
                 const float cosine = std::max(x[i], 0.0f);
                 const float left = 1.0f - cosine * cosine / std::max(product, 1e-30f);
-                const bool counts = o[i] >= m_.least_overlap_ * least_[i];
-                r[i] = counts ? std::max(left, 0.0f) : 1.0f;
+                const bool enough = o[i] >= m_.least_overlap_ * least_[i];
+                r[i] = enough ? std::max(left, 0.0f) : 1.0f;
             }
             for (std::size_t i = 0; i < pairs; ++i) {
                 const bool better = r[i] < best_[i];
@@ -246,11 +246,20 @@ class RotationMatcher::Tile {
                 const auto at = [&](std::size_t shift) { return residual_[shift * pairs + i]; };
                 RotationMatch& match = out[p * stride + e];
                 match.residual = best_[i];
-                match.shift = best_shift_[i] + vertex(at((s + azimuths - 1) % azimuths), best_[i],
-                                                      at((s + 1) % azimuths));
+                const std::size_t before = (s + azimuths - 1) % azimuths;
+                const std::size_t after = (s + 1) % azimuths;
+                const bool both_count =
+                    counts(before * pairs + i, i) && counts(after * pairs + i, i);
+                match.shift =
+                    best_shift_[i] + (both_count ? vertex(at(before), best_[i], at(after)) : 0.0f);
                 match.scale = x_[s * pairs + i] / std::max(b_[s * pairs + i], 1e-30f);
                 match.overlap = o_[s * pairs + i] / std::max(least_[i], 1e-30f);
             }
+    }
+
+    // Is there overlap enough? Of the pair `pair`, at `at` in the sums of all turns.
+    bool counts(std::size_t at, std::size_t pair) const {
+        return o_[at] >= m_.least_overlap_ * least_[pair];
     }
 
     const RotationMatcher& m_;
@@ -304,10 +313,9 @@ void RotationMatcher::match_range(const MaskedTables& points, std::size_t first,
     });
 }
 
-std::vector<double> RotationMatcher::residuals_directly(const float* point,
-                                                        const float* point_weights,
-                                                        const float* exemplar,
-                                                        const float* exemplar_weights) const {
+std::vector<RotationMatcher::Turn> RotationMatcher::turns_directly(
+    const float* point, const float* point_weights, const float* exemplar,
+    const float* exemplar_weights) const {
     const int azimuths = grid_.azimuths;
     double point_sum = 0.0, exemplar_sum = 0.0;
     for (int i = 0; i < grid_.cells(); ++i) {
@@ -315,7 +323,8 @@ std::vector<double> RotationMatcher::residuals_directly(const float* point,
         point_sum += w * static_cast<double>(point_weights[i]);
         exemplar_sum += w * static_cast<double>(exemplar_weights[i]);
     }
-    std::vector<double> out;
+    const double smaller = std::min(point_sum, exemplar_sum);
+    std::vector<Turn> out;
     for (int s = 0; s < azimuths; ++s) {
         double a = 0.0, b = 0.0, x = 0.0, o = 0.0;
         for (int r = 0; r < grid_.rings; ++r)
@@ -333,24 +342,39 @@ std::vector<double> RotationMatcher::residuals_directly(const float* point,
                 x += w * t * u;
                 o += w;
             }
-        const bool counts =
-            o >= static_cast<double>(least_overlap_) * std::min(point_sum, exemplar_sum);
-        out.push_back(
-            counts ? std::max(1.0 - std::pow(std::max(x, 0.0), 2) / std::max(a * b, 1e-30), 0.0)
-                   : 1.0);
+        Turn turn;
+        if (o >= static_cast<double>(least_overlap_) * smaller)
+            turn.residual =
+                std::max(1.0 - std::pow(std::max(x, 0.0), 2) / std::max(a * b, 1e-30), 0.0);
+        turn.scale = x / std::max(b, 1e-30);
+        turn.overlap = o / std::max(smaller, 1e-30);
+        out.push_back(turn);
     }
+    return out;
+}
+
+std::vector<double> RotationMatcher::residuals_directly(const float* point,
+                                                        const float* point_weights,
+                                                        const float* exemplar,
+                                                        const float* exemplar_weights) const {
+    std::vector<double> out;
+    for (const Turn& turn : turns_directly(point, point_weights, exemplar, exemplar_weights))
+        out.push_back(turn.residual);
     return out;
 }
 
 RotationMatch RotationMatcher::match_directly(const float* point, const float* point_weights,
                                               const float* exemplar,
                                               const float* exemplar_weights) const {
-    const std::vector<double> all =
-        residuals_directly(point, point_weights, exemplar, exemplar_weights);
-    const auto best = std::min_element(all.begin(), all.end());
+    const std::vector<Turn> all = turns_directly(point, point_weights, exemplar, exemplar_weights);
+    const auto best = std::min_element(all.begin(), all.end(), [](const Turn& a, const Turn& b) {
+        return a.residual < b.residual;
+    });
     RotationMatch match;
-    match.residual = static_cast<float>(*best);
+    match.residual = static_cast<float>(best->residual);
     match.shift = static_cast<float>(best - all.begin());
+    match.scale = static_cast<float>(best->scale);
+    match.overlap = static_cast<float>(best->overlap);
     return match;
 }
 

@@ -19,10 +19,12 @@
 namespace burnish {
 
 struct RotationMatch {
-    float residual = 1.0f;  // 1 also where no turn has enough overlap
-    float shift = 0.0f;     // columns by which the exemplar is turned to lie on the point
-    float scale = 0.0f;     // the point's table over the exemplar's
-    float overlap = 0.0f;   // O over the smaller of the two tables' own sums of weights
+    float residual = 1.0f;  // at the nearest whole turn; 1 also where no turn has enough overlap
+    // Columns by which the exemplar is turned to lie on the point, from -1/2 to azimuths - 1/2;
+    // whole where a turn beside the best one does not count.
+    float shift = 0.0f;
+    float scale = 0.0f;    // the point's table over the exemplar's
+    float overlap = 0.0f;  // O over the smaller of the two tables' own sums of weights
 };
 
 // Tables with their weights, cells in ring-major order, one after another. Weights in [0, 1]; the
@@ -43,7 +45,8 @@ class RotationMatcher {
 
     // Every point against the exemplars of set_exemplars [first, first + count): `take(point,
     // matches)` receives the best turn of each. Called from several threads, once for each point.
-    // The same whatever the number of threads.
+    // The same whatever the number of threads; another number of points in one call changes
+    // rounding.
     using Take = std::function<void(std::size_t point, std::span<const RotationMatch> matches)>;
     void match(const MaskedTables& points, const Take& take) const;
     void match_range(const MaskedTables& points, std::size_t first, std::size_t count,
@@ -61,6 +64,11 @@ class RotationMatcher {
 
   private:
     class Tile;
+    struct Turn {
+        double residual = 1.0, scale = 0.0, overlap = 0.0;
+    };
+    std::vector<Turn> turns_directly(const float* point, const float* point_weights,
+                                     const float* exemplar, const float* exemplar_weights) const;
     void spectra_of(const MaskedTables& tables, std::size_t first, std::size_t count, bool exemplar,
                     std::vector<float>& out, std::vector<float>& sums) const;
     std::size_t block() const;  // floats of one table's spectrum of one product

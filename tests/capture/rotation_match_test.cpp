@@ -1,0 +1,274 @@
+// All turns at once against all turns one by one, by sums written from the definition.
+#include "capture/rotation_match.hpp"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <limits>
+
+#include "match_support.hpp"
+
+namespace burnish {
+namespace {
+
+using namespace test;
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+class Match : public testing::TestWithParam<NdfGrid> {};
+INSTANTIATE_TEST_SUITE_P(Grids, Match, testing::ValuesIn(test::kGrids), test::name_of_grid);
+
+// Every turn of every mask with every mask. An overlap within rounding of the least one may count
+// or not.
+TEST_P(Match, DirectResidualsAreThoseOfTheDefinition) {
+    const NdfGrid grid = GetParam();
+    const float least = 0.4f;
+    const RotationMatcher matcher(grid, least);
+    Random random(11);
+    for (const Mask pm : kMasks) {
+        for (const Mask em : kMasks) {
+            const Table p = random_table(grid, pm, random), e = random_table(grid, em, random);
+            const std::vector<double> all = matcher.residuals_directly(
+                p.value.data(), p.weight.data(), e.value.data(), e.weight.data());
+            ASSERT_EQ(all.size(), static_cast<std::size_t>(grid.azimuths));
+            for (int s = 0; s < grid.azimuths; ++s) {
+                const Turn turn = by_definition(grid, p, e, s, static_cast<double>(least));
+                if (std::abs(turn.overlap - static_cast<double>(least)) < 1e-5) continue;
+                // 1e-4: weights of rings may be kept in single precision.
+                EXPECT_NEAR(all[static_cast<std::size_t>(s)], turn.residual, 1e-4)
+                    << static_cast<int>(pm) << " " << static_cast<int>(em) << " turn " << s;
+            }
+        }
+    }
+}
+
+// Is there a turn within half a column of the answer, as good as the best within rounding, that has
+// the answer's scale and overlap? Small masks have several equally good ones.
+bool is_answer(const NdfGrid& grid, const Table& point, const Table& exemplar, double residual,
+               const RotationMatch& found) {
+    for (int s = 0; s < grid.azimuths; ++s) {
+        if (turn_between(static_cast<double>(found.shift), s, grid.azimuths) > 0.501) continue;
+        const Turn there = by_definition(grid, point, exemplar, s, 0);
+        if (std::abs(there.residual - residual) < kResidualRounding &&
+            std::abs(static_cast<double>(found.scale) - there.scale) < 1e-3 * there.scale &&
+            std::abs(static_cast<double>(found.overlap) - there.overlap) < 1e-3)
+            return true;
+    }
+    return false;
+}
+
+// The spectral match finds the turn that the definition finds (or one as good within rounding), and
+// says what the definition says there. 33 points and 9 exemplars: no multiple of a tile.
+TEST_P(Match, SpectralMatchIsBruteForce) {
+    const NdfGrid grid = GetParam();
+    const float least = 0.4f;
+    Random random(7);
+    std::vector<Table> points, exemplars;
+    for (std::size_t i = 0; i < 33; ++i)
+        points.push_back(patterned(grid, kMasks[i % std::size(kMasks)], random));
+    for (std::size_t i = 0; i < 9; ++i)
+        exemplars.push_back(patterned(grid, kMasks[i % std::size(kMasks)], random));
+    RotationMatcher matcher(grid, least);
+    const Pile e = pile_of(exemplars), p = pile_of(points);
+    matcher.set_exemplars(e.tables());
+    EXPECT_EQ(matcher.exemplars(), 9u);
+    const Matches all = all_matches(matcher, p.tables());
+    int answered = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        ASSERT_EQ(all[i].size(), exemplars.size());
+        for (std::size_t k = 0; k < exemplars.size(); ++k) {
+            const RotationMatch& found = all[i][k];
+            const std::string where = std::to_string(i) + " with " + std::to_string(k);
+            // Overlaps within rounding of the least one count or not, as rounding has it.
+            const double low =
+                best_by_definition(grid, points[i], exemplars[k], static_cast<double>(least) - 1e-4)
+                    .turn.residual;
+            const Best best = best_by_definition(grid, points[i], exemplars[k],
+                                                 static_cast<double>(least) + 1e-4);
+            const auto residual = static_cast<double>(found.residual);
+            EXPECT_LE(residual, best.turn.residual + kResidualRounding) << where;
+            if (best.turn.residual == 1) continue;
+            ++answered;
+            EXPECT_GE(residual, low - kResidualRounding) << where;
+            EXPECT_TRUE(is_answer(grid, points[i], exemplars[k], best.turn.residual, found))
+                << where << ": turn " << found.shift << ", scale " << found.scale << ", overlap "
+                << found.overlap;
+        }
+    }
+    EXPECT_GT(answered, 33 * 9 / 4);
+}
+
+TEST_P(Match, DirectMatchIsTheDefinitions) {
+    const NdfGrid grid = GetParam();
+    const RotationMatcher matcher(grid);
+    Random random(3);
+    for (int i = 0; i < 12; ++i) {
+        const Table p = patterned(grid, i % 2 ? Mask::half : Mask::holes, random);
+        const Table e = patterned(grid, i % 3 ? Mask::soft : Mask::full, random);
+        const RotationMatch found = matcher.match_directly(p.value.data(), p.weight.data(),
+                                                           e.value.data(), e.weight.data());
+        const Best best = best_by_definition(grid, p, e, 0.4);
+        EXPECT_LT(turn_between(static_cast<double>(found.shift), best.shift, grid.azimuths), 0.501)
+            << i;
+        EXPECT_NEAR(static_cast<double>(found.residual), best.turn.residual, 1e-4) << i;
+        EXPECT_NEAR(static_cast<double>(found.scale), best.turn.scale, 1e-3 * best.turn.scale) << i;
+        EXPECT_NEAR(static_cast<double>(found.overlap), best.turn.overlap, 1e-4) << i;
+        const RotationMatch spectral = one_match(grid, p, e);
+        EXPECT_NEAR(found.residual, spectral.residual, kResidualRounding) << i;
+        EXPECT_NEAR(turn_between(static_cast<double>(found.shift),
+                                 static_cast<double>(spectral.shift), grid.azimuths),
+                    0, 0.51)
+            << i;
+    }
+}
+
+// Where the weight is 0 the value is nobody's business.
+TEST_P(Match, ValuesWithoutWeightDoNoHarm) {
+    const NdfGrid grid = GetParam();
+    Random random(21);
+    const Table p = patterned(grid, Mask::half, random), e = patterned(grid, Mask::holes, random);
+    const RotationMatch plain = one_match(grid, p, e);
+    ASSERT_LT(plain.residual, 1.0f);
+    for (const float odd : {kNone, std::numeric_limits<float>::infinity(), 1e30f, -3.0f}) {
+        Table p2 = p, e2 = e;
+        for (Table* t : {&p2, &e2})
+            for (std::size_t i = 0; i < t->value.size(); ++i)
+                if (t->weight[i] == 0) t->value[i] = odd;
+        const RotationMatch found = one_match(grid, p2, e2);
+        EXPECT_EQ(found.residual, plain.residual) << odd;
+        EXPECT_EQ(found.shift, plain.shift) << odd;
+        EXPECT_EQ(found.scale, plain.scale) << odd;
+        const RotationMatcher matcher(grid);
+        const RotationMatch direct = matcher.match_directly(p2.value.data(), p2.weight.data(),
+                                                            e2.value.data(), e2.weight.data());
+        EXPECT_NEAR(direct.residual, plain.residual, kResidualRounding) << odd;
+    }
+}
+
+// As good an answer: a point among other points is rounded differently, no more. 1e-3: masks of few
+// cells keep few digits of sums over whole tables.
+bool alike(const Matches& a, const Matches& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].size() != b[i].size()) return false;
+        for (std::size_t k = 0; k < a[i].size(); ++k)
+            // A turn with just the least overlap counts or not, as rounding has it.
+            if (std::min(a[i][k].overlap, b[i][k].overlap) > 0.401f &&
+                !(std::abs(a[i][k].residual - b[i][k].residual) < 1e-3f))
+                return false;
+    }
+    return true;
+}
+
+bool same(const Matches& a, const Matches& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].size() != b[i].size()) return false;
+        for (std::size_t k = 0; k < a[i].size(); ++k)
+            if (a[i][k].residual != b[i][k].residual || a[i][k].shift != b[i][k].shift ||
+                a[i][k].scale != b[i][k].scale || a[i][k].overlap != b[i][k].overlap)
+                return false;
+    }
+    return true;
+}
+
+// Bit for bit on any number of threads; in other company (points in one call, parts of the
+// exemplars) but for rounding, as matrix products round by place.
+TEST_P(Match, AnswersDoNotDependOnThreadsOrCompany) {
+    const NdfGrid grid = GetParam();
+    Random random(33);
+    Pile p, e;
+    for (std::size_t i = 0; i < 150; ++i)
+        p.add(patterned(grid, kMasks[i % std::size(kMasks)], random));
+    for (std::size_t i = 0; i < 37; ++i)
+        e.add(patterned(grid, kMasks[i % std::size(kMasks)], random));
+    RotationMatcher matcher(grid);
+    using Control = oneapi::tbb::global_control;
+    Matches one_thread, two_threads;
+    {
+        const Control limit(Control::max_allowed_parallelism, 1);
+        matcher.set_exemplars(e.tables());
+        one_thread = all_matches(matcher, p.tables());
+    }
+    {
+        const Control limit(Control::max_allowed_parallelism, 2);
+        matcher.set_exemplars(e.tables());
+        two_threads = all_matches(matcher, p.tables());
+    }
+    EXPECT_TRUE(same(one_thread, two_threads));
+    for (const std::size_t group : {1u, 7u, 64u}) {
+        Matches parts;
+        for (std::size_t first = 0; first < p.count; first += group) {
+            const std::size_t count = std::min(group, p.count - first);
+            for (auto& m : all_matches(matcher, p.tables(first, count, grid)))
+                parts.push_back(std::move(m));
+        }
+        EXPECT_TRUE(alike(one_thread, parts)) << group;
+    }
+    Matches some(p.count);
+    std::mutex mutex;
+    matcher.match_range(p.tables(), 11, 9, [&](std::size_t point, auto matches) {
+        const std::lock_guard lock(mutex);
+        some.at(point).assign(matches.begin(), matches.end());
+    });
+    for (auto& row : one_thread) row = {row.begin() + 11, row.begin() + 20};
+    EXPECT_TRUE(alike(one_thread, some));
+}
+
+TEST_P(Match, TooLittleOverlapIsNoMatch) {
+    const NdfGrid grid = GetParam();
+    Random random(2);
+    Table p = random_table(grid, Mask::full, random), e = p;
+    for (int r = 0; r < grid.rings; ++r)  // the point is known near the normal, the other far off
+        for (int a = 0; a < grid.azimuths; ++a)
+            (r < grid.rings / 2 ? e : p).weight[cell(grid, r, a)] = 0;
+    EXPECT_EQ(one_match(grid, p, e).residual, 1.0f);
+    EXPECT_EQ(one_match(grid, e, p).residual, 1.0f);
+    EXPECT_NEAR(one_match(grid, p, p).overlap, 1.0f, 1e-5f);
+    EXPECT_LT(one_match(grid, p, p).residual, 1e-4f);
+    const Table nothing = random_table(grid, Mask::empty, random);
+    EXPECT_EQ(one_match(grid, nothing, p).residual, 1.0f);
+    EXPECT_EQ(one_match(grid, p, nothing).residual, 1.0f);
+}
+
+// Lobes as real ones: peaks of hundreds beside tails of thousandths, seen through half masks.
+TEST_P(Match, PeaksDoNotDrownTails) {
+    const NdfGrid grid = GetParam();
+    Random random(17);
+    const Table e{test::sampled(grid, test::ggx(0.04, 0.2, 0.05, 0.1)),
+                  std::vector<float>(static_cast<std::size_t>(grid.cells()), 1.0f)};
+    for (int i = 0; i < 10; ++i) {
+        Table p{test::sampled(grid, test::ggx(0.05, 0.25, 0.05, 0.1), random.uniform(0, 96)), {}};
+        for (int k = 0; k < grid.cells(); ++k) {
+            const bool tail = k / grid.azimuths > grid.rings / 3;
+            p.weight.push_back(tail && k % grid.azimuths > grid.azimuths / 3 ? 1.0f : 0.0f);
+        }
+        const Best best = best_by_definition(grid, p, e, 0.4);
+        const RotationMatch found = one_match(grid, p, e);
+        EXPECT_NEAR(static_cast<double>(found.residual), best.turn.residual, 1e-3) << i;
+        EXPECT_LT(turn_between(static_cast<double>(found.shift), best.shift, grid.azimuths), 0.501)
+            << i;
+    }
+}
+
+TEST(MatchOf, NoPointsAndTablesOfZeros) {
+    const NdfGrid grid{8, 24};
+    RotationMatcher matcher(grid);
+    const Pile none;
+    Random random(1);
+    Table zero = random_table(grid, Mask::full, random);
+    const Table some = zero;
+    for (float& v : zero.value) v = 0;
+    const Pile e = pile_of({some, zero});
+    matcher.set_exemplars(e.tables());
+    EXPECT_TRUE(all_matches(matcher, none.tables()).empty());
+    const Matches all = all_matches(matcher, e.tables());
+    EXPECT_EQ(all[0][1].residual, 1.0f);  // nothing is a multiple of zero
+    for (const auto& row : all)
+        for (const RotationMatch& m : row)
+            EXPECT_TRUE(std::isfinite(m.residual) && std::isfinite(m.shift) &&
+                        std::isfinite(m.scale));
+}
+
+}  // namespace
+}  // namespace burnish
