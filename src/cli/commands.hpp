@@ -19,5 +19,8 @@ void add_render_command(CLI::App& parent, Session& session);
 void add_gallery_command(CLI::App& parent, Session& session);
 void add_scratch_command(CLI::App& parent, Session& session);
 void add_weave_command(CLI::App& parent, Session& session);
+void add_capture_command(CLI::App& parent, Session& session);
+void add_capture_relight_command(CLI::App& capture, Session& session);  // `capture relight`
+void add_capture_export_command(CLI::App& capture, Session& session);   // `capture export`
 
 }  // namespace burnish::cli

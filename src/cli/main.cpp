@@ -48,6 +48,7 @@ void add_commands(CLI::App& app, Session& session) {
     add_gallery_command(app, session);
     add_scratch_command(app, session);
     add_weave_command(app, session);
+    add_capture_command(app, session);
     add_info_command(app, session);
     add_mdf_command(app, session);
     add_brdf_command(app, session);
