@@ -54,13 +54,27 @@ Cells cells_of(const NdfGrid& grid, const float* table) {
     return out;
 }
 
-// x = (ln alpha_x, ln alpha_y, angle of the x axis).
+// The logarithm of the symmetrical matrix of widths, which knows no singular place where a lobe is
+// round: x = (p, d cos 2a, d sin 2a) with ln alpha = p - d along the groove, whose angle is a, and
+// p
+// + d across.
+struct Widths {
+    double along, across, groove;
+};
+
+Widths widths_of(Mdf mdf, const VectorXd& x) {
+    const double most = mdf == Mdf::ashikhmin_shirley ? 1.0 : kMostFitted;
+    const double d = std::hypot(x[1], x[2]);
+    return {std::clamp(std::exp(x[0] - d), kLeastFitted, most),
+            std::clamp(std::exp(x[0] + d), kLeastFitted, most), 0.5 * std::atan2(x[2], x[1])};
+}
+
 void lobe_roots(const Cells& cells, Mdf mdf, const VectorXd& x, VectorXd& out) {
-    const f64::Lobe lobe =
-        f64::lobe_from_alpha(static_cast<int>(mdf), std::exp(x[0]), std::exp(x[1]));
+    const Widths w = widths_of(mdf, x);
+    const f64::Lobe lobe = f64::lobe_from_alpha(static_cast<int>(mdf), w.along, w.across);
     const f64::Perturbation flat =
         f64::perturb_make(f64::kMethodNone, f64::vec3(0.0, 0.0, 1.0), true, false);
-    const double c = std::cos(x[2]), s = std::sin(x[2]);
+    const double c = std::cos(w.groove), s = std::sin(w.groove);
     out.resize(cells.table.size());
     for (std::size_t i = 0; i < cells.h.size(); ++i) {
         const f64::vec3& h = cells.h[i];
@@ -74,9 +88,9 @@ void lobe_roots(const Cells& cells, Mdf mdf, const VectorXd& x, VectorXd& out) {
 
 LeastSquaresProblem problem_of(const Cells& cells, Mdf mdf) {
     LeastSquaresProblem problem;
-    const double most = mdf == Mdf::ashikhmin_shirley ? 1.0 : kMostFitted;
-    problem.low = Eigen::Vector3d(std::log(kLeastFitted), std::log(kLeastFitted), -1e3);
-    problem.high = Eigen::Vector3d(std::log(most), std::log(most), 1e3);
+    // Widths are held to their limits in widths_of; these are beyond.
+    problem.low = Eigen::Vector3d(std::log(kLeastFitted), -5.0, -5.0);
+    problem.high = Eigen::Vector3d(std::log(kMostFitted), 5.0, 5.0);
     problem.evaluate = [&cells, mdf](const VectorXd& x, VectorXd& residuals, MatrixXd* slopes) {
         lobe_roots(cells, mdf, x, residuals);
         residuals -= cells.table;
@@ -105,7 +119,9 @@ VectorXd start_of(const Cells& cells, const LeastSquaresProblem& problem) {
     double least = HUGE_VAL;
     for (const double along : {0.01, 0.03, 0.08, 0.2, 0.4, 0.8})
         for (const double across : {0.01, 0.03, 0.08, 0.2, 0.4, 0.8}) {
-            const VectorXd x = Eigen::Vector3d(std::log(along), std::log(across), groove);
+            const double d = 0.5 * std::log(across / along);
+            const VectorXd x = Eigen::Vector3d(0.5 * std::log(across * along),
+                                               d * std::cos(2 * groove), d * std::sin(2 * groove));
             problem.evaluate(x, residuals, nullptr);
             if (residuals.squaredNorm() >= least) continue;
             least = residuals.squaredNorm();
@@ -126,10 +142,10 @@ LobeFit fit_lobe(const NdfGrid& grid, const float* table, Mdf mdf) {
     const LeastSquaresProblem problem = problem_of(cells, mdf);
     const LeastSquaresResult result = minimise(problem, start_of(cells, problem), 100);
     LobeFit out;
-    const double x = std::exp(result.x[0]), y = std::exp(result.x[1]);
-    out.alpha_along = std::min(x, y);
-    out.alpha_across = std::max(x, y);
-    out.groove = line_angle(x <= y ? result.x[2] : result.x[2] + kPi / 2);
+    const Widths widths = widths_of(mdf, result.x);
+    out.alpha_along = widths.along;
+    out.alpha_across = widths.across;
+    out.groove = line_angle(widths.groove);
     // Of unit vectors, |a - b|^2 / 2 = 1 - a.b
     out.residual = std::sqrt(std::clamp(result.sum / 2, 0.0, 1.0));
     return out;

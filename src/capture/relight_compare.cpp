@@ -71,7 +71,8 @@ StackError StackComparison::result() const {
     StackError out;
     double squares = 0.0;
     for (const Sums& sums : sums_) {
-        const bool clips = sums.top == brightest && sums.at_top >= kRepeatsOfClipping;
+        const bool clips =
+            sums.top > 0.0 && sums.top == brightest && sums.at_top >= kRepeatsOfClipping;
         out.peak = std::max(out.peak, clips ? sums.next : sums.top);
         LightError light;
         light.samples = sums.samples - (clips ? sums.at_top : 0);
