@@ -6,9 +6,9 @@
 #include <numbers>
 #include <optional>
 
-#include "app/least_squares.hpp"
 #include "burnish/error.hpp"
 #include "burnish/progress.hpp"
+#include "core/least_squares.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {

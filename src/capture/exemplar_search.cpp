@@ -216,6 +216,7 @@ void ExemplarSearch::split_exemplars() {
     }
     next.origin.assign(next.D.size(), NdfOrigin::extrapolated);
     exemplars_ = std::move(next);
+    candidates_.clear();  // they name exemplars that were
     // The two halves' own samples decide what they become.
     solve_tables();
 }
@@ -331,6 +332,7 @@ void ExemplarSearch::keep_exemplars(const std::vector<bool>& alive) {
     for (PointTurn& turn : turns_)
         if (turn.exemplar >= 0) turn.exemplar = renamed[static_cast<std::size_t>(turn.exemplar)];
     exemplars_ = std::move(next);
+    candidates_.clear();  // they name exemplars that were
 }
 
 // Where clustering starts from: what each point shows by itself.
@@ -362,7 +364,7 @@ void ExemplarSearch::run() {
         progress_.step("solving exemplars", static_cast<double>(round) / kSolveRounds);
         // Normals tilt once exemplars are told apart: before, they would take up the difference.
         tilting_ = settings_.normals && round >= kSplitRounds;
-        solve_round(eta_, round + 1 < kSolveRounds);
+        solve_round(eta_, true);
         if (round == 0 || round == kSplitRounds) {
             join_alike(round == 0 ? kAlikeAtFirst : kAlike);
         } else if (round < kSplitRounds) {

@@ -76,25 +76,6 @@ std::uint64_t identity_of(const Rig& rig) {
     return identity.value();
 }
 
-std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height) {
-    std::vector<std::uint8_t> mask(
-        static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1);
-    if (!rig.mask) return mask;
-    const Image image = read_image(*rig.mask, {.as_data = true});
-    if (image.width != width || image.height != height)
-        throw Error(rig.mask->string(), "",
-                    fmt::format("{} x {} pixels, as the pictures have", width, height),
-                    fmt::format("{} x {}", image.width, image.height));
-    for (std::size_t i = 0; i < mask.size(); ++i)
-        mask[i] = image.pixels[i * static_cast<std::size_t>(image.channels)] > 0.5f;
-    if (std::find(mask.begin(), mask.end(), 1) == mask.end())
-        throw Error(rig.mask->string(), "", "something white: the part to be fitted", "all black");
-    return mask;
-}
-
-// A float picture says nowhere where its sensor ended; values that repeat at the very top do.
-constexpr int kRepeatsOfClipping = 8;
-
 void write_at(int file, const void* data, std::size_t bytes, std::uint64_t at,
               const fs::path& name) {
     const auto* from = static_cast<const char*>(data);
@@ -172,6 +153,22 @@ void write_light(int file, const Header& header, std::size_t light,
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height) {
+    std::vector<std::uint8_t> mask(
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1);
+    if (!rig.mask) return mask;
+    const Image image = read_image(*rig.mask, {.as_data = true});
+    if (image.width != width || image.height != height)
+        throw Error(rig.mask->string(), "",
+                    fmt::format("{} x {} pixels, as the pictures have", width, height),
+                    fmt::format("{} x {}", image.width, image.height));
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask[i] = image.pixels[i * static_cast<std::size_t>(image.channels)] > 0.5f;
+    if (std::find(mask.begin(), mask.end(), 1) == mask.end())
+        throw Error(rig.mask->string(), "", "something white: the part to be fitted", "all black");
+    return mask;
+}
 
 ImageStack::ImageStack(const Rig& rig, const fs::path& cache, const Progress& progress)
     : identity_(identity_of(rig)), name_(cache.string()) {

@@ -28,6 +28,13 @@ LightImage read_light_image(const Rig& rig, const RigLight& light, const Image& 
 // given.
 Image read_flat_field(const Rig& rig);
 
+// The rig's mask, 1 where the sample is to be measured, a pixel each; 1 everywhere without one.
+std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
+
+// A float picture says nowhere where its sensor ended; values of the stack's largest that repeat at
+// least this often in one picture do.
+inline constexpr int kRepeatsOfClipping = 8;
+
 struct StackCensus {
     double clipped_share = 0.0;  // of all samples within the mask
     double black_share = 0.0;    // exactly 0

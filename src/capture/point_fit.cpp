@@ -41,11 +41,12 @@ PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(samp
     double mean = 0.0;
     for (const float v : samples.value) mean += static_cast<double>(v);
     mean /= std::max<double>(1.0, static_cast<double>(samples.size()));
-    const auto floor = static_cast<float>(std::max(mean, 1e-20));
+    const auto floor = static_cast<float>(mean);
     weights_.resize(samples.size());
     fresnel_.resize(samples.size());
     for (std::size_t q = 0; q < samples.size(); ++q) {
-        const float scale = 1.0f / (samples.value[q] + floor);
+        // A point that is black under every light says nothing.
+        const float scale = floor > 1e-18f ? 1.0f / (samples.value[q] + floor) : 0.0f;
         weights_[q] = scale * scale;
         fresnel_[q] = relative_fresnel(eta, samples.cosine_ih[q]);
         value_square_ += static_cast<double>(weights_[q] * samples.value[q] * samples.value[q]);

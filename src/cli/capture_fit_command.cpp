@@ -131,6 +131,8 @@ void add_capture_fit_command(CLI::App& capture, Session& session) {
         ->type_name("RINGSxAZIMUTHS");
     add_integer(*command, "--training-points", settings.training_points, {16, 1000000},
                 "pixels at most that exemplars are made from");
+    command->add_flag("--normals", settings.normals,
+                      "fit each pixel's normal too; without, the sample is flat");
     add_integer(*command, "--hold-out", settings.hold_out, {0, 1000},
                 "every n-th light takes no part; 0: all do");
     add_integer(*command, "--seed", flags->seed, {0, 1000000}, "of the clustering");

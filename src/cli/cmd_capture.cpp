@@ -11,6 +11,8 @@ void add_capture_command(CLI::App& parent, Session& session) {
     require_command(*capture);
     add_capture_simulate_command(*capture, session);
     add_capture_fit_command(*capture, session);
+    add_capture_relight_command(*capture, session);
+    add_capture_export_command(*capture, session);
 }
 
 }  // namespace burnish::cli

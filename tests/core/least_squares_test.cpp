@@ -1,5 +1,5 @@
 // Problems whose optimum is known.
-#include "app/least_squares.hpp"
+#include "core/least_squares.hpp"
 
 #include <gtest/gtest.h>
 

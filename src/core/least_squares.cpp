@@ -1,4 +1,4 @@
-#include "app/least_squares.hpp"
+#include "core/least_squares.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>

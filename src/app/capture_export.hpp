@@ -1,0 +1,27 @@
+// burnish capture export: a fitted material as maps for people and as a glTF for other programs
+// (docs/relight-export.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "burnish/progress.hpp"
+
+namespace burnish {
+
+struct CaptureExportRequest {
+    std::filesystem::path material;
+    std::filesystem::path output;  // a folder, made when it is not there
+    std::string command;           // for metadata
+};
+
+struct CaptureExportReport {
+    std::vector<std::filesystem::path> written;  // material.gltf first
+    std::vector<std::string> warnings;
+};
+
+// Writes all files or, when anything fails, none.
+CaptureExportReport export_material(const CaptureExportRequest& request, const Progress& progress);
+
+}  // namespace burnish
