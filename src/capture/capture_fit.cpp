@@ -1,5 +1,7 @@
 #include "capture/capture_fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,6 +12,8 @@
 #include "burnish/error.hpp"
 #include "capture/coverage.hpp"
 #include "capture/exemplar_search.hpp"
+#include "capture/lobe_fit.hpp"
+#include "capture/parametric_fit.hpp"
 #include "capture/partial_ndf.hpp"
 #include "capture/stage_file.hpp"
 #include "core/parallel.hpp"
@@ -39,6 +43,7 @@ struct CaptureFit::Texels {
     std::vector<std::uint16_t> exemplar;
     std::vector<float> angle, error;
     std::vector<float> diffuse, specular, normal;  // x 3
+    std::vector<float> models;  // x models x kModelNumbers; empty when none are wanted
 };
 
 CaptureFit::CaptureFit(const Rig& rig, const CaptureFitSettings& settings,
@@ -72,6 +77,7 @@ std::uint64_t CaptureFit::identity() const {
     id.add(settings_.hold_out);
     id.add(settings_.training_points);
     id.add(settings_.normals);
+    id.add(settings_.models);
     return id.value();
 }
 
@@ -132,8 +138,23 @@ void CaptureFit::find_exemplars() {
     save_exemplars();
 }
 
+namespace {
+
+// Of each model and texel, and their names in the material's maps.
+constexpr std::array<const char*, 5> kModelNumbers = {"alpha_along", "alpha_across", "groove_deg",
+                                                      "diffuse", "specular"};
+// Lights that models are fitted to: enough for five numbers.
+constexpr std::size_t kModelLights = 128;
+
+float luminance(const std::array<float, 3>& rgb) {
+    return kLuminance[0] * rgb[0] + kLuminance[1] * rgb[1] + kLuminance[2] * rgb[2];
+}
+
+}  // namespace
+
 // What the workers of the texel stage share.
 struct CaptureFit::TexelTools {
+    std::vector<LobeFit> lobes;  // of each exemplar: where models start from
     RotationMatcher matcher;
     PartialNdfSolver solver;
     float eta;
@@ -169,10 +190,36 @@ void CaptureFit::fit_texel(std::size_t pixel, const float* values,
     texels.angle[pixel] =
         best.shift * 2.0f * std::numbers::pi_v<float> / static_cast<float>(settings_.grid.azimuths);
     texels.error[pixel] = best.error;
+    if (!texels.models.empty())
+        fit_models(pixel, exemplar, best.shift, tools, work.samples, texels);
     for (std::size_t c = 0; c < 3; ++c) {
         texels.diffuse[3 * pixel + c] = diffuse[c];
         texels.specular[3 * pixel + c] = specular[c];
         texels.normal[3 * pixel + c] = normal[c];
+    }
+}
+
+void CaptureFit::fit_models(std::size_t pixel, int exemplar, float shift, const TexelTools& tools,
+                            const PointSamples& samples, Texels& texels) const {
+    PointSamples some;
+    thin_samples(samples, kModelLights, some);
+    const LobeFit& lobe = tools.lobes[static_cast<std::size_t>(exemplar)];
+    ParametricFit start;
+    start.alpha_along = static_cast<float>(lobe.alpha_along);
+    start.alpha_across = static_cast<float>(lobe.alpha_across);
+    start.groove =
+        static_cast<float>(lobe.groove) +
+        shift * 2.0f * std::numbers::pi_v<float> / static_cast<float>(settings_.grid.azimuths);
+    const std::size_t models = parametric_model_names().size();
+    for (std::size_t m = 0; m < models; ++m) {
+        const ParametricFit fit =
+            fit_parametric(static_cast<ParametricModel>(m), some, tools.eta, start, {false, 4});
+        float* to = texels.models.data() + (pixel * models + m) * kModelNumbers.size();
+        to[0] = fit.alpha_along;
+        to[1] = fit.alpha_across;
+        to[2] = fit.groove * 180.0f / std::numbers::pi_v<float>;
+        to[3] = luminance(fit.diffuse);
+        to[4] = luminance(fit.specular);
     }
 }
 
@@ -211,7 +258,9 @@ void CaptureFit::fit_texels() {
     t.normal.assign(3 * pixels, 0.0f);
     for (std::size_t p = 0; p < pixels; ++p) t.normal[3 * p + 2] = 1.0f;
     const auto eta = static_cast<float>(report_.eta);
-    TexelTools tools = {RotationMatcher(settings_.grid),
+    if (settings_.models)
+        t.models.assign(pixels * parametric_model_names().size() * kModelNumbers.size(), 0.0f);
+    TexelTools tools = {lobes(), RotationMatcher(settings_.grid),
                         PartialNdfSolver(settings_.grid, context_.spacing_rad, eta), eta};
     tools.matcher.set_exemplars(exemplars_.tables());
     auto saved = std::chrono::steady_clock::now();
@@ -225,13 +274,20 @@ void CaptureFit::fit_texels() {
     }
 }
 
+std::vector<LobeFit> CaptureFit::lobes() const {
+    std::vector<LobeFit> out;
+    for (int e = 0; e < exemplars_.count; ++e)
+        out.push_back(fit_lobe(settings_.grid, exemplars_.table(e), Mdf::ggx));
+    return out;
+}
+
 TabulatedMaterial CaptureFit::material() const {
     TabulatedMaterial m;
     m.grid = settings_.grid;
     m.exemplars = exemplars_.count;
     m.D = exemplars_.D;
     m.origin = exemplars_.origin;
-    m.groove.assign(static_cast<std::size_t>(exemplars_.count), 0.0f);
+    for (const LobeFit& lobe : lobes()) m.groove.push_back(static_cast<float>(lobe.groove));
     m.eta = report_.eta;
     m.width = stack_->width();
     m.height = stack_->height();
@@ -248,6 +304,15 @@ TabulatedMaterial CaptureFit::material() const {
     m.specular = image(texels_->specular);
     m.normal = image(texels_->normal);
     m.maps["fit.error"] = texels_->error;
+    if (texels_->models.empty()) return m;
+    const auto names = parametric_model_names();
+    const std::size_t numbers = names.size() * kModelNumbers.size();
+    for (std::size_t k = 0; k < numbers; ++k) {
+        std::vector<float>& map = m.maps[fmt::format("{}.{}", names[k / kModelNumbers.size()],
+                                                     kModelNumbers[k % kModelNumbers.size()])];
+        map.resize(m.texels());
+        for (std::size_t t = 0; t < map.size(); ++t) map[t] = texels_->models[t * numbers + k];
+    }
     return m;
 }
 
@@ -299,6 +364,7 @@ void CaptureFit::save_texels(std::size_t bands) const {
     writer.put(texels_->diffuse);
     writer.put(texels_->specular);
     writer.put(texels_->normal);
+    writer.put(texels_->models);
     writer.write(stages_ / "texels.bin");
 }
 
@@ -314,11 +380,13 @@ std::size_t CaptureFit::load_texels() {
     reader.get(found.diffuse);
     reader.get(found.specular);
     reader.get(found.normal);
+    reader.get(found.models);
     const std::size_t pixels = stack_->pixels();
     const bool whole = reader.good() && bands <= stack_->bands() &&
                        found.exemplar.size() == pixels && found.angle.size() == pixels &&
                        found.error.size() == pixels && found.diffuse.size() == 3 * pixels &&
-                       found.specular.size() == 3 * pixels && found.normal.size() == 3 * pixels;
+                       found.specular.size() == 3 * pixels && found.normal.size() == 3 * pixels &&
+                       found.models.size() == texels_->models.size();
     if (!whole) return 0;
     *texels_ = std::move(found);
     return bands;

@@ -15,6 +15,7 @@
 #include "burnish/progress.hpp"
 #include "capture/exemplar_search.hpp"
 #include "capture/image_stack.hpp"
+#include "capture/lobe_fit.hpp"
 #include "scene/tabulated_material.hpp"
 
 namespace burnish {
@@ -27,6 +28,7 @@ struct CaptureFitSettings {
     int hold_out = 0;            // every n-th light takes no part and judges; 0: none
     int training_points = 8192;  // at most, from which exemplars are made
     bool normals = false;        // let normals tilt; else the sample is flat
+    bool models = true;          // analytic models of every texel too (parametric_fit.hpp)
 };
 
 struct CaptureFitReport {
@@ -66,10 +68,13 @@ class CaptureFit {
     std::vector<float> training_values(const std::vector<std::size_t>& pixels) const;
     void fit_texel(std::size_t pixel, const float* values, const std::vector<PointTurn>& candidates,
                    const TexelTools& tools, PixelWork& work, Texels& texels) const;
+    void fit_models(std::size_t pixel, int exemplar, float shift, const TexelTools& tools,
+                    const PointSamples& samples, Texels& texels) const;
     void fit_band(const StackBand& band, const TexelTools& tools, Texels& texels) const;
     std::size_t load_texels();
     void save_texels(std::size_t bands) const;
     std::uint64_t texel_identity() const;
+    std::vector<LobeFit> lobes() const;
     bool load_exemplars();
     void save_exemplars() const;
     std::uint64_t identity() const;

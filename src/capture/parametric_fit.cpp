@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "burnish/f32.hpp"
@@ -15,7 +16,6 @@ constexpr std::array<std::string_view, 4> kNames = {"ward-isotropic", "ward", "g
                                                     "ashikhmin-shirley"};
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kLeast = 0.01f, kMost = 1.2f;  // alphas
-constexpr int kMostSteps = 12;
 // Relative gain of a step below which the search ends.
 constexpr double kLeastGain = 1e-4;
 
@@ -174,14 +174,14 @@ bool solve(const std::array<std::array<double, 3>, 3>& a, const std::array<doubl
 }
 
 // Levenberg and Marquardt's method with differences for derivatives.
-double descend(ParametricModel model, Problem& problem, Parameters& p) {
+double descend(ParametricModel model, Problem& problem, Parameters& p, int steps) {
     const int n = free_parameters(model);
     Trial now, moved;
     p = bounded(model, p);
     problem.evaluate(p, now);
     double damping = 1e-3;
     std::array<std::vector<float>, 3> slopes;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < steps; ++step) {
         constexpr float kDifference = 0.01f;
         for (int k = 0; k < n; ++k) {
             Parameters q = p;
@@ -241,7 +241,7 @@ std::span<const std::string_view> parametric_model_names() {
 }
 
 ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples, float eta,
-                             const ParametricFit& start) {
+                             const ParametricFit& start, const ParametricEffort& effort) {
     ParametricFit fit = start;
     if (samples.size() == 0) return fit;
     Problem problem(model, samples, eta);
@@ -252,10 +252,12 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
         Parameters{std::log(0.25f), std::log(0.3f), start.groove + 0.5f * kPi}};
     Parameters best{};
     double least = 0.0;
-    const std::size_t tried = model == ParametricModel::ward_isotropic ? 2 : starts.size();
+    const std::size_t tried = !effort.elsewhere                          ? 1
+                              : model == ParametricModel::ward_isotropic ? 2
+                                                                         : 3;
     for (std::size_t k = 0; k < tried; ++k) {
         Parameters p = starts[k];
-        const double error = descend(model, problem, p);
+        const double error = descend(model, problem, p, effort.steps);
         if (k > 0 && error >= least) continue;
         least = error;
         best = p;
@@ -287,6 +289,43 @@ float parametric_shape(ParametricModel model, const ParametricFit& fit, float et
     const Vec3f sum = {to_light[0] + to_eye[0], to_light[1] + to_eye[1], to_light[2] + to_eye[2]};
     const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
     return relative_fresnel(eta, 0.5f * length) * b;
+}
+
+void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out) {
+    std::vector<std::size_t> order(samples.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (order.size() > most) {
+        const std::size_t bright = most / 2;
+        std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(bright),
+                         order.end(), [&](std::size_t a, std::size_t b) {
+                             return samples.value[a] != samples.value[b]
+                                        ? samples.value[a] > samples.value[b]
+                                        : a < b;
+                         });
+        std::sort(order.begin() + static_cast<std::ptrdiff_t>(bright), order.end());
+        const std::size_t rest = order.size() - bright, wanted = most - bright;
+        for (std::size_t k = 0; k < wanted; ++k)
+            order[bright + k] = order[bright + k * rest / wanted];
+        order.resize(most);
+        std::sort(order.begin(), order.end());
+    }
+    const auto pick = [&](const auto& from, auto& to) {
+        to.resize(order.size());
+        for (std::size_t k = 0; k < order.size(); ++k) to[k] = from[order[k]];
+    };
+    pick(samples.light, out.light);
+    pick(samples.half, out.half);
+    pick(samples.in, out.in);
+    pick(samples.cosine_ih, out.cosine_ih);
+    pick(samples.received, out.received);
+    pick(samples.value, out.value);
+    pick(samples.to_light, out.to_light);
+    for (std::size_t c = 0; c < 3; ++c) {
+        pick(samples.weight_rgb[c], out.weight_rgb[c]);
+        pick(samples.value_rgb[c], out.value_rgb[c]);
+    }
+    out.out = samples.out;
+    out.to_eye = samples.to_eye;
 }
 
 }  // namespace burnish

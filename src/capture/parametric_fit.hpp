@@ -22,10 +22,19 @@ struct ParametricFit {
     float error = 1.0f;                          // of PointFit's kind, without its weights
 };
 
-// `start`: where the search begins; it goes on from there and from rounder lobes. eta is not used
-// by Ward's model, which has no Fresnel term.
+// How long to search: from `start` alone or from rounder lobes too; steps from each.
+struct ParametricEffort {
+    bool elsewhere = true;
+    int steps = 12;
+};
+
+// `start`: where the search begins. eta is not used by Ward's model, which has no Fresnel term.
 ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples, float eta,
-                             const ParametricFit& start);
+                             const ParametricFit& start, const ParametricEffort& effort = {});
+
+// At most `most` of the samples: half of them the brightest, the others spread over the rest in the
+// order of lights.
+void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out);
 
 // rho of the fitted model, luminance-free: the specular shape b of rho = diffuse/pi + specular b,
 // for unit directions in the normal's frame.

@@ -133,6 +133,8 @@ void add_capture_fit_command(CLI::App& capture, Session& session) {
                 "pixels at most that exemplars are made from");
     command->add_flag("--normals", settings.normals,
                       "fit each pixel's normal too; without, the sample is flat");
+    command->add_flag("!--no-models", settings.models,
+                      "leave out the analytic models of every pixel");
     add_integer(*command, "--hold-out", settings.hold_out, {0, 1000},
                 "every n-th light takes no part; 0: all do");
     add_integer(*command, "--seed", flags->seed, {0, 1000000}, "of the clustering");
