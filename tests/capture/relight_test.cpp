@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "../cli/program.hpp"
@@ -177,6 +178,17 @@ TEST(RelightComparison, FindsTheNoiseThatWasAdded) {
                 (error.lights[0].psnr + error.lights[1].psnr + error.lights[2].psnr) / 3, 1e-9);
     EXPECT_EQ(error.samples, 3 * stack.rendered[0].pixels.size());
     EXPECT_NEAR(error.rmse, std::sqrt((0.0004 + 0.01 + 0.0025) / 3), 0.003);
+}
+
+TEST(RelightComparison, TheSamePicturesAreInfinitelyAlike) {
+    KnownStack stack;
+    for (std::size_t k = 0; k < 3; ++k) stack.write(k, stack.rendered[k]);
+    const StackError error = stack.error();
+    EXPECT_EQ(error.rmse, 0.0);
+    const double none = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(error.psnr_median, none);
+    EXPECT_EQ(error.psnr_mean, none);
+    EXPECT_EQ(error.psnr_worst, none);
 }
 
 TEST(RelightComparison, ClippedAndMaskedSamplesDoNotCount) {
