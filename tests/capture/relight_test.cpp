@@ -44,9 +44,10 @@ Difference difference(const Image& a, const Image& truth) {
     return {worst / most, sum / total};
 }
 
-// Tables of 256 rings follow these lobes to 0.1 %; areas on their 16 x 32 nodes are within 0.003
-// (ndf_grid.hpp) of g, which near the horizon is that much of little: 2 % of the brightest.
-constexpr double kWorst = 0.02, kMean = 0.006;
+// Areas on their 16 x 32 nodes are within 0.003 (ndf_grid.hpp) of g, which near the horizon is that
+// much of little: at most 0.3 % of the brightest sample here, and 0.17 % on average (velvet).
+// Tables of 256 rings follow these lobes more closely.
+constexpr double kWorst = 0.005, kMean = 0.0025;
 
 TEST(Relight, IsTheClosedFormOfATabulatedSample) {
     for (const auto& preset : virtual_presets())
