@@ -111,8 +111,8 @@ void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobe
         // A tenth off the 4 % of glTF's dielectrics is not worth a word.
         dim += kLuminance[0] * s[0] + kLuminance[1] * s[1] + kLuminance[2] * s[2] < 0.036f;
         bright += std::max({s[0], s[1], s[2]}) > 1.0f;
-        // Hellinger's distance of GGX and Beckmann of the same alpha is 0.2.
-        other += lobes[m.exemplar[t]].residual > 0.25;
+        // Beckmann's lobes are 0.23 from the nearest GGX.
+        other += lobes[m.exemplar[t]].residual > 0.3;
     }
     const auto warn = [&](std::size_t count, const char* what) {
         if (count > 0)
