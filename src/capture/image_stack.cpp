@@ -198,6 +198,7 @@ bool ImageStack::open_cache(const fs::path& cache) {
         ::pread(file, &header, sizeof header, 0) == static_cast<ssize_t>(sizeof header) &&
         std::memcmp(header.magic, kMagic, sizeof kMagic) == 0 && header.identity == identity_ &&
         header.width <= 32768 && header.height <= 32768 && header.lights <= 1'000'000 &&
+        header.width > 0 && header.height > 0 && header.lights > 0 && header.band_pixels > 0 &&
         bytes == data_start(header) + 6 * header.width * header.height * header.lights;
     if (!whole) {
         ::close(file);
