@@ -138,16 +138,20 @@ TEST(StackCache, BrokenOnesAreMadeAnew) {
 TEST(StackCache, AbsurdHeadsAreNotBelieved) {
     const Capture c;
     const std::vector<float> first = c.samples();
-    for (int at = 0; at < 80; at += 8) {
-        std::fstream file(c.cache, std::ios::binary | std::ios::in | std::ios::out);
-        file.seekp(at);
-        file.write("\xff\xff\xff\xff\xff\xff\xff\x7f", 8);
-        file.close();
-        std::vector<float> again;
-        ASSERT_NO_THROW(again = c.samples()) << at;
-        EXPECT_EQ(again.size(), first.size()) << at;
-        fs::remove(c.cache);
-        ASSERT_EQ(c.samples(), first) << at;
+    const std::string absurd[] = {std::string("\xff\xff\xff\xff\xff\xff\xff\x7f", 8),
+                                  std::string(8, '\0')};
+    for (const std::string& bytes : absurd) {
+        for (int at = 0; at < 80; at += 8) {
+            std::fstream file(c.cache, std::ios::binary | std::ios::in | std::ios::out);
+            file.seekp(at);
+            file.write(bytes.data(), 8);
+            file.close();
+            std::vector<float> again;
+            ASSERT_NO_THROW(again = c.samples()) << at;
+            EXPECT_EQ(again.size(), first.size()) << at;
+            fs::remove(c.cache);
+            ASSERT_EQ(c.samples(), first) << at;
+        }
     }
 }
 
