@@ -184,10 +184,10 @@ void TableEquations::solve(float* table, float* weights) const {
     // The innermost rings are tiny: where samples stand about them, smoothness decides well enough.
     constexpr float kInner = 0.12f;  // radians
     for (int c = 0; c < grid_.azimuths; ++c) {
-        int first = 0;
-        while (first < grid_.rings && weights[at(grid_, first, c)] <= 0.0f) ++first;
-        if (first == grid_.rings || grid_.theta(first) > kInner) continue;
-        for (int r = 0; r < first; ++r) weights[at(grid_, r, c)] = 1.0f;
+        int outer = 0;  // the outermost decided ring among them
+        for (int r = 0; r < grid_.rings && grid_.theta(r) <= kInner; ++r)
+            if (weights[at(grid_, r, c)] > 0.0f) outer = r;
+        for (int r = 0; r < outer; ++r) weights[at(grid_, r, c)] = 1.0f;
     }
 }
 

@@ -123,14 +123,15 @@ class OpenFile {
 struct Coded {
     std::vector<std::uint16_t> codes;
     float scale = 0.0f;
-    int at_top = 0;  // samples that equal the largest
+    int at_top = 0;  // samples of a float picture, within the mask, that equal the largest
 };
 
-Coded code_image(const LightImage& image) {
+Coded code_image(const LightImage& image, const std::vector<std::uint8_t>& mask) {
     Coded out;
     const auto& pixels = image.rgb.pixels;
     out.scale = *std::max_element(pixels.begin(), pixels.end());
-    out.at_top = static_cast<int>(std::count(pixels.begin(), pixels.end(), out.scale));
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        out.at_top += !image.coded && mask[i / 3] && pixels[i] == out.scale;
     out.codes.resize(pixels.size());
     const float inverse = out.scale > 0.0f ? 1.0f / out.scale : 0.0f;
     for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -194,6 +195,7 @@ bool ImageStack::open_cache(const fs::path& cache) {
         ::pread(file, &header, sizeof header, 0) == static_cast<ssize_t>(sizeof header) &&
         std::memcmp(header.magic, kMagic, sizeof kMagic) == 0 && header.identity == identity_ &&
         header.width <= 32768 && header.height <= 32768 && header.lights <= 1'000'000 &&
+        header.width > 0 && header.height > 0 && header.lights > 0 && header.band_pixels > 0 &&
         bytes == data_start(header) + 6 * header.width * header.height * header.lights;
     if (!whole) {
         ::close(file);
@@ -237,7 +239,7 @@ void ImageStack::make_cache(const Rig& rig, const fs::path& cache, const Progres
                                                                header.width * header.height);
                 mask = read_mask(rig, image.rgb.width, image.rgb.height);
             }
-            const Coded coded = code_image(image);
+            const Coded coded = code_image(image, mask);
             for (std::size_t i = 0; i < coded.codes.size(); ++i) {
                 if (!mask[i / 3]) continue;
                 counted += 1.0;

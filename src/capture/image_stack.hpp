@@ -17,6 +17,7 @@ struct LightImage {
     Image rgb;  // linear, brackets merged, divided by the flat field; never negative
     // Codes of integer pictures end somewhere: samples that every exposure shows at its last code.
     std::vector<std::uint8_t> clipped;  // one a sample; empty: none
+    bool coded = false;                 // some exposure is of integers: `clipped` knows all
 };
 
 // `white`: empty, or the flat field (as read_flat_field gives it). Throws Error for pictures that

@@ -71,6 +71,7 @@ LightImage read_light_image(const Rig& rig, const RigLight& light, const Image& 
     for (const RigExposure& exposure : light.images) {
         Exposed picture = read_exposure(rig, exposure.image);
         require_size(exposure.image, picture.rgb, width, height);
+        out.coded |= picture.coded;
         if (out.rgb.empty()) {
             width = picture.rgb.width;
             height = picture.rgb.height;
