@@ -1,6 +1,6 @@
 // `make bench`: measures the budgets and writes them beside what was reached.
 // Usage: burnish_bench OUT.md [frames|cloth|image-light|loading|first-picture|scratches|weaves|
-// distributions ...]
+// distributions|capture ...]
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -25,6 +25,7 @@ constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
     {"scratches", burnish::bench::measure_scratches},
     {"weaves", burnish::bench::measure_weaves},
     {"distributions", burnish::bench::measure_distributions},
+    {"capture", burnish::bench::measure_capture},
 };
 
 }  // namespace

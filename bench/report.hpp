@@ -32,5 +32,6 @@ void measure_first_picture(Report& report);
 void measure_scratches(Report& report);
 void measure_weaves(Report& report);
 void measure_distributions(Report& report);
+void measure_capture(Report& report);
 
 }  // namespace burnish::bench

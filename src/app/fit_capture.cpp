@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "app/version.hpp"
 #include "burnish/error.hpp"
 #include "capture/coverage.hpp"
+#include "capture/held_out.hpp"
+#include "capture/lobe_fit.hpp"
 #include "core/files.hpp"
 
 namespace burnish {
@@ -37,6 +40,66 @@ void judge_stack(const ImageStack& stack, const std::string& name,
             fmt::format("{}: {:.2g} % of the samples are clipped and left out: the tops of "
                         "highlights may be missing",
                         name, 100.0 * census.clipped_share));
+}
+
+// Spread of the turns of an exemplar's texels about their mean, in degrees (of a wrapped normal
+// distribution with the same mean resultant).
+double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels) {
+    double x = 0.0, y = 0.0;
+    texels = 0;
+    for (std::size_t t = 0; t < m.texels(); ++t) {
+        if (m.exemplar[t] != exemplar) continue;
+        x += std::cos(static_cast<double>(m.angle[t]));
+        y += std::sin(static_cast<double>(m.angle[t]));
+        ++texels;
+    }
+    const double resultant =
+        std::min(std::hypot(x, y) / std::max<double>(1.0, static_cast<double>(texels)), 1.0);
+    return std::sqrt(-2.0 * std::log(std::max(resultant, 1e-12))) * 180.0 / std::numbers::pi;
+}
+
+// What the distributions that were found cannot be, given what they were found from.
+void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const std::string& name,
+                     std::vector<std::string>& warnings) {
+    constexpr double kOneDirection = 15.0;     // degrees
+    constexpr double kMuchUnexplained = 0.15;  // of the light
+    const double narrowest = narrowest_ggx_alpha(fit.report().spacing_deg);
+    int one_direction = 0, narrow = 0, used = 0;
+    for (int e = 0; e < m.exemplars; ++e) {
+        std::size_t texels = 0;
+        const double spread = spread_deg(m, e, texels);
+        if (texels == 0) continue;
+        ++used;
+        one_direction += spread < kOneDirection;
+        narrow += fit_lobe(m.grid, m.table(e), Mdf::ggx).alpha_along < narrowest;
+    }
+    if (one_direction > 0)
+        warnings.push_back(
+            fmt::format("{}: {} of {} exemplars have one grain direction (within {:.0f} degrees): "
+                        "nothing turns, so nothing "
+                        "beyond what the lights reach could be completed",
+                        name, one_direction, used, kOneDirection));
+    if (narrow > 0)
+        warnings.push_back(
+            fmt::format("{}: {} of {} exemplars are narrower than lights {:.1f} degrees apart "
+                        "resolve (alpha {:.3f}): their "
+                        "peaks are a guess",
+                        name, narrow, used, fit.report().spacing_deg, narrowest));
+    if (fit.report().training_error > kMuchUnexplained)
+        warnings.push_back(
+            fmt::format("{}: {:.0f} % of the light is unexplained: the sample may not be flat "
+                        "(--normals), or shadows and "
+                        "light between its parts are no reflectance of a surface",
+                        name, 100.0 * fit.report().training_error));
+}
+
+// The fit beside other people's models, where it was not told the answer.
+std::string describe(const std::vector<HeldOutError>& errors, std::size_t lights) {
+    if (errors.empty()) return "";
+    std::string text = fmt::format("on the {} light{} held out:\n", lights, lights == 1 ? "" : "s");
+    for (const HeldOutError& e : errors)
+        text += fmt::format("  {:<18} {:5.1f} dB, RMSE {:.3g}\n", e.model, e.psnr, e.rmse);
+    return text;
 }
 
 std::string describe(const CaptureFit& fit, const FitCaptureRequest& request) {
@@ -81,6 +144,11 @@ FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& p
     if (!all) return report;
 
     TabulatedMaterial material = fit.material();
+    const std::vector<std::uint8_t> keep =
+        fitted_lights(fit.stack().lights(), request.settings.hold_out);
+    report.text += describe(held_out_errors(fit.stack(), fit.rig(), material, keep, progress),
+                            static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0)));
+    judge_exemplars(fit, material, request.stack.string(), report.warnings);
     material.metadata["burnish:version"] = version();
     material.metadata["burnish:command"] = request.command;
     write_tabulated_material(request.output, material);

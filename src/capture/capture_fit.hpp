@@ -57,6 +57,7 @@ class CaptureFit {
     // After both.
     TabulatedMaterial material() const;
 
+    const Rig& rig() const { return rig_; }  // with the sample's height filled in
     const ImageStack& stack() const { return *stack_; }
     const Exemplars& exemplars() const { return exemplars_; }
     const CaptureFitReport& report() const { return report_; }
