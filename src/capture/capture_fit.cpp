@@ -25,6 +25,8 @@ namespace {
 // Bytes of training samples in memory at most.
 constexpr std::size_t kTrainingBytes = std::size_t{256} << 20;
 constexpr std::size_t kCandidates = 3;
+// A candidate whose error is so many times the best one's after one step will not overtake it.
+constexpr float kGiveUp = 4.0f;
 constexpr std::size_t kPixelTile = 64;
 // What an interruption of the texel stage costs at most, and a band.
 constexpr std::chrono::seconds kSaveEvery{20};
@@ -173,7 +175,8 @@ void CaptureFit::fit_texel(std::size_t pixel, const float* values,
     {
         const PointFitter fitter(work.samples, tools.eta);
         for (const PointTurn& turn : candidates) {
-            const PointFit fit = fitter.refined(tables(turn.exemplar), turn.shift, kSearchColumns);
+            const PointFit fit = fitter.refined(tables(turn.exemplar), turn.shift, kSearchColumns,
+                                                kGiveUp * best.error);
             if (fit.error >= best.error) continue;
             best = fit;
             exemplar = turn.exemplar;

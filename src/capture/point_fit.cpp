@@ -77,11 +77,12 @@ PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
     return fit;
 }
 
-PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float width) const {
+PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float width,
+                              float give_up) const {
     PointFit best = at(tables, shift);
     const PointFit opposite = at(tables, shift + 0.5f * static_cast<float>(tables.grid.azimuths));
     if (opposite.error < best.error) best = opposite;
-    for (float step = width; step > 0.02f; step *= 0.4f) {
+    for (float step = width; step > 0.02f; step *= 0.25f) {
         const PointFit before = at(tables, best.shift - step),
                        after = at(tables, best.shift + step);
         const float bend = before.error - 2.0f * best.error + after.error;
@@ -94,6 +95,7 @@ PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float w
             const PointFit trial = at(tables, to);
             if (trial.error < best.error) best = trial;
         }
+        if (best.error > give_up) break;
     }
     return best;
 }

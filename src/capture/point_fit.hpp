@@ -51,7 +51,9 @@ class PointFitter {
     // The best turn near `shift` or half a turn from it, to about 0.02 columns, searched within
     // `width` columns to each side: what one camera sees of a distribution is often much the same
     // from behind.
-    PointFit refined(const ExemplarTables& tables, float shift, float width) const;
+    // Gives up where the error is above `give_up` after the first step: not the best, then.
+    PointFit refined(const ExemplarTables& tables, float shift, float width,
+                     float give_up = 1e30f) const;
     // Diffuse and specular of each channel at a turn.
     void colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
                  std::array<float, 3>& specular) const;
