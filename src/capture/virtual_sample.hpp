@@ -56,8 +56,8 @@ Vec3d virtual_brdf(const VirtualSample& sample, const VirtualTexel& texel, const
                    const Vec3d& to_eye);
 
 struct VirtualCamera {
-    // Standard deviation: share of the value plus kNoiseFloor of what a white diffuser would show in
-    // its place.
+    // Standard deviation: share of the value plus kNoiseFloor of what a white diffuser would show
+    // in its place.
     double noise = 0.0;
     double clip = 0.0;  // pixels end at this many times a white diffuser; 0: nowhere
     std::uint64_t seed = 1;
