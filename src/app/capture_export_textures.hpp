@@ -1,4 +1,5 @@
-// Textures of a glTF material from a fitted one. Private to capture_export.cpp and its tests.
+// Textures of a glTF material from a fitted one. Private to capture_export.cpp,
+// capture_report*.cpp and their tests.
 #pragma once
 
 #include <array>

@@ -21,27 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Texels lie where the material says, then where the rig says.
-void set_size(Rig& rig, const TabulatedMaterial& m, std::vector<std::string>& warnings) {
-    if (m.width_mm > 0.0 && m.height_mm > 0.0) {
-        const double ratio = rig.width_mm / m.width_mm;
-        if (rig.width_mm > 0.0 && std::abs(ratio - 1.0) > 0.01)
-            warnings.push_back(fmt::format(
-                "{}: sample: {:.4g} mm wide, but the material is {:.4g} mm wide, as which it is "
-                "rendered",
-                rig.file.string(), rig.width_mm, m.width_mm));
-        rig.width_mm = m.width_mm;
-        rig.height_mm = m.height_mm;
-        return;
-    }
-    if (rig.width_mm > 0.0 && rig.height_mm > 0.0) return;
-    rig.width_mm = m.width;
-    rig.height_mm = m.height;
-    warnings.push_back(fmt::format(
-        "{}: neither the rig nor the material says how large the sample is; taken as 1 mm a texel",
-        rig.file.string()));
-}
-
 bool has_mask(const TabulatedMaterial& m) {
     return std::find(m.exemplar.begin(), m.exemplar.end(), TabulatedMaterial::kNoExemplar) !=
            m.exemplar.end();
@@ -95,12 +74,32 @@ std::unique_ptr<StackComparison> comparison_of(const RelightRequest& request, co
 
 }  // namespace
 
+void take_size_of(const TabulatedMaterial& m, Rig& rig, std::vector<std::string>& warnings) {
+    if (m.width_mm > 0.0 && m.height_mm > 0.0) {
+        const double ratio = rig.width_mm / m.width_mm;
+        if (rig.width_mm > 0.0 && std::abs(ratio - 1.0) > 0.01)
+            warnings.push_back(fmt::format(
+                "{}: sample: {:.4g} mm wide, but the material is {:.4g} mm wide, as which it is "
+                "rendered",
+                rig.file.string(), rig.width_mm, m.width_mm));
+        rig.width_mm = m.width_mm;
+        rig.height_mm = m.height_mm;
+        return;
+    }
+    if (rig.width_mm > 0.0 && rig.height_mm > 0.0) return;
+    rig.width_mm = m.width;
+    rig.height_mm = m.height;
+    warnings.push_back(fmt::format(
+        "{}: neither the rig nor the material says how large the sample is; taken as 1 mm a texel",
+        rig.file.string()));
+}
+
 RelightReport relight_material(const RelightRequest& request, const Progress& progress) {
     RelightReport report;
     const auto material = load_tabulated(request.material);
     Rig rig = read_rig(request.rig, false, request.overrides);
     report.warnings = rig.warnings;
-    set_size(rig, *material, report.warnings);
+    take_size_of(*material, rig, report.warnings);
     Rig stack;
     const auto comparison = comparison_of(request, rig, *material, stack, report.warnings);
     const OutputFolder folder(request.output);

@@ -10,6 +10,7 @@
 #include "burnish/progress.hpp"
 #include "capture/relight_compare.hpp"
 #include "capture/rig.hpp"
+#include "scene/tabulated_material.hpp"
 
 namespace burnish {
 
@@ -30,6 +31,10 @@ struct RelightReport {
 // Writes 0000.exr ... and rig.json, which names them, so that they are a stack; with `compare` also
 // compare.csv. All or, when anything fails, none.
 RelightReport relight_material(const RelightRequest& request, const Progress& progress);
+
+// Texels lie where the material says, then where the rig says, else 1 mm apart: the rig's size is
+// set, and what does not agree warned of.
+void take_size_of(const TabulatedMaterial& material, Rig& rig, std::vector<std::string>& warnings);
 
 // The totals in a line or two; with `each_light` a table before them.
 std::string describe_error(const StackError& error, bool each_light);

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/html_text.hpp"
 #include "app/version.hpp"
 
 namespace burnish {
@@ -34,29 +35,6 @@ nav ul { columns: 3; padding-left: 1.2rem; }
 <body>
 )";
 
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
 std::string_view class_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::borne_out:
@@ -81,22 +59,23 @@ std::string section(const GalleryItem& item) {
     std::string text = fmt::format(
         "<section id=\"{0}\">\n<h2>{1}</h2>\n<p><a href=\"{2}\"><img src=\"{2}\" alt=\"{1}: {3}\" "
         "loading=\"lazy\"></a></p>\n",
-        item.entry.id, escaped(page.figure.title), item.picture, escaped(item.entry.claim));
+        item.entry.id, escaped_html(page.figure.title), item.picture,
+        escaped_html(item.entry.claim));
     if (!item.vector.empty())
         text += fmt::format("<p><a href=\"{}\">as vector graphics</a></p>\n", item.vector);
     text += fmt::format("<dl>\n<dt>Claim</dt><dd>{}</dd>\n<dt>Verdict</dt><dd>{}</dd>\n",
-                        escaped(item.entry.claim), badge(page.verdict));
+                        escaped_html(item.entry.claim), badge(page.verdict));
     if (!page.measured.empty()) {
         text += "<dt>Measured</dt>\n";
         for (const std::string& line : page.measured)
-            text += fmt::format("<dd>{}</dd>\n", escaped(line));
+            text += fmt::format("<dd>{}</dd>\n", escaped_html(line));
     }
     if (!page.remark.empty())
-        text += fmt::format("<dt>Remark</dt><dd>{}</dd>\n", escaped(page.remark));
+        text += fmt::format("<dt>Remark</dt><dd>{}</dd>\n", escaped_html(page.remark));
     text += "</dl>\n";
     if (!page.commands.empty()) {
         text += "<details><summary>Commands and parameters</summary>\n<pre>";
-        for (const std::string& command : page.commands) text += escaped(command) + "\n";
+        for (const std::string& command : page.commands) text += escaped_html(command) + "\n";
         text += "</pre></details>\n";
     }
     return text + "</section>\n";
@@ -130,7 +109,7 @@ std::string gallery_html(std::span<const GalleryItem> items, const std::string& 
         "<em>Claim</em> is what the caption or the text beside it says, <em>verdict</em> what the "
         "measured figures say of it.</p>\n";
     text += fmt::format("<p>Made by Burnish {} with <code>{}</code> on {}.</p>\n", version(),
-                        escaped(command), escaped(device));
+                        escaped_html(command), escaped_html(device));
     text += "<nav><ul>\n";
     for (const GalleryItem& item : items)
         text += fmt::format("<li><a href=\"#{0}\">{0}</a> {1}</li>\n", item.entry.id,

@@ -7,6 +7,7 @@
 #include "burnish/f32.hpp"
 #include "capture/light_geometry.hpp"
 #include "capture/parametric_fit.hpp"
+#include "capture/parametric_maps.hpp"
 #include "capture/relight.hpp"
 #include "core/parallel.hpp"
 
@@ -27,34 +28,6 @@ Vec3f in_frame(const Vec3f& n, float x, float y, float z) {
     return {f32::dot(frame.t, v), f32::dot(frame.b, v), f32::dot(frame.n, v)};
 }
 
-// A model's maps, when the material has them all.
-struct ModelMaps {
-    ParametricModel model;
-    std::string name;
-    const std::vector<float>*along, *across, *groove, *diffuse, *specular;
-};
-
-std::vector<ModelMaps> models_of(const TabulatedMaterial& material) {
-    std::vector<ModelMaps> out;
-    const auto names = parametric_model_names();
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const auto find = [&](const char* what) -> const std::vector<float>* {
-            const auto found = material.maps.find(std::string(names[k]) + "." + what);
-            return found == material.maps.end() ? nullptr : &found->second;
-        };
-        const ModelMaps maps = {static_cast<ParametricModel>(k),
-                                std::string(names[k]),
-                                find("alpha_along"),
-                                find("alpha_across"),
-                                find("groove_deg"),
-                                find("diffuse"),
-                                find("specular")};
-        if (maps.along && maps.across && maps.groove && maps.diffuse && maps.specular)
-            out.push_back(maps);
-    }
-    return out;
-}
-
 class HeldOut {
   public:
     HeldOut(const ImageStack& stack, const Rig& rig, const TabulatedMaterial& material,
@@ -63,12 +36,12 @@ class HeldOut {
           material_(material),
           relighter_(material),
           geometry_(rig, stack.width(), stack.height()),
-          models_(models_of(material)) {
+          models_(parametric_maps(material)) {
         for (std::size_t k = 0; k < keep.size(); ++k)
             if (!keep[k]) lights_.push_back(k);
     }
 
-    const std::vector<ModelMaps>& models() const { return models_; }
+    const std::vector<ParametricMaps>& models() const { return models_; }
     bool empty() const { return lights_.empty(); }
 
     Sums tile(const StackBand& band, std::size_t begin, std::size_t end) const {
@@ -92,13 +65,7 @@ class HeldOut {
         const Vec3f normal = {n[0], n[1], n[2]};
         const Vec3f o = in_frame(normal, lights.to_eye[0], lights.to_eye[1], lights.to_eye[2]);
         std::vector<ParametricFit> fits;
-        for (const ModelMaps& m : models_) {
-            ParametricFit fit;
-            fit.alpha_along = (*m.along)[t];
-            fit.alpha_across = (*m.across)[t];
-            fit.groove = (*m.groove)[t] * std::numbers::pi_v<float> / 180.0f;
-            fits.push_back(fit);
-        }
+        for (const ParametricMaps& m : models_) fits.push_back(m.lobe(t));
         for (const std::size_t k : lights_) {
             const float* v = values + 3 * k;
             if (std::isinf(v[0]) || std::isinf(v[1]) || std::isinf(v[2])) continue;
@@ -136,7 +103,7 @@ class HeldOut {
     const TabulatedMaterial& material_;
     Relighter relighter_;
     LightGeometry geometry_;
-    std::vector<ModelMaps> models_;
+    std::vector<ParametricMaps> models_;
     std::vector<std::size_t> lights_;
 };
 

@@ -13,6 +13,7 @@ void add_capture_command(CLI::App& parent, Session& session) {
     add_capture_fit_command(*capture, session);
     add_capture_relight_command(*capture, session);
     add_capture_export_command(*capture, session);
+    add_capture_report_command(*capture, session);
 }
 
 }  // namespace burnish::cli

@@ -24,5 +24,6 @@ void add_capture_simulate_command(CLI::App& capture, Session& session);
 void add_capture_fit_command(CLI::App& capture, Session& session);
 void add_capture_relight_command(CLI::App& capture, Session& session);  // `capture relight`
 void add_capture_export_command(CLI::App& capture, Session& session);   // `capture export`
+void add_capture_report_command(CLI::App& capture, Session& session);   // `capture report`
 
 }  // namespace burnish::cli
