@@ -125,7 +125,7 @@ CaptureReportResult report_capture(const CaptureReportRequest& request, const Pr
     page.request = &request;
     page.material = material.get();
     page.lights = rig.lights.size();
-    page.rig_text = describe_rig(request.stack.string());
+    page.rig_text = describe_rig(request.stack.string(), request.overrides);
     const std::vector<std::uint8_t> keep = judges(request, *material, rig, page.held_out_text);
     const OutputFolder folder(request.output);
     const auto stack = open_stack(rig, request.output, progress);

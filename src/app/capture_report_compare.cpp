@@ -146,22 +146,26 @@ Image difference(const Image& made, const Image& real, double white) {
     return at_viewing_size(out);
 }
 
-double psnr(const Image& made, const Image& real, double peak) {
-    double squares = 0.0, count = 0.0;
+// Of luminance, relative to the brightest sample of this picture: dim ones would look perfect
+// beside the brightest of all.
+double psnr(const Image& made, const Image& real) {
+    double squares = 0.0, count = 0.0, peak = 0.0;
     for (std::size_t t = 0; t < real.pixels.size(); t += 3) {
-        const double off = luminance(made.pixels.data() + t) - luminance(real.pixels.data() + t);
+        const double truth = luminance(real.pixels.data() + t);
+        const double off = luminance(made.pixels.data() + t) - truth;
         if (!std::isfinite(off)) continue;
         squares += off * off;
         count += 1.0;
+        peak = std::max(peak, truth);
     }
     const double rmse = std::sqrt(squares / std::max(count, 1.0));
     return rmse > 0.0 ? 20.0 * std::log10(peak / rmse) : std::numeric_limits<double>::infinity();
 }
 
 void add_shot(const Image& made, const Image& real, const char* title, const std::string& name,
-              double peak, LightEntry& entry, Pictures& pictures) {
+              LightEntry& entry, Pictures& pictures) {
     const std::string file = fmt::format("light_{}_{}", entry.rank, name);
-    Shot shot{title, file + ".png", file + "_off.png", psnr(made, real, peak)};
+    Shot shot{title, file + ".png", file + "_off.png", psnr(made, real)};
     pictures.push_back({shot.picture, displayed(made, real, entry.white)});
     pictures.push_back({shot.difference, difference(made, real, entry.white)});
     entry.shots.push_back(shot);
@@ -215,13 +219,13 @@ void add_comparison(const ImageStack& stack, const Rig& rig, const TabulatedMate
         entry.white = white_of(real[k]);
         entry.shots.push_back({"real", fmt::format("light_{}_real.png", entry.rank), "", 0.0});
         pictures.push_back({entry.shots.back().picture, displayed(real[k], real[k], entry.white)});
-        add_shot(relighter.picture(rig, entry.light), real[k], "synthesised", "tabulated",
-                 levels.peak, entry, pictures);
+        add_shot(relighter.picture(rig, entry.light), real[k], "synthesised", "tabulated", entry,
+                 pictures);
         for (const auto& [model, title] : kShown)
             for (const ParametricMaps& maps : models)
                 if (maps.model == model)
                     add_shot(parametric_picture(m, maps, rig, entry.light), real[k], title,
-                             maps.name, levels.peak, entry, pictures);
+                             maps.name, entry, pictures);
     }
 }
 

@@ -135,7 +135,8 @@ std::string map_section(const Page& page) {
 std::string light_table(const LightEntry& light) {
     std::string text = fmt::format(
         "<h3>The {} light: {}</h3>\n<p>Light {}, {:.0f} degrees over the sample at azimuth {:.0f}; "
-        "white is {:.3g} in all of these.</p>\n<table class=\"shots\">\n<tr>",
+        "white is {:.3g} in all of these; PSNR is relative to the brightest sample of the real "
+        "picture.</p>\n<table class=\"shots\">\n<tr>",
         light.rank, escaped_html(light.source), light.light, light.elevation, light.azimuth,
         light.white);
     for (const Shot& shot : light.shots) text += "<th>" + escaped_html(shot.title) + "</th>";
@@ -159,7 +160,8 @@ std::string light_table(const LightEntry& light) {
 std::string comparison_section(const Page& page) {
     std::string text =
         "<section id=\"comparison\">\n<h2>Comparison</h2>\n<p>" + escaped_html(page.held_out_text) +
-        " Errors are of luminance, over samples that are not clipped; the peak of PSNR is the "
+        " Errors are of luminance, over samples that are not clipped; the peak of PSNR in this "
+        "table is the "
         "brightest of them, " +
         fmt::format("{:.3g}", page.peak) +
         ". The other models were fitted to each texel's luminance; their pictures have the hues of "

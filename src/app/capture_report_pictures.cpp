@@ -75,14 +75,16 @@ Disc draw_disc(Canvas& canvas, const Box& box, const Image& image) {
 template <typename Place>
 void draw_tilts(Canvas& canvas, const Disc& disc, std::initializer_list<int> tilts, Place place,
                 const plot::Stroke& stroke) {
-    for (const int tilt : tilts) {
-        const double r = place(tilt);
-        canvas.circle(disc.center, r * disc.radius, stroke);
-        plot::TextStyle style{.size = 10.5, .color = plot::kInk, .align = plot::Align::center};
-        style.halo = plot::kWhite;
-        style.stand = plot::Stand::middle;
-        canvas.text(disc.at(r, -65 * kDegree), fmt::format("{}\u00b0", tilt), style);
-    }
+    for (const int tilt : tilts) canvas.circle(disc.center, place(tilt) * disc.radius, stroke);
+}
+
+template <typename Place>
+void label_tilts(Canvas& canvas, const Disc& disc, std::initializer_list<int> tilts, Place place) {
+    plot::TextStyle style{.size = 10.5, .color = plot::kInk, .align = plot::Align::center};
+    style.halo = plot::kWhite;
+    style.stand = plot::Stand::middle;
+    for (const int tilt : tilts)
+        canvas.text(disc.at(place(tilt), 65 * kDegree), fmt::format("{}\u00b0", tilt), style);
 }
 
 // ---- coverage
@@ -150,13 +152,17 @@ Image table_image(const TabulatedMaterial& m, int exemplar, const plot::Scale& s
 
 plot::Panel table_panel(const TabulatedMaterial& m, int exemplar, const LobeFit& lobe,
                         const plot::Scale& scale, bool measured_only) {
-    plot::Panel panel{measured_only ? "measured" : "completed", 228, 228, {}, {}};
+    plot::Panel panel{
+        measured_only ? "before: what was measured" : "after: all cells", 228, 228, {}, {}};
     panel.draw = [&m, exemplar, lobe, scale, measured_only](Canvas& canvas, const Box& box) {
         const int side = static_cast<int>(std::lround((box.width - 28) * canvas.pixel_ratio()));
         const Disc disc =
             draw_disc(canvas, box, table_image(m, exemplar, scale, measured_only, side));
-        draw_tilts(canvas, disc, {10, 30, 60}, [](int tilt) { return std::sqrt(tilt / 90.0); },
+        const std::initializer_list<int> tilts = {10, 30, 60};
+        const auto place = [](int tilt) { return std::sqrt(tilt / 90.0); };
+        draw_tilts(canvas, disc, tilts, place,
                    {.color = plot::kWhite, .width = 0.7, .opacity = 0.6});
+        label_tilts(canvas, disc, tilts, place);
         // The groove, outside the rim.
         for (const double end : {0.0, kPi})
             canvas.line(disc.at(1.02, lobe.groove + end),
@@ -260,7 +266,7 @@ Rgb grain_color(double groove, double anisotropy) {
 }
 
 plot::Panel grain_key() {
-    plot::Panel panel{"key", 120, 120, {}, "centre: round lobes; rim: a groove of no width"};
+    plot::Panel panel{"key", 120, 120, {}, {}};
     panel.draw = [](Canvas& canvas, const Box& box) {
         const int side = static_cast<int>(std::lround((box.width - 28) * canvas.pixel_ratio()));
         draw_disc(canvas, box, disc_image(side, [](double x, double y) {
@@ -314,17 +320,21 @@ Picture coverage_picture(const RigCoverage& coverage, const std::vector<std::uin
     plot::Panel panel{"half vectors at the centre of the sample", 420, 420, {}, {}};
     panel.draw = [&](Canvas& canvas, const Box& box) {
         const Disc disc = draw_disc(canvas, box, seen_image(c, 392));
-        draw_tilts(canvas, disc, {15, 30, 45, 60, 75}, [](int tilt) { return tilt / 90.0; },
+        const std::initializer_list<int> tilts = {15, 30, 45, 60, 75};
+        const auto place = [](int tilt) { return tilt / 90.0; };
+        draw_tilts(canvas, disc, tilts, place,
                    {.color = plot::kGrey, .width = 0.6, .opacity = 0.6});
         canvas.circle(disc.center, disc.radius * c.theta_h_limit / 90.0,
                       {.color = kLimit, .width = 1.8, .dash = {6, 4}});
-        const double size = c.half_vectors.size() > 2000 ? 1.2 : 2.2;
+        // Within what they cover, where that is wide enough to be seen.
+        const double size = std::clamp(0.55 * c.reach / 90.0 * disc.radius, 1.2, 2.4);
         for (std::size_t k = 0; k < c.half_vectors.size(); ++k) {
             const Vec3d& h = c.half_vectors[k];
             const double tilt = std::atan2(std::hypot(h[0], h[1]), h[2]) / (kPi / 2);
             canvas.disk(disc.at(tilt, std::atan2(h[1], h[0])), keep[k] ? size : 1.4 * size,
                         keep[k] ? plot::series_color(0) : plot::series_color(1));
         }
+        label_tilts(canvas, disc, tilts, place);
         plot::TextStyle axis{.size = 12.5, .align = plot::Align::center};
         axis.stand = plot::Stand::middle;
         canvas.text(disc.at(1 + 8 / disc.radius, 0), "x", axis);
@@ -395,7 +405,7 @@ void add_maps(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, Pag
     figure.rows.push_back({"", {map_panel(grain), grain_key()}});
     add_map("map_grain.png", "Grain",
             "Direction of the groove: a point of the key has the colour of a groove that runs from "
-            "the key's centre through it. Grey: as wide along as across.",
+            "the key's centre through it; the greyer, the rounder the lobe.",
             figure, page, pictures);
     std::vector<Rgb> colors(static_cast<std::size_t>(m.exemplars));
     for (const ExemplarEntry& entry : page.exemplars)

@@ -81,8 +81,8 @@ std::string describe_points(std::string_view where, std::span<const PointCoverag
 
 }  // namespace
 
-std::string describe_rig(const std::string& path) {
-    const Rig rig = read_rig(path, false);
+std::string describe_rig(const std::string& path, const RigOverrides& overrides) {
+    const Rig rig = read_rig(path, false, overrides);
     const RigCoverage coverage = rig_coverage(rig);
     std::string text = fmt::format(
         "{}: rig, {}\n", path,

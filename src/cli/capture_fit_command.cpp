@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -13,6 +11,7 @@
 #include "burnish/shading_names.hpp"
 #include "cli/commands.hpp"
 #include "cli/integer_flag.hpp"
+#include "cli/rig_flags.hpp"
 #include "cli/session.hpp"
 
 namespace burnish::cli {
@@ -32,21 +31,11 @@ Examples:
 
 struct Flags {
     FitCaptureRequest request;
-    std::string response, camera, grid, until, output;
-    double eta = -1.0, f0 = -1.0, width_mm = 0.0;
+    RigFlags rig;
+    std::string grid, until, output;
+    double eta = -1.0, f0 = -1.0;
     int seed = 1;
 };
-
-Vec3d parse_vector(const std::string& text, const char* flag) {
-    Vec3d v{};
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &v[0], &v[1], &v[2], &rest) != 3)
-        throw UsageError(flag, "", "X,Y,Z", shown(text));
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    if (!(length > 1e-9) || !std::isfinite(length) || !(v[2] > 0.0))
-        throw UsageError(flag, "", "a direction from the sample with Z above 0", shown(text));
-    return {v[0] / length, v[1] / length, v[2] / length};
-}
 
 void set_grid(Flags& flags) {
     if (flags.grid.empty()) return;
@@ -80,19 +69,7 @@ void set_fresnel(Flags& flags) {
 
 void run(Flags& flags, const Session& session) {
     FitCaptureRequest& request = flags.request;
-    if (!flags.response.empty()) {
-        constexpr std::array<std::string_view, 2> kResponses = {"linear", "srgb"};
-        request.overrides.response = static_cast<RigResponse>(
-            index_of_name(kResponses, flags.response, "response", "--response"));
-    }
-    if (!flags.camera.empty())
-        request.overrides.camera = RigPlace{false, parse_vector(flags.camera, "--camera")};
-    if (flags.width_mm != 0.0) {
-        if (!(flags.width_mm > 0.0 && flags.width_mm <= 1e6))
-            throw UsageError("--width-mm", "", "above 0, at most 1000000",
-                             fmt::format("{}", flags.width_mm));
-        request.overrides.width_mm = flags.width_mm;
-    }
+    request.overrides = flags.rig.overrides();
     set_grid(flags);
     set_fresnel(flags);
     if (!flags.until.empty())
@@ -138,14 +115,7 @@ void add_capture_fit_command(CLI::App& capture, Session& session) {
     add_integer(*command, "--hold-out", settings.hold_out, {0, 1000},
                 "every n-th light takes no part; 0: all do");
     add_integer(*command, "--seed", flags->seed, {0, 1000000}, "of the clustering");
-    command->add_option("--response", flags->response, "linear or srgb, in place of the file's")
-        ->type_name("NAME");
-    command
-        ->add_option("--camera", flags->camera, "direction of the camera, in place of the file's")
-        ->type_name("X,Y,Z");
-    command->add_flag("--flip-y", request.overrides.flip_y, "the file's y points down");
-    command->add_option("--width-mm", flags->width_mm, "of the sample, where the file cannot say")
-        ->type_name("MM");
+    flags->rig.add_to(*command);
     command
         ->add_option("--until", flags->until,
                      "stop after this stage: pictures, exemplars or texels")

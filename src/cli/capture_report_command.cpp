@@ -6,6 +6,7 @@
 #include "app/capture_report.hpp"
 #include "cli/commands.hpp"
 #include "cli/integer_flag.hpp"
+#include "cli/rig_flags.hpp"
 #include "cli/session.hpp"
 
 namespace burnish::cli {
@@ -16,7 +17,8 @@ Writes into DIR: index.html, which opens from disk and needs no scripts and no n
 what the lights cover, the exemplars before and after completion, maps, three pictures of lights beside
 what the material and Ward's models make of them, and renderings. STACK is the rig that the material was
 fitted to. Without --hold-out it is as the material's file says; where that says nothing, lights judge
-that took part, and the page says so. docs/capture.md says more.
+that took part, and the page says so. --response, --camera, --flip-y and --width-mm as the fit had them.
+docs/capture.md says more.
 
 Examples:
   burnish capture fit sample/rig.json -o sample.exr --hold-out 10
@@ -25,6 +27,7 @@ Examples:
 struct Flags {
     CaptureReportRequest request;
     std::string material, stack, output;
+    RigFlags rig;
     int hold_out = 0;
 };
 
@@ -33,6 +36,7 @@ void run(Flags& flags, bool hold_out, const Session& session) {
     request.material = flags.material;
     request.stack = flags.stack;
     request.output = flags.output;
+    request.overrides = flags.rig.overrides();
     if (hold_out) request.hold_out = flags.hold_out;
     request.command = session.command_line();
     CaptureReportResult result = report_capture(request, session.progress());
@@ -61,6 +65,7 @@ void add_capture_report_command(CLI::App& capture, Session& session) {
         ->add_option("--render", flags->request.model,
                      "what to render (default: builtin:sphere and builtin:drape)")
         ->type_name("MODEL");
+    flags->rig.add_to(*command);
     add_gl_device(*command, flags->request.gl_device);
     command->footer(kFooter);
     command->callback([flags, hold_out, &session] { run(*flags, hold_out->count() > 0, session); });

@@ -1,0 +1,26 @@
+// Flags that say what a rig file gets wrong or cannot know, for the commands that read stacks.
+#pragma once
+
+#include <string>
+
+#include "capture/rig.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace burnish::cli {
+
+// Must outlive the command.
+class RigFlags {
+  public:
+    void add_to(CLI::App& command);
+    RigOverrides overrides() const;  // throws UsageError
+
+  private:
+    std::string response_, camera_;
+    double width_mm_ = 0.0;
+    bool flip_y_ = false;
+};
+
+}  // namespace burnish::cli
