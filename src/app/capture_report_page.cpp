@@ -64,13 +64,13 @@ std::string stack_section(const Page& page) {
     text += row("clipped", fmt::format("{:.2g} % of the samples", 100 * page.census.clipped_share));
     text += row("black", fmt::format("{:.2g} % of the samples", 100 * page.census.black_share));
     text += row("brightest sample", fmt::format("{:.4g}", page.census.brightest));
-    if (m.width_mm > 0)
-        text += row("material",
-                    fmt::format("{:g} x {:g} mm, {} exemplars of {} rings x {} "
-                                "azimuths, {}",
-                                m.width_mm, m.height_mm, m.exemplars, m.grid.rings, m.grid.azimuths,
-                                m.eta > 0 ? fmt::format("index {:.3g}", m.eta)
-                                          : std::string("no Fresnel")));
+    text += row(
+        "material",
+        fmt::format("{}, {} exemplars of {} rings x {} azimuths, {}",
+                    m.width_mm > 0 ? fmt::format("{:g} x {:g} mm", m.width_mm, m.height_mm)
+                                   : std::string("size not known"),
+                    m.exemplars, m.grid.rings, m.grid.azimuths,
+                    m.eta > 0 ? fmt::format("index {:.3g}", m.eta) : std::string("no Fresnel")));
     text += "</table>\n<pre>" + escaped_html(page.rig_text) + "</pre>\n";
     text += "<p>" + picture(page.coverage, "half vectors on a disc of tilt and azimuth", 456) +
             "</p>\n";
