@@ -24,7 +24,11 @@ namespace {
 
 // Bytes of training samples in memory at most.
 constexpr std::size_t kTrainingBytes = std::size_t{256} << 20;
-constexpr std::size_t kCandidates = 3;
+constexpr std::size_t kCandidates = 3, kDoubtCandidates = 8;
+// A texel whose error is so many times the training points' mean is tried at every turn, in steps
+// of so many columns.
+constexpr float kDoubt = 3.0f;
+constexpr int kDoubtStep = 2;
 // A candidate whose error is so many times the best one's after one step will not overtake it.
 constexpr float kGiveUp = 4.0f;
 constexpr std::size_t kPixelTile = 64;
@@ -160,6 +164,7 @@ struct CaptureFit::TexelTools {
     RotationMatcher matcher;
     PartialNdfSolver solver;
     float eta;
+    float doubt;  // error from which a texel is looked at again
 };
 
 // The best exemplar and turn of one pixel, and its strengths in each channel.
@@ -174,13 +179,29 @@ void CaptureFit::fit_texel(std::size_t pixel, const float* values,
     };
     {
         const PointFitter fitter(work.samples, tools.eta);
-        for (const PointTurn& turn : candidates) {
-            const PointFit fit = fitter.refined(tables(turn.exemplar), turn.shift, kSearchColumns,
-                                                kGiveUp * best.error);
-            if (fit.error >= best.error) continue;
+        const auto take = [&](int e, float shift, float give_up) {
+            const PointFit fit = fitter.refined(tables(e), shift, kSearchColumns, give_up);
+            if (fit.error >= best.error) return;
             best = fit;
-            exemplar = turn.exemplar;
-        }
+            exemplar = e;
+        };
+        for (std::size_t k = 0; k < std::min(candidates.size(), kCandidates); ++k)
+            take(candidates[k].exemplar, candidates[k].shift, kGiveUp * best.error);
+        // Far worse than points are wont to be: its part looked most like something else. Every
+        // turn of every candidate is tried on the samples themselves.
+        if (exemplar >= 0 && best.error > tools.doubt)
+            for (const PointTurn& turn : candidates) {
+                PointFit least;
+                least.error = 2.0f;
+                for (int c = 0; c < settings_.grid.azimuths / 2; c += kDoubtStep) {
+                    for (const int half : {0, settings_.grid.azimuths / 2}) {
+                        const PointFit fit =
+                            fitter.at(tables(turn.exemplar), static_cast<float>(c + half));
+                        if (fit.error < least.error) least = fit;
+                    }
+                }
+                take(turn.exemplar, least.shift, 1e30f);
+            }
     }
     if (exemplar < 0) return;
     Vec3f normal = {0.0f, 0.0f, 1.0f};
@@ -241,7 +262,8 @@ void CaptureFit::fit_band(const StackBand& band, const TexelTools& tools, Texels
             tools.solver.solve(work[k].samples, tables.data() + k * cells,
                                weights.data() + k * cells);
         }
-        const auto candidates = best_turns(tools.matcher, {tables, weights, count}, kCandidates);
+        const auto candidates =
+            best_turns(tools.matcher, {tables, weights, count}, kDoubtCandidates);
         for (std::size_t k = 0; k < count; ++k)
             if (stack_->mask()[pixel(k)])
                 fit_texel(pixel(k), values.data() + k * per_point, candidates[k], tools, work[k],
@@ -263,8 +285,10 @@ void CaptureFit::fit_texels() {
     const auto eta = static_cast<float>(report_.eta);
     if (settings_.models)
         t.models.assign(pixels * parametric_model_names().size() * kModelNumbers.size(), 0.0f);
-    TexelTools tools = {lobes(), RotationMatcher(settings_.grid),
-                        PartialNdfSolver(settings_.grid, context_.spacing_rad, eta), eta};
+    TexelTools tools = {
+        lobes(), RotationMatcher(settings_.grid),
+        PartialNdfSolver(settings_.grid, context_.spacing_rad, eta), eta,
+        kDoubt * static_cast<float>(report_.training_error * report_.training_error)};
     tools.matcher.set_exemplars(exemplars_.tables());
     auto saved = std::chrono::steady_clock::now();
     for (std::size_t b = load_texels(); b < stack_->bands(); ++b) {
