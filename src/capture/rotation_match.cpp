@@ -32,12 +32,12 @@ void multiply(std::size_t m, std::size_t n, std::size_t k, const float* a, const
                 static_cast<int>(n));
 }
 
-// Of a table's cell: point m T^2, m T, m; exemplar n, n C, n C^2. Masked cells may hold anything.
+// Of a table's cell: point m T^2, m, m T; exemplar n, n C, n C^2. Masked cells may hold anything.
 std::array<float, kProducts> products(float value, float weight, bool exemplar) {
     if (weight <= 0.0f) return {0.0f, 0.0f, 0.0f};
     const float first = weight * value, second = first * value;
     return exemplar ? std::array<float, kProducts>{weight, first, second}
-                    : std::array<float, kProducts>{second, first, weight};
+                    : std::array<float, kProducts>{second, weight, first};
 }
 
 // The lowest point of the parabola through three equidistant values, in steps from the middle one.
@@ -110,7 +110,10 @@ void RotationMatcher::spectra_of(const MaskedTables& tables, std::size_t first, 
             multiply(rings, 2 * f_count, azimuths, rows[k].data(), forward_.data(),
                      transformed.data());
             for (std::size_t f = 0; f < f_count; ++f) {
-                float* to = out.data() + ((k * f_count + f) * count + t) * 2 * rings;
+                // What the same exemplars' product meets lies side by side: points by frequency
+                // first.
+                const std::size_t kf = exemplar ? k * f_count + f : f * kProducts + k;
+                float* to = out.data() + (kf * count + t) * 2 * rings;
                 for (std::size_t r = 0; r < rings; ++r) {
                     to[r] = transformed[r * 2 * f_count + f];
                     to[rings + r] = transformed[r * 2 * f_count + f_count + f];
@@ -171,26 +174,25 @@ class RotationMatcher::Tile {
     void match(const float* points, const float* sums, std::size_t count, RotationMatch* out,
                std::size_t stride) {
         const std::size_t pairs = count * exemplars_;
-        // A: product 0 of both; X: 1 and 1; B: point's weights with n C^2; O: weights with weights.
-        correlate(points, count, 0, 0, a_);
-        correlate(points, count, 1, 1, x_);
-        correlate(points, count, 2, 2, b_);
-        correlate(points, count, 2, 0, o_);
+        // A and O in one: m T^2 and m, both with n. B: m with n C^2; X: m T with n C.
+        correlate(points, count, 0, 2, 0, ao_);
+        correlate(points, count, 1, 1, 2, b_);
+        correlate(points, count, 2, 1, 1, x_);
         choose(pairs, count, sums, out, stride);
     }
 
   private:
-    // to[shift][pair]
-    void correlate(const float* points, std::size_t count, std::size_t left, std::size_t right,
-                   std::vector<float>& to) {
-        const std::size_t depth = 2 * rings_, pairs = count * exemplars_;
+    // to[shift][pair], pairs of the first of `lefts` products of the points first.
+    void correlate(const float* points, std::size_t count, std::size_t left, std::size_t lefts,
+                   std::size_t right, std::vector<float>& to) {
+        const std::size_t depth = 2 * rings_, rows = lefts * count, pairs = rows * exemplars_;
         re_.resize(f_count_ * pairs);
         im_.resize(f_count_ * pairs);
         for (std::size_t f = 0; f < f_count_; ++f) {
-            const float* l = points + (left * f_count_ + f) * count * depth;
+            const float* l = points + (f * kProducts + left) * count * depth;
             const float* r = right_.data() + (right * f_count_ + f) * 2 * depth * exemplars_;
-            multiply(count, exemplars_, depth, l, r, re_.data() + f * pairs);
-            multiply(count, exemplars_, depth, l, r + depth * exemplars_, im_.data() + f * pairs);
+            multiply(rows, exemplars_, depth, l, r, re_.data() + f * pairs);
+            multiply(rows, exemplars_, depth, l, r + depth * exemplars_, im_.data() + f * pairs);
         }
         even_.resize(f_count_ * pairs);
         odd_.resize(f_count_ * pairs);
@@ -222,8 +224,8 @@ class RotationMatcher::Tile {
         best_.assign(pairs, 2.0f);
         best_shift_.assign(pairs, 0.0f);
         for (std::size_t s = 0; s < azimuths; ++s) {
-            const float *a = a_.data() + s * pairs, *b = b_.data() + s * pairs;
-            const float *x = x_.data() + s * pairs, *o = o_.data() + s * pairs;
+            const float *a = ao_.data() + s * 2 * pairs, *b = b_.data() + s * pairs;
+            const float *x = x_.data() + s * pairs, *o = ao_.data() + (2 * s + 1) * pairs;
             float* r = residual_.data() + s * pairs;
             for (std::size_t i = 0; i < pairs; ++i) {
                 const float product = a[i] * b[i];
@@ -248,24 +250,24 @@ class RotationMatcher::Tile {
                 match.residual = best_[i];
                 const std::size_t before = (s + azimuths - 1) % azimuths;
                 const std::size_t after = (s + 1) % azimuths;
-                const bool both_count =
-                    counts(before * pairs + i, i) && counts(after * pairs + i, i);
+                const bool both_count = counts(before, i) && counts(after, i);
                 match.shift =
                     best_shift_[i] + (both_count ? vertex(at(before), best_[i], at(after)) : 0.0f);
                 match.scale = x_[s * pairs + i] / std::max(b_[s * pairs + i], 1e-30f);
-                match.overlap = o_[s * pairs + i] / std::max(least_[i], 1e-30f);
+                match.overlap = ao_[(2 * s + 1) * pairs + i] / std::max(least_[i], 1e-30f);
             }
     }
 
-    // Is there overlap enough? Of the pair `pair`, at `at` in the sums of all turns.
-    bool counts(std::size_t at, std::size_t pair) const {
-        return o_[at] >= m_.least_overlap_ * least_[pair];
+    // Is there overlap enough at a turn of `shift` columns?
+    bool counts(std::size_t shift, std::size_t pair) const {
+        const float overlap = ao_[(2 * shift + 1) * least_.size() + pair];
+        return overlap >= m_.least_overlap_ * least_[pair];
     }
 
     const RotationMatcher& m_;
     std::size_t rings_, f_count_, exemplars_ = 0;
     const float* exemplar_sums_ = nullptr;
-    std::vector<float> right_, re_, im_, even_, odd_, a_, x_, b_, o_, residual_;
+    std::vector<float> right_, re_, im_, even_, odd_, ao_, x_, b_, residual_;
     std::vector<float> least_, best_, best_shift_;
 };
 
