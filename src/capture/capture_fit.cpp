@@ -29,6 +29,8 @@ constexpr std::size_t kCandidates = 3, kDoubtCandidates = 8;
 // of so many columns.
 constexpr float kDoubt = 3.0f;
 constexpr int kDoubtStep = 2;
+// Exemplars are done: matched turns are within this of the best.
+constexpr float kTexelColumns = 1.0f;
 // A candidate whose error is so many times the best one's after one step will not overtake it.
 constexpr float kGiveUp = 4.0f;
 constexpr std::size_t kPixelTile = 64;
@@ -150,7 +152,7 @@ namespace {
 constexpr std::array<const char*, 5> kModelNumbers = {"alpha_along", "alpha_across", "groove_deg",
                                                       "diffuse", "specular"};
 // Lights that models are fitted to: enough for five numbers.
-constexpr std::size_t kModelLights = 128;
+constexpr std::size_t kModelLights = 96;
 
 float luminance(const std::array<float, 3>& rgb) {
     return kLuminance[0] * rgb[0] + kLuminance[1] * rgb[1] + kLuminance[2] * rgb[2];
@@ -177,10 +179,10 @@ void CaptureFit::fit_texel(std::size_t pixel, const float* values,
     const auto tables = [&](int e) {
         return ExemplarTables{settings_.grid, exemplars_.table(e), exemplars_.area(e)};
     };
+    const PointFitter fitter(work.samples, tools.eta);
     {
-        const PointFitter fitter(work.samples, tools.eta);
         const auto take = [&](int e, float shift, float give_up) {
-            const PointFit fit = fitter.refined(tables(e), shift, kSearchColumns, give_up);
+            const PointFit fit = fitter.refined(tables(e), shift, kTexelColumns, give_up);
             if (fit.error >= best.error) return;
             best = fit;
             exemplar = e;
@@ -209,7 +211,11 @@ void CaptureFit::fit_texel(std::size_t pixel, const float* values,
         normal = refined_normal(context_, pixel, values, tools.eta, tables(exemplar), normal, work,
                                 best);
     std::array<float, 3> diffuse{}, specular{};
-    PointFitter(work.samples, tools.eta).colours(tables(exemplar), best.shift, diffuse, specular);
+    if (settings_.normals)  // the samples were gathered anew
+        PointFitter(work.samples, tools.eta)
+            .colours(tables(exemplar), best.shift, diffuse, specular);
+    else
+        fitter.colours(tables(exemplar), best.shift, diffuse, specular);
     texels.exemplar[pixel] = static_cast<std::uint16_t>(exemplar);
     texels.angle[pixel] =
         best.shift * 2.0f * std::numbers::pi_v<float> / static_cast<float>(settings_.grid.azimuths);
@@ -237,7 +243,7 @@ void CaptureFit::fit_models(std::size_t pixel, int exemplar, float shift, const 
     const std::size_t models = parametric_model_names().size();
     for (std::size_t m = 0; m < models; ++m) {
         const ParametricFit fit =
-            fit_parametric(static_cast<ParametricModel>(m), some, tools.eta, start, {false, 4});
+            fit_parametric(static_cast<ParametricModel>(m), some, tools.eta, start, {false, 3});
         float* to = texels.models.data() + (pixel * models + m) * kModelNumbers.size();
         to[0] = fit.alpha_along;
         to[1] = fit.alpha_across;

@@ -8,6 +8,9 @@ namespace burnish {
 
 namespace {
 
+// By how much a turn that is a column off may be worse than it will be.
+constexpr float kHopeless = 4.0f;
+
 struct Strengths {
     double diffuse = 0.0, specular = 0.0;
     double error = 0.0;  // weighted sum of squares
@@ -42,33 +45,39 @@ PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(samp
     for (const float v : samples.value) mean += static_cast<double>(v);
     mean /= std::max<double>(1.0, static_cast<double>(samples.size()));
     const auto floor = static_cast<float>(mean);
-    weights_.resize(samples.size());
-    fresnel_.resize(samples.size());
+    for (auto* sums : {&weights_, &fresnel_, &uv_, &vv_, &vy_}) sums->resize(samples.size());
     for (std::size_t q = 0; q < samples.size(); ++q) {
         // A point that is black under every light says nothing.
         const float scale = floor > 1e-18f ? 1.0f / (samples.value[q] + floor) : 0.0f;
         weights_[q] = scale * scale;
         fresnel_[q] = relative_fresnel(eta, samples.cosine_ih[q]);
+        // With u = received / pi and v = received b, the sums' terms but for b.
+        const float u = samples.received[q] * std::numbers::inv_pi_v<float>;
+        uv_[q] = weights_[q] * u * samples.received[q];
+        vv_[q] = weights_[q] * samples.received[q] * samples.received[q];
+        vy_[q] = weights_[q] * samples.received[q] * samples.value[q];
+        uu_ += static_cast<double>(weights_[q] * u * u);
+        uy_ += static_cast<double>(weights_[q] * u * samples.value[q]);
         value_square_ += static_cast<double>(weights_[q] * samples.value[q] * samples.value[q]);
     }
 }
 
 PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
-    const float area_out =
-        area_at(tables.areas, samples_.out, samples_.to_eye[2], area_shift(tables.grid, shift));
-    double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
+    const float turn = area_shift(tables.grid, shift);
+    const float area_out = area_at(tables.areas, samples_.out, samples_.to_eye[2], turn);
+    double uv = 0.0, vv = 0.0, vy = 0.0;
     for (std::size_t q = 0; q < samples_.size(); ++q) {
-        const float b = specular_shape(tables, samples_, q, shift, fresnel_[q], area_out);
-        const float w = weights_[q], y = samples_.value[q];
-        const float u = samples_.received[q] * std::numbers::inv_pi_v<float>;
-        const float v = samples_.received[q] * b;
-        uu += static_cast<double>(w * u * u);
-        uv += static_cast<double>(w * u * v);
-        vv += static_cast<double>(w * v * v);
-        uy += static_cast<double>(w * u * y);
-        vy += static_cast<double>(w * v * y);
+        const float area_in = area_at(tables.areas, samples_.in[q], samples_.to_light[q][2], turn);
+        // b without 1 / (4 g(o)), which all samples share.
+        const float b =
+            fresnel_[q] * lookup(tables.grid, tables.D, samples_.half[q], shift) / area_in;
+        uv += static_cast<double>(uv_[q] * b);
+        vv += static_cast<double>(vv_[q] * b * b);
+        vy += static_cast<double>(vy_[q] * b);
     }
-    const Strengths best = solve_strengths(uu, uv, vv, uy, vy, value_square_);
+    const double shared = 0.25 / static_cast<double>(area_out);
+    const Strengths best =
+        solve_strengths(uu_, shared * uv, shared * shared * vv, uy_, shared * vy, value_square_);
     PointFit fit;
     fit.shift = shift;
     fit.diffuse = static_cast<float>(best.diffuse);
@@ -82,6 +91,7 @@ PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float w
     PointFit best = at(tables, shift);
     const PointFit opposite = at(tables, shift + 0.5f * static_cast<float>(tables.grid.azimuths));
     if (opposite.error < best.error) best = opposite;
+    if (best.error > kHopeless * give_up) return best;
     for (float step = width; step > 0.02f; step *= 0.25f) {
         const PointFit before = at(tables, best.shift - step),
                        after = at(tables, best.shift + step);

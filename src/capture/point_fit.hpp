@@ -62,10 +62,10 @@ class PointFitter {
     const std::vector<float>& fresnel() const { return fresnel_; }
 
   private:
-    struct Sums;
     const PointSamples& samples_;
     std::vector<float> weights_, fresnel_;
-    double value_square_ = 0.0;
+    std::vector<float> uv_, vv_, vy_;  // terms of the normal equations that no turn changes
+    double uu_ = 0.0, uy_ = 0.0, value_square_ = 0.0;
 };
 
 }  // namespace burnish
