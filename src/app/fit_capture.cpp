@@ -42,20 +42,20 @@ void judge_stack(const ImageStack& stack, const std::string& name,
                         name, 100.0 * census.clipped_share));
 }
 
-// Spread of the turns of an exemplar's texels about their mean, in degrees (of a wrapped normal
-// distribution with the same mean resultant).
+// Spread of the turns of an exemplar's texels about their mean, as lines, in degrees (of a wrapped
+// normal distribution with the same mean resultant).
 double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels) {
     double x = 0.0, y = 0.0;
     texels = 0;
     for (std::size_t t = 0; t < m.texels(); ++t) {
         if (m.exemplar[t] != exemplar) continue;
-        x += std::cos(static_cast<double>(m.angle[t]));
-        y += std::sin(static_cast<double>(m.angle[t]));
+        x += std::cos(2.0 * static_cast<double>(m.angle[t]));
+        y += std::sin(2.0 * static_cast<double>(m.angle[t]));
         ++texels;
     }
     const double resultant =
         std::min(std::hypot(x, y) / std::max<double>(1.0, static_cast<double>(texels)), 1.0);
-    return std::sqrt(-2.0 * std::log(std::max(resultant, 1e-12))) * 180.0 / std::numbers::pi;
+    return 0.5 * std::sqrt(-2.0 * std::log(std::max(resultant, 1e-12))) * 180.0 / std::numbers::pi;
 }
 
 // What the distributions that were found cannot be, given what they were found from.
@@ -64,12 +64,18 @@ void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const st
     constexpr double kOneDirection = 15.0;     // degrees
     constexpr double kMuchUnexplained = 0.15;  // of the light
     const double narrowest = narrowest_ggx_alpha(fit.report().spacing_deg);
-    int one_direction = 0, narrow = 0, used = 0;
+    int one_direction = 0, narrow = 0, dark = 0, used = 0;
     for (int e = 0; e < m.exemplars; ++e) {
         std::size_t texels = 0;
         const double spread = spread_deg(m, e, texels);
         if (texels == 0) continue;
         ++used;
+        const auto first = m.origin.begin() + static_cast<std::ptrdiff_t>(e) * m.grid.cells();
+        if (std::all_of(first, first + m.grid.cells(),
+                        [](NdfOrigin o) { return o == NdfOrigin::extrapolated; })) {
+            ++dark;
+            continue;
+        }
         one_direction += spread < kOneDirection;
         narrow += fit_lobe(m.grid, m.table(e), Mdf::ggx).alpha_along < narrowest;
     }
@@ -85,6 +91,11 @@ void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const st
                         "resolve (alpha {:.3f}): their "
                         "peaks are a guess",
                         name, narrow, used, fit.report().spacing_deg, narrowest));
+    if (dark > 0)
+        warnings.push_back(
+            fmt::format("{}: {} of {} exemplars show no highlight under any light: there is none, "
+                        "or it falls between the lights",
+                        name, dark, used));
     if (fit.report().training_error > kMuchUnexplained)
         warnings.push_back(
             fmt::format("{}: {:.0f} % of the light is unexplained: the sample may not be flat "

@@ -2,6 +2,7 @@
 // not reach comes from alike exemplars that they do reach; the rest is extrapolated.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "capture/exemplar_solve.hpp"
 
@@ -162,7 +163,11 @@ void extrapolate(Exemplars& all, int e) {
 void normalise(Exemplars& all, int e) {
     float* table = all.table(e);
     const double mass = ndf_mass(all.grid, table);
-    if (!(mass > 0.0)) return;
+    if (!(mass > 0.0)) {
+        // No highlight was seen, so any shape will do: even over the hemisphere, all extrapolated.
+        std::fill_n(table, cells_of(all), std::numbers::inv_pi_v<float>);
+        return;
+    }
     for (std::size_t i = 0; i < cells_of(all); ++i) table[i] = static_cast<float>(table[i] / mass);
 }
 

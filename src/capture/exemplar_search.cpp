@@ -184,13 +184,17 @@ void ExemplarSearch::split_exemplars() {
                           exemplars_.area(e) + kAreaGrid.cells());
         return next.count++;
     };
+    const auto largest = static_cast<int>(
+        std::max_element(members.begin(), members.end(),
+                         [](const auto& a, const auto& b) { return a.size() < b.size(); }) -
+        members.begin());
     int room = settings_.exemplars -
                static_cast<int>(std::count_if(members.begin(), members.end(), [](const auto& some) {
                    return some.size() >= kFewestMembers;
                }));
     for (int e = 0; e < exemplars_.count; ++e) {
         std::vector<std::size_t>& own = members[static_cast<std::size_t>(e)];
-        if (own.size() < kFewestMembers) {
+        if (own.size() < kFewestMembers && e != largest) {
             for (const std::size_t p : own) turns_[p].exemplar = -1;
             continue;
         }
@@ -315,7 +319,8 @@ void ExemplarSearch::join_alike(float alike) {
     solve_tables();
 }
 
-void ExemplarSearch::keep_exemplars(const std::vector<bool>& alive) {
+void ExemplarSearch::keep_exemplars(std::vector<bool> alive) {
+    if (std::none_of(alive.begin(), alive.end(), [](bool a) { return a; })) alive.front() = true;
     const auto cells = static_cast<std::ptrdiff_t>(context_.grid.cells());
     Exemplars next;
     next.grid = exemplars_.grid;

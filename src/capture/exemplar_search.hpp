@@ -73,7 +73,7 @@ class ExemplarSearch {
     void split_exemplars();
     void merge_exemplars();
     void join_alike(float alike);
-    void keep_exemplars(const std::vector<bool>& alive);
+    void keep_exemplars(std::vector<bool> alive);  // one at least
     double estimate_eta();
     std::vector<std::vector<std::size_t>> members() const;
     ExemplarTables tables_of(int exemplar) const {
