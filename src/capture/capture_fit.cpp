@@ -33,7 +33,7 @@ constexpr int kDoubtStep = 2;
 constexpr float kTexelColumns = 1.0f;
 // A candidate whose error is so many times the best one's after one step will not overtake it.
 constexpr float kGiveUp = 4.0f;
-constexpr std::size_t kPixelTile = 64;
+constexpr std::size_t kPixelTile = 16;
 // What an interruption of the texel stage costs at most, and a band.
 constexpr std::chrono::seconds kSaveEvery{20};
 
