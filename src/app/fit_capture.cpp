@@ -151,7 +151,6 @@ FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& p
     if (all || *request.until != CaptureStage::pictures) fit.find_exemplars();
     if (all || *request.until == CaptureStage::texels) fit.fit_texels();
     report.text = describe(fit, request);
-    for (const std::string& warning : fit.report().warnings) report.warnings.push_back(warning);
     if (!all) return report;
 
     TabulatedMaterial material = fit.material();

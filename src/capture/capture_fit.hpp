@@ -39,7 +39,6 @@ struct CaptureFitReport {
     double eta = 0.0;
     CompletionReport completion;
     double training_error = 0.0;  // root of the mean of PointFit::error
-    std::vector<std::string> warnings;
 };
 
 // Lights that take part (1) or are held out (0).
