@@ -17,6 +17,7 @@
 #include "capture/partial_ndf.hpp"
 #include "capture/stage_file.hpp"
 #include "core/parallel.hpp"
+#include "core/work_pool.hpp"
 
 namespace burnish {
 
@@ -31,6 +32,11 @@ constexpr float kDoubt = 3.0f;
 constexpr int kDoubtStep = 2;
 // Exemplars are done: matched turns are within this of the best.
 constexpr float kTexelColumns = 1.0f;
+// Samples that tell candidates apart, by how much the best of all samples' turns may differ from
+// theirs, and how near the best a candidate must come to be judged by all samples.
+constexpr std::size_t kSearchLights = 320;
+constexpr float kLastColumns = 0.25f;
+constexpr float kClose = 1.5f;
 // A candidate whose error is so many times the best one's after one step will not overtake it.
 constexpr float kGiveUp = 4.0f;
 constexpr std::size_t kPixelTile = 16;
@@ -160,6 +166,14 @@ float luminance(const std::array<float, 3>& rgb) {
 
 }  // namespace
 
+// What a worker holds for a tile of pixels.
+struct CaptureFit::TileWork {
+    std::vector<float> values, tables, weights;
+    std::array<PixelWork, kPixelTile> pixels;
+    PartialNdfWork partial;
+    PointSamples few;
+};
+
 // What the workers of the texel stage share.
 struct CaptureFit::TexelTools {
     std::vector<LobeFit> lobes;  // of each exemplar: where models start from
@@ -167,61 +181,79 @@ struct CaptureFit::TexelTools {
     PartialNdfSolver solver;
     float eta;
     float doubt;  // error from which a texel is looked at again
+    WorkPool<TileWork> work;
 };
+
+// The exemplar and turn that explain a pixel's samples best, in PointTurn::residual the error.
+// Candidates are judged by few samples: what all of them say about a turn differs by less than the
+// last search looks to each side.
+PointFit CaptureFit::best_turn(const PointFitter& fitter, const PointSamples& few,
+                               const std::vector<PointTurn>& candidates, const TexelTools& tools,
+                               int& exemplar) const {
+    const PointFitter quick(few, tools.eta);
+    std::vector<PointTurn> judged;
+    float least = 2.0f;  // more than any fit has
+    const auto judge = [&](int e, float shift, float give_up) {
+        const PointFit fit = quick.refined(tables_of(e), shift, kTexelColumns, give_up);
+        judged.push_back({e, fit.shift, fit.error});
+        least = std::min(least, fit.error);
+    };
+    PointFit best;
+    const auto decide = [&] {
+        best = {};
+        best.error = 2.0f;
+        for (const PointTurn& turn : judged) {
+            if (turn.residual > kClose * least) continue;
+            const PointFit fit = fitter.nearby(tables_of(turn.exemplar), turn.shift, kLastColumns);
+            if (fit.error >= best.error) continue;
+            best = fit;
+            exemplar = turn.exemplar;
+        }
+    };
+    for (std::size_t k = 0; k < std::min(candidates.size(), kCandidates); ++k)
+        judge(candidates[k].exemplar, candidates[k].shift, kGiveUp * least);
+    decide();
+    // Far worse than points are wont to be: its part looked most like something else. Every turn of
+    // every candidate is tried on the samples themselves.
+    if (exemplar < 0 || best.error <= tools.doubt) return best;
+    for (const PointTurn& turn : candidates) {
+        PointFit lowest;
+        lowest.error = 2.0f;
+        for (int c = 0; c < settings_.grid.azimuths; c += kDoubtStep) {
+            const PointFit fit = quick.at(tables_of(turn.exemplar), static_cast<float>(c));
+            if (fit.error < lowest.error) lowest = fit;
+        }
+        judge(turn.exemplar, lowest.shift, 1e30f);
+    }
+    decide();
+    return best;
+}
 
 // The best exemplar and turn of one pixel, and its strengths in each channel.
 void CaptureFit::fit_texel(std::size_t pixel, const float* values,
                            const std::vector<PointTurn>& candidates, const TexelTools& tools,
-                           PixelWork& work, Texels& texels) const {
-    PointFit best;
-    best.error = 2.0f;  // more than any fit has
+                           PixelWork& work, PointSamples& few, Texels& texels) const {
     int exemplar = -1;
-    const auto tables = [&](int e) {
-        return ExemplarTables{settings_.grid, exemplars_.table(e), exemplars_.area(e)};
-    };
-    const PointFitter fitter(work.samples, tools.eta);
-    {
-        const auto take = [&](int e, float shift, float give_up) {
-            const PointFit fit = fitter.refined(tables(e), shift, kTexelColumns, give_up);
-            if (fit.error >= best.error) return;
-            best = fit;
-            exemplar = e;
-        };
-        for (std::size_t k = 0; k < std::min(candidates.size(), kCandidates); ++k)
-            take(candidates[k].exemplar, candidates[k].shift, kGiveUp * best.error);
-        // Far worse than points are wont to be: its part looked most like something else. Every
-        // turn of every candidate is tried on the samples themselves.
-        if (exemplar >= 0 && best.error > tools.doubt)
-            for (const PointTurn& turn : candidates) {
-                PointFit least;
-                least.error = 2.0f;
-                for (int c = 0; c < settings_.grid.azimuths / 2; c += kDoubtStep) {
-                    for (const int half : {0, settings_.grid.azimuths / 2}) {
-                        const PointFit fit =
-                            fitter.at(tables(turn.exemplar), static_cast<float>(c + half));
-                        if (fit.error < least.error) least = fit;
-                    }
-                }
-                take(turn.exemplar, least.shift, 1e30f);
-            }
-    }
+    PointFitter fitter(work.samples, tools.eta);
+    thin_samples(work.samples, kSearchLights, few);
+    PointFit best = best_turn(fitter, few, candidates, tools, exemplar);
     if (exemplar < 0) return;
     Vec3f normal = {0.0f, 0.0f, 1.0f};
-    if (settings_.normals)
-        normal = refined_normal(context_, pixel, values, tools.eta, tables(exemplar), normal, work,
-                                best);
+    if (settings_.normals) {
+        normal = refined_normal(context_, pixel, values, tools.eta, tables_of(exemplar), normal,
+                                work, best);
+        fitter = PointFitter(work.samples, tools.eta);  // they were gathered anew
+    }
     std::array<float, 3> diffuse{}, specular{};
-    if (settings_.normals)  // the samples were gathered anew
-        PointFitter(work.samples, tools.eta)
-            .colours(tables(exemplar), best.shift, diffuse, specular);
-    else
-        fitter.colours(tables(exemplar), best.shift, diffuse, specular);
+    fitter.colours(tables_of(exemplar), best.shift, diffuse, specular);
     texels.exemplar[pixel] = static_cast<std::uint16_t>(exemplar);
     texels.angle[pixel] =
         best.shift * 2.0f * std::numbers::pi_v<float> / static_cast<float>(settings_.grid.azimuths);
     texels.error[pixel] = best.error;
-    if (!texels.models.empty())
-        fit_models(pixel, exemplar, best.shift, tools, work.samples, texels);
+    if (!texels.models.empty()) {
+        thin_samples(work.samples, kModelLights, few);
+        fit_models(pixel, exemplar, best.shift, tools, few, texels);
+    }
     for (std::size_t c = 0; c < 3; ++c) {
         texels.diffuse[3 * pixel + c] = diffuse[c];
         texels.specular[3 * pixel + c] = specular[c];
@@ -231,8 +263,6 @@ void CaptureFit::fit_texel(std::size_t pixel, const float* values,
 
 void CaptureFit::fit_models(std::size_t pixel, int exemplar, float shift, const TexelTools& tools,
                             const PointSamples& samples, Texels& texels) const {
-    PointSamples some;
-    thin_samples(samples, kModelLights, some);
     const LobeFit& lobe = tools.lobes[static_cast<std::size_t>(exemplar)];
     ParametricFit start;
     start.alpha_along = static_cast<float>(lobe.alpha_along);
@@ -243,7 +273,7 @@ void CaptureFit::fit_models(std::size_t pixel, int exemplar, float shift, const 
     const std::size_t models = parametric_model_names().size();
     for (std::size_t m = 0; m < models; ++m) {
         const ParametricFit fit =
-            fit_parametric(static_cast<ParametricModel>(m), some, tools.eta, start, {false, 3});
+            fit_parametric(static_cast<ParametricModel>(m), samples, tools.eta, start, {false, 3});
         float* to = texels.models.data() + (pixel * models + m) * kModelNumbers.size();
         to[0] = fit.alpha_along;
         to[1] = fit.alpha_across;
@@ -253,27 +283,34 @@ void CaptureFit::fit_models(std::size_t pixel, int exemplar, float shift, const 
     }
 }
 
-void CaptureFit::fit_band(const StackBand& band, const TexelTools& tools, Texels& texels) const {
+void CaptureFit::fit_band(const StackBand& band, TexelTools& tools, Texels& texels) const {
     const auto cells = static_cast<std::size_t>(settings_.grid.cells());
     const std::size_t per_point = 3 * stack_->lights();
     parallel_for(band.pixels, kPixelTile, [&](std::size_t begin, std::size_t end) {
+        const WorkPool<TileWork>::Lease lease(tools.work);
+        TileWork& w = *lease;
         const std::size_t count = end - begin;
-        std::vector<float> values(count * per_point), tables(count * cells), weights(count * cells);
-        stack_->decode(band, begin, count, values.data());
-        std::vector<PixelWork> work(count);
+        w.values.resize(count * per_point);
+        w.tables.resize(count * cells);
+        w.weights.resize(count * cells);
+        stack_->decode(band, begin, count, w.values.data());
         const auto pixel = [&](std::size_t k) { return band.first + begin + k; };
         for (std::size_t k = 0; k < count; ++k) {
-            if (!stack_->mask()[pixel(k)]) continue;
-            context_.gather(pixel(k), {0.0f, 0.0f, 1.0f}, values.data() + k * per_point, work[k]);
-            tools.solver.solve(work[k].samples, tables.data() + k * cells,
-                               weights.data() + k * cells);
+            if (!stack_->mask()[pixel(k)]) {
+                std::fill_n(w.weights.data() + k * cells, cells, 0.0f);
+                continue;
+            }
+            context_.gather(pixel(k), {0.0f, 0.0f, 1.0f}, w.values.data() + k * per_point,
+                            w.pixels[k]);
+            tools.solver.solve(w.pixels[k].samples, w.partial, w.tables.data() + k * cells,
+                               w.weights.data() + k * cells);
         }
         const auto candidates =
-            best_turns(tools.matcher, {tables, weights, count}, kDoubtCandidates);
+            best_turns(tools.matcher, {w.tables, w.weights, count}, kDoubtCandidates);
         for (std::size_t k = 0; k < count; ++k)
             if (stack_->mask()[pixel(k)])
-                fit_texel(pixel(k), values.data() + k * per_point, candidates[k], tools, work[k],
-                          texels);
+                fit_texel(pixel(k), w.values.data() + k * per_point, candidates[k], tools,
+                          w.pixels[k], w.few, texels);
     });
 }
 
@@ -292,9 +329,12 @@ void CaptureFit::fit_texels() {
     if (settings_.models)
         t.models.assign(pixels * parametric_model_names().size() * kModelNumbers.size(), 0.0f);
     TexelTools tools = {
-        lobes(), RotationMatcher(settings_.grid),
-        PartialNdfSolver(settings_.grid, context_.spacing_rad, eta), eta,
-        kDoubt * static_cast<float>(report_.training_error * report_.training_error)};
+        lobes(),
+        RotationMatcher(settings_.grid),
+        PartialNdfSolver(settings_.grid, context_.spacing_rad, eta),
+        eta,
+        kDoubt * static_cast<float>(report_.training_error * report_.training_error),
+        {}};
     tools.matcher.set_exemplars(exemplars_.tables());
     auto saved = std::chrono::steady_clock::now();
     for (std::size_t b = load_texels(); b < stack_->bands(); ++b) {

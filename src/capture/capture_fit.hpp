@@ -63,14 +63,22 @@ class CaptureFit {
 
   private:
     struct Texels;
+    struct TileWork;
     struct TexelTools;
     std::vector<std::size_t> training_pixels() const;
     std::vector<float> training_values(const std::vector<std::size_t>& pixels) const;
+    ExemplarTables tables_of(int exemplar) const {
+        return {settings_.grid, exemplars_.table(exemplar), exemplars_.area(exemplar)};
+    }
+    PointFit best_turn(const PointFitter& fitter, const PointSamples& few,
+                       const std::vector<PointTurn>& candidates, const TexelTools& tools,
+                       int& exemplar) const;
     void fit_texel(std::size_t pixel, const float* values, const std::vector<PointTurn>& candidates,
-                   const TexelTools& tools, PixelWork& work, Texels& texels) const;
+                   const TexelTools& tools, PixelWork& work, PointSamples& few,
+                   Texels& texels) const;
     void fit_models(std::size_t pixel, int exemplar, float shift, const TexelTools& tools,
                     const PointSamples& samples, Texels& texels) const;
-    void fit_band(const StackBand& band, const TexelTools& tools, Texels& texels) const;
+    void fit_band(const StackBand& band, TexelTools& tools, Texels& texels) const;
     std::size_t load_texels();
     void save_texels(std::size_t bands) const;
     std::uint64_t texel_identity() const;

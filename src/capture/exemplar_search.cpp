@@ -350,9 +350,11 @@ void ExemplarSearch::solve_partial() {
     progress_.step("partial distributions", 0.0);
     parallel_for(count, 32, [&](std::size_t begin, std::size_t end) {
         PixelWork work;
+        PartialNdfWork partial;
         for (std::size_t p = begin; p < end; ++p) {
             context_.gather(pixels_[p], normals_[p], values_of(p), work);
-            solver.solve(work.samples, tables_.data() + p * cells, weights_.data() + p * cells);
+            solver.solve(work.samples, partial, tables_.data() + p * cells,
+                         weights_.data() + p * cells);
         }
     });
 }

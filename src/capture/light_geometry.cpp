@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "burnish/f32.hpp"
 
@@ -44,43 +47,94 @@ void LightGeometry::at(std::size_t pixel, PointLights& out) const {
     }
 }
 
+namespace {
+
+// atan2 within 1e-7 (Abramowitz & Stegun 4.4.49): thousands of places a pixel are wanted.
+inline float angle_of(float y, float x) {
+    const float ax = std::abs(x), ay = std::abs(y);
+    const float most = std::max(ax, ay), t = most > 0.0f ? std::min(ax, ay) / most : 0.0f;
+    const float q = t * t;
+    float sum = 0.0028662257f;
+    for (const float term : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f,
+                             -0.1420889944f, 0.1999355085f, -0.3333314528f, 1.0f})
+        sum = sum * q + term;
+    float angle = t * sum;
+    if (ay > ax) angle = 0.5f * std::numbers::pi_v<float> - angle;
+    if (x < 0.0f) angle = std::numbers::pi_v<float> - angle;
+    return y < 0.0f ? -angle : angle;
+}
+
+// `at` in rings, cut to those there are.
+inline GridPlace place_at(const NdfGrid& grid, float at, float x, float y) {
+    at = std::clamp(at, 0.0f, static_cast<float>(grid.rings - 1));
+    const int ring = static_cast<int>(at);
+    return {ring, at - static_cast<float>(ring),
+            angle_of(y, x) * static_cast<float>(grid.azimuths) *
+                (0.5f * std::numbers::inv_pi_v<float>)};
+}
+
+// The angle with the normal in quarter turns, 0 to 1; (x, y, z) of any length.
+inline float slant(float x, float y, float z) {
+    return std::min(angle_of(std::sqrt(x * x + y * y), z) * (2.0f * std::numbers::inv_pi_v<float>),
+                    1.0f);
+}
+
+}  // namespace
+
+void PointSamples::resize(std::size_t count) {
+    light.resize(count);
+    half.resize(count);
+    in.resize(count);
+    to_light.resize(count);
+    for (auto* numbers : {&cosine_ih, &received, &value}) numbers->resize(count);
+    for (std::size_t c = 0; c < 3; ++c) {
+        weight_rgb[c].resize(count);
+        value_rgb[c].resize(count);
+    }
+}
+
 GridPlace grid_place(const NdfGrid& grid, float x, float y, float z) {
-    const float at = std::clamp(ndf_u(z) * static_cast<float>(grid.rings) - 0.5f, 0.0f,
-                                static_cast<float>(grid.rings - 1));
-    GridPlace place;
-    place.ring = std::min(static_cast<int>(at), grid.rings - 1);
-    place.fraction = at - static_cast<float>(place.ring);
-    place.column = std::atan2(y, x) * static_cast<float>(grid.azimuths) *
-                   (0.5f * std::numbers::inv_pi_v<float>);
-    return place;
+    const float u = std::sqrt(slant(x, y, z));
+    return place_at(grid, u * static_cast<float>(grid.rings) - 0.5f, x, y);
 }
 
 GridPlace area_place(float x, float y, float z) {
-    const float theta = std::acos(std::clamp(z, 0.0f, 1.0f));
-    const float s =
-        std::sqrt(std::max(1.0f - theta * (2.0f * std::numbers::inv_pi_v<float>), 0.0f));
-    const float at = s * static_cast<float>(kAreaGrid.rings - 1);
-    GridPlace place;
-    place.ring = std::min(static_cast<int>(at), kAreaGrid.rings - 1);
-    place.fraction = at - static_cast<float>(place.ring);
-    place.column = std::atan2(y, x) * static_cast<float>(kAreaGrid.azimuths) *
-                   (0.5f * std::numbers::inv_pi_v<float>);
-    return place;
+    const float s = std::sqrt(1.0f - slant(x, y, z));
+    return place_at(kAreaGrid, s * static_cast<float>(kAreaGrid.rings - 1), x, y);
 }
+
+namespace {
+
+// So many directions at a time: loops over them take several at once.
+constexpr std::size_t kBlock = 64;
+struct Block {
+    std::array<float, kBlock> x, y, z;
+};
+
+// grid_place or area_place of each of a block.
+template <bool kAreas>
+void places(const NdfGrid& grid, const Block& d, std::size_t count, GridPlace* out) {
+    std::array<float, kBlock> at, column;
+    const auto most = static_cast<float>(grid.rings - 1);
+    const float columns =
+        static_cast<float>(grid.azimuths) * (0.5f * std::numbers::inv_pi_v<float>);
+    for (std::size_t k = 0; k < kBlock; ++k) {
+        const float s = slant(d.x[k], d.y[k], d.z[k]);
+        const float ring = kAreas ? std::sqrt(1.0f - s) * most
+                                  : std::sqrt(s) * static_cast<float>(grid.rings) - 0.5f;
+        at[k] = std::clamp(ring, 0.0f, most);
+        column[k] = angle_of(d.y[k], d.x[k]) * columns;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        const int ring = static_cast<int>(at[k]);
+        out[k] = {ring, at[k] - static_cast<float>(ring), column[k]};
+    }
+}
+
+}  // namespace
 
 void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<const float> values,
                     std::span<const std::uint8_t> keep, const NdfGrid& grid, PointSamples& out) {
-    out.light.clear();
-    out.half.clear();
-    out.in.clear();
-    out.cosine_ih.clear();
-    out.received.clear();
-    out.value.clear();
-    out.to_light.clear();
-    for (std::size_t c = 0; c < 3; ++c) {
-        out.weight_rgb[c].clear();
-        out.value_rgb[c].clear();
-    }
     const f32::Frame frame = f32::frame_shortest_arc(f32::vec3(normal[0], normal[1], normal[2]));
     const auto local = [&](float x, float y, float z) {
         const f32::vec3 v(x, y, z);
@@ -89,35 +143,112 @@ void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<co
     const Vec3f o = local(lights.to_eye[0], lights.to_eye[1], lights.to_eye[2]);
     out.to_eye = o;
     out.out = area_place(o[0], o[1], o[2]);
+    out.light.clear();
     for (std::size_t k = 0; k < lights.size(); ++k) {
-        if (!keep.empty() && !keep[k]) continue;
         const float* v = values.data() + 3 * k;
-        if (std::isinf(v[0]) || std::isinf(v[1]) || std::isinf(v[2])) continue;
-        const Vec3f i = local(lights.x[k], lights.y[k], lights.z[k]);
-        if (i[2] < kLeastLightCosine) continue;
-        const Vec3f sum = {i[0] + o[0], i[1] + o[1], i[2] + o[2]};
-        const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-        out.light.push_back(static_cast<int>(k));
-        out.half.push_back(grid_place(grid, sum[0], sum[1], sum[2] / length));
-        out.in.push_back(area_place(i[0], i[1], i[2]));
-        out.to_light.push_back(i);
-        out.cosine_ih.push_back(0.5f * length);
-        float received = 0.0f, value = 0.0f;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float w = i[2] * lights.received[c][k];
-            out.weight_rgb[c].push_back(w);
-            out.value_rgb[c].push_back(v[c]);
-            received += kLuminance[c] * w;
-            value += kLuminance[c] * v[c];
+        const f32::vec3 i(lights.x[k], lights.y[k], lights.z[k]);
+        const bool clipped = std::isinf(v[0]) || std::isinf(v[1]) || std::isinf(v[2]);
+        if ((keep.empty() || keep[k]) && !clipped && f32::dot(frame.n, i) >= kLeastLightCosine)
+            out.light.push_back(static_cast<int>(k));
+    }
+    out.resize(out.light.size());
+    Block in{}, half{};
+    for (std::size_t first = 0; first < out.size(); first += kBlock) {
+        const std::size_t count = std::min(kBlock, out.size() - first);
+        for (std::size_t j = 0; j < count; ++j) {
+            const std::size_t q = first + j, k = static_cast<std::size_t>(out.light[q]);
+            const Vec3f i = local(lights.x[k], lights.y[k], lights.z[k]);
+            const Vec3f sum = {i[0] + o[0], i[1] + o[1], i[2] + o[2]};
+            in.x[j] = i[0], in.y[j] = i[1], in.z[j] = i[2];
+            half.x[j] = sum[0], half.y[j] = sum[1], half.z[j] = sum[2];
+            out.to_light[q] = i;
+            out.cosine_ih[q] =
+                0.5f * std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+            float received = 0.0f, value = 0.0f;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float w = i[2] * lights.received[c][k], v = values[3 * k + c];
+                out.weight_rgb[c][q] = w;
+                out.value_rgb[c][q] = v;
+                received += kLuminance[c] * w;
+                value += kLuminance[c] * v;
+            }
+            out.received[q] = received;
+            out.value[q] = value;
         }
-        out.received.push_back(received);
-        out.value.push_back(value);
+        places<false>(grid, half, count, out.half.data() + first);
+        places<true>(kAreaGrid, in, count, out.in.data() + first);
     }
 }
 
-float relative_fresnel(float eta, float cosine) {
-    if (eta <= 0.0f) return 1.0f;
-    return f32::fresnel_conductor(eta, 0.0f, cosine) / f32::fresnel_conductor(eta, 0.0f, 1.0f);
+namespace {
+
+// Which of `values` thin_samples keeps, in their order.
+void choose_samples(const std::vector<float>& values, std::size_t most,
+                    std::vector<std::size_t>& chosen) {
+    const std::size_t bright = std::max<std::size_t>(most / 2, 1), rest = values.size() - bright,
+                      wanted = most - bright;
+    std::vector<float> ordered = values;
+    const auto last = ordered.begin() + static_cast<std::ptrdiff_t>(bright - 1);
+    std::nth_element(ordered.begin(), last, ordered.end(), std::greater<>());
+    const float least = bright > 0 ? *last : std::numeric_limits<float>::infinity();
+    auto ties = static_cast<std::size_t>(std::count(ordered.begin(), last + 1, least));
+    std::size_t passed = 0;
+    for (std::size_t q = 0; q < values.size(); ++q) {
+        bool taken = values[q] > least;
+        if (values[q] == least && ties > 0) {
+            taken = true;
+            --ties;
+        }
+        if (!taken) {
+            taken = passed * wanted / rest != (passed + 1) * wanted / rest;
+            ++passed;
+        }
+        if (taken) chosen.push_back(q);
+    }
+}
+
+}  // namespace
+
+void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out) {
+    std::vector<std::size_t> order;
+    order.reserve(std::min(most, samples.size()));
+    if (samples.size() > most) {
+        choose_samples(samples.value, most, order);
+    } else {
+        order.resize(samples.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+    }
+    out.resize(order.size());
+    const auto pick = [&](const auto& from, auto& to) {
+        for (std::size_t k = 0; k < order.size(); ++k) to[k] = from[order[k]];
+    };
+    pick(samples.light, out.light);
+    pick(samples.half, out.half);
+    pick(samples.in, out.in);
+    pick(samples.cosine_ih, out.cosine_ih);
+    pick(samples.received, out.received);
+    pick(samples.value, out.value);
+    pick(samples.to_light, out.to_light);
+    for (std::size_t c = 0; c < 3; ++c) {
+        pick(samples.weight_rgb[c], out.weight_rgb[c]);
+        pick(samples.value_rgb[c], out.value_rgb[c]);
+    }
+    out.out = samples.out;
+    out.to_eye = samples.to_eye;
+}
+
+RelativeFresnel::RelativeFresnel(float eta)
+    : eta_(eta), by_(eta > 0.0f ? 1.0f / f32::fresnel_conductor(eta, 0.0f, 1.0f) : 1.0f) {}
+
+void RelativeFresnel::of(const std::vector<float>& cosines, std::vector<float>& out) const {
+    out.resize(cosines.size());
+    for (std::size_t q = 0; q < cosines.size(); ++q)
+        out[q] = f32::fresnel_conductor(eta_, 0.0f, cosines[q]) * by_;
+    if (eta_ <= 0.0f) std::fill(out.begin(), out.end(), 1.0f);
+}
+
+float RelativeFresnel::operator()(float cosine) const {
+    return eta_ > 0.0f ? f32::fresnel_conductor(eta_, 0.0f, cosine) * by_ : 1.0f;
 }
 
 }  // namespace burnish

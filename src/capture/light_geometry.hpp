@@ -43,6 +43,7 @@ struct GridPlace {
     float fraction = 0.0f;
     float column = 0.0f;
 };
+// (x, y, z) of any length.
 GridPlace grid_place(const NdfGrid& grid, float x, float y, float z);
 
 // Likewise on the nodes that ndf_areas has its values at.
@@ -90,6 +91,7 @@ struct PointSamples {
     std::vector<Vec3f> to_light;         // likewise
 
     std::size_t size() const { return light.size(); }
+    void resize(std::size_t count);
 };
 
 // Lights lower than this above the surface are left out: a small error of the normal would change
@@ -100,9 +102,21 @@ inline constexpr float kLeastLightCosine = 0.1f;
 void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<const float> values,
                     std::span<const std::uint8_t> keep, const NdfGrid& grid, PointSamples& out);
 
+// At most `most` of the samples: half of them the brightest, the others spread over the rest in the
+// order of lights.
+void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out);
+
 inline constexpr std::array<float, 3> kLuminance = {0.2126f, 0.7152f, 0.0722f};
 
 // F(c) / F(1) of a dielectric of index eta; 1 for eta = 0 (docs/capture.md).
-float relative_fresnel(float eta, float cosine);
+class RelativeFresnel {
+  public:
+    explicit RelativeFresnel(float eta);
+    float operator()(float cosine) const;
+    void of(const std::vector<float>& cosines, std::vector<float>& out) const;
+
+  private:
+    float eta_, by_;  // by_: 1 / F(1)
+};
 
 }  // namespace burnish

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <vector>
 
 #include "burnish/f32.hpp"
@@ -82,8 +81,9 @@ class Problem {
           fresnel_(samples.size()) {
         const bool plain =
             model == ParametricModel::ward || model == ParametricModel::ward_isotropic;
+        const RelativeFresnel fresnel(eta);
         for (std::size_t q = 0; q < samples.size(); ++q)
-            fresnel_[q] = plain ? 1.0f : relative_fresnel(eta, samples.cosine_ih[q]);
+            fresnel_[q] = plain ? 1.0f : fresnel(samples.cosine_ih[q]);
         for (const float v : samples.value)
             square_ += static_cast<double>(v) * static_cast<double>(v);
     }
@@ -288,44 +288,7 @@ float parametric_shape(ParametricModel model, const ParametricFit& fit, float et
     if (plain) return b;
     const Vec3f sum = {to_light[0] + to_eye[0], to_light[1] + to_eye[1], to_light[2] + to_eye[2]};
     const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-    return relative_fresnel(eta, 0.5f * length) * b;
-}
-
-void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out) {
-    std::vector<std::size_t> order(samples.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    if (order.size() > most) {
-        const std::size_t bright = most / 2;
-        std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(bright),
-                         order.end(), [&](std::size_t a, std::size_t b) {
-                             return samples.value[a] != samples.value[b]
-                                        ? samples.value[a] > samples.value[b]
-                                        : a < b;
-                         });
-        std::sort(order.begin() + static_cast<std::ptrdiff_t>(bright), order.end());
-        const std::size_t rest = order.size() - bright, wanted = most - bright;
-        for (std::size_t k = 0; k < wanted; ++k)
-            order[bright + k] = order[bright + k * rest / wanted];
-        order.resize(most);
-        std::sort(order.begin(), order.end());
-    }
-    const auto pick = [&](const auto& from, auto& to) {
-        to.resize(order.size());
-        for (std::size_t k = 0; k < order.size(); ++k) to[k] = from[order[k]];
-    };
-    pick(samples.light, out.light);
-    pick(samples.half, out.half);
-    pick(samples.in, out.in);
-    pick(samples.cosine_ih, out.cosine_ih);
-    pick(samples.received, out.received);
-    pick(samples.value, out.value);
-    pick(samples.to_light, out.to_light);
-    for (std::size_t c = 0; c < 3; ++c) {
-        pick(samples.weight_rgb[c], out.weight_rgb[c]);
-        pick(samples.value_rgb[c], out.value_rgb[c]);
-    }
-    out.out = samples.out;
-    out.to_eye = samples.to_eye;
+    return RelativeFresnel(eta)(0.5f * length) * b;
 }
 
 }  // namespace burnish

@@ -32,10 +32,6 @@ struct ParametricEffort {
 ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples, float eta,
                              const ParametricFit& start, const ParametricEffort& effort = {});
 
-// At most `most` of the samples: half of them the brightest, the others spread over the rest in the
-// order of lights.
-void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out);
-
 // rho of the fitted model, luminance-free: the specular shape b of rho = diffuse/pi + specular b,
 // for unit directions in the normal's frame.
 float parametric_shape(ParametricModel model, const ParametricFit& fit, float eta,

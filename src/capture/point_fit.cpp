@@ -40,17 +40,17 @@ Strengths solve_strengths(double uu, double uv, double vv, double uy, double vy,
 
 }  // namespace
 
-PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(samples) {
+PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(&samples) {
     double mean = 0.0;
     for (const float v : samples.value) mean += static_cast<double>(v);
     mean /= std::max<double>(1.0, static_cast<double>(samples.size()));
     const auto floor = static_cast<float>(mean);
-    for (auto* sums : {&weights_, &fresnel_, &uv_, &vv_, &vy_}) sums->resize(samples.size());
+    RelativeFresnel(eta).of(samples.cosine_ih, fresnel_);
+    for (auto* sums : {&weights_, &uv_, &vv_, &vy_}) sums->resize(samples.size());
     for (std::size_t q = 0; q < samples.size(); ++q) {
         // A point that is black under every light says nothing.
         const float scale = floor > 1e-18f ? 1.0f / (samples.value[q] + floor) : 0.0f;
         weights_[q] = scale * scale;
-        fresnel_[q] = relative_fresnel(eta, samples.cosine_ih[q]);
         // With u = received / pi and v = received b, the sums' terms but for b.
         const float u = samples.received[q] * std::numbers::inv_pi_v<float>;
         uv_[q] = weights_[q] * u * samples.received[q];
@@ -64,13 +64,14 @@ PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(samp
 
 PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
     const float turn = area_shift(tables.grid, shift);
-    const float area_out = area_at(tables.areas, samples_.out, samples_.to_eye[2], turn);
+    const float area_out = area_at(tables.areas, samples_->out, samples_->to_eye[2], turn);
     double uv = 0.0, vv = 0.0, vy = 0.0;
-    for (std::size_t q = 0; q < samples_.size(); ++q) {
-        const float area_in = area_at(tables.areas, samples_.in[q], samples_.to_light[q][2], turn);
+    for (std::size_t q = 0; q < samples_->size(); ++q) {
+        const float area_in =
+            area_at(tables.areas, samples_->in[q], samples_->to_light[q][2], turn);
         // b without 1 / (4 g(o)), which all samples share.
         const float b =
-            fresnel_[q] * lookup(tables.grid, tables.D, samples_.half[q], shift) / area_in;
+            fresnel_[q] * lookup(tables.grid, tables.D, samples_->half[q], shift) / area_in;
         uv += static_cast<double>(uv_[q] * b);
         vv += static_cast<double>(vv_[q] * b * b);
         vy += static_cast<double>(vy_[q] * b);
@@ -92,6 +93,15 @@ PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float w
     const PointFit opposite = at(tables, shift + 0.5f * static_cast<float>(tables.grid.azimuths));
     if (opposite.error < best.error) best = opposite;
     if (best.error > kHopeless * give_up) return best;
+    return descend(tables, best, width, give_up);
+}
+
+PointFit PointFitter::nearby(const ExemplarTables& tables, float shift, float width) const {
+    return descend(tables, at(tables, shift), width, 1e30f);
+}
+
+PointFit PointFitter::descend(const ExemplarTables& tables, PointFit best, float width,
+                              float give_up) const {
     for (float step = width; step > 0.02f; step *= 0.25f) {
         const PointFit before = at(tables, best.shift - step),
                        after = at(tables, best.shift + step);
@@ -113,16 +123,16 @@ PointFit PointFitter::refined(const ExemplarTables& tables, float shift, float w
 void PointFitter::colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
                           std::array<float, 3>& specular) const {
     const float area_out =
-        area_at(tables.areas, samples_.out, samples_.to_eye[2], area_shift(tables.grid, shift));
-    std::vector<float> shape(samples_.size());
+        area_at(tables.areas, samples_->out, samples_->to_eye[2], area_shift(tables.grid, shift));
+    std::vector<float> shape(samples_->size());
     for (std::size_t q = 0; q < shape.size(); ++q)
-        shape[q] = specular_shape(tables, samples_, q, shift, fresnel_[q], area_out);
+        shape[q] = specular_shape(tables, *samples_, q, shift, fresnel_[q], area_out);
     for (std::size_t c = 0; c < 3; ++c) {
         double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0, yy = 0.0;
         for (std::size_t q = 0; q < shape.size(); ++q) {
-            const float w = weights_[q], y = samples_.value_rgb[c][q];
-            const float u = samples_.weight_rgb[c][q] * std::numbers::inv_pi_v<float>;
-            const float v = samples_.weight_rgb[c][q] * shape[q];
+            const float w = weights_[q], y = samples_->value_rgb[c][q];
+            const float u = samples_->weight_rgb[c][q] * std::numbers::inv_pi_v<float>;
+            const float v = samples_->weight_rgb[c][q] * shape[q];
             uu += static_cast<double>(w * u * u);
             uv += static_cast<double>(w * u * v);
             vv += static_cast<double>(w * v * v);

@@ -54,6 +54,8 @@ class PointFitter {
     // Gives up where the error is above `give_up` after the first step: not the best, then.
     PointFit refined(const ExemplarTables& tables, float shift, float width,
                      float give_up = 1e30f) const;
+    // The best turn within about 2 `width` of `shift`.
+    PointFit nearby(const ExemplarTables& tables, float shift, float width) const;
     // Diffuse and specular of each channel at a turn.
     void colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
                  std::array<float, 3>& specular) const;
@@ -62,7 +64,9 @@ class PointFitter {
     const std::vector<float>& fresnel() const { return fresnel_; }
 
   private:
-    const PointSamples& samples_;
+    PointFit descend(const ExemplarTables& tables, PointFit best, float width, float give_up) const;
+
+    const PointSamples* samples_;
     std::vector<float> weights_, fresnel_;
     std::vector<float> uv_, vv_, vy_;  // terms of the normal equations that no turn changes
     double uu_ = 0.0, uy_ = 0.0, value_square_ = 0.0;

@@ -64,10 +64,15 @@ void push(const PushPullImage& coarse, PushPullImage& fine) {
 
 }  // namespace
 
-PushPullImage::PushPullImage(int side_)
-    : side(side_),
-      value(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 0.0f),
-      weight(value.size(), 0.0f) {}
+PushPullImage::PushPullImage(int side_) {
+    clear(side_);
+}
+
+void PushPullImage::clear(int side_) {
+    side = side_;
+    value.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 0.0f);
+    weight.assign(value.size(), 0.0f);
+}
 
 void PushPullImage::splat(float x, float y, float sample) {
     const float fx = x - 0.5f, fy = y - 0.5f;

@@ -13,6 +13,7 @@ struct PushPullImage {
     std::vector<float> weight;  // 0: no sample near; 1: samples at this level
 
     explicit PushPullImage(int side_ = 0);
+    void clear(int side_);  // as if made anew
     // (x, y) in pixels, pixel centres at whole + 1/2.
     void splat(float x, float y, float sample);
 };

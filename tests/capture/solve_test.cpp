@@ -90,7 +90,7 @@ TEST(LightPlaces, FresnelIsExact) {
     for (const double eta : {0.0, 1.3, 1.5, 2.4})
         for (double c = 0.02; c <= 1; c += 0.02)
             EXPECT_NEAR(static_cast<double>(
-                            relative_fresnel(static_cast<float>(eta), static_cast<float>(c))),
+                            RelativeFresnel(static_cast<float>(eta))(static_cast<float>(c))),
                         test::fresnel_ratio(eta, c), 2e-4 * test::fresnel_ratio(eta, c))
                 << eta << " " << c;
 }
@@ -296,7 +296,8 @@ PartialFound solve_partially(const PartialCase& c) {
     const PartialNdfSolver solver(kGrid, static_cast<float>(apart), static_cast<float>(c.eta));
     std::vector<float> table(static_cast<std::size_t>(kGrid.cells())), weights(table.size());
     PartialFound out;
-    out.point = solver.solve(samples, table.data(), weights.data());
+    PartialNdfWork work;
+    out.point = solver.solve(samples, work, table.data(), weights.data());
     const std::vector<float> truth = test::sampled(kGrid, [&](double x, double y, double z) {
         return ndf.D({x, y, z});
     });
