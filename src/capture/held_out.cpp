@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "burnish/f32.hpp"
 #include "capture/light_geometry.hpp"
 #include "capture/parametric_fit.hpp"
 #include "capture/parametric_maps.hpp"
@@ -21,12 +20,6 @@ struct Sums {
     std::vector<double> squares;  // of each model
     double count = 0.0, peak = 0.0;
 };
-
-Vec3f in_frame(const Vec3f& n, float x, float y, float z) {
-    const f32::Frame frame = f32::frame_shortest_arc(f32::vec3(n[0], n[1], n[2]));
-    const f32::vec3 v(x, y, z);
-    return {f32::dot(frame.t, v), f32::dot(frame.b, v), f32::dot(frame.n, v)};
-}
 
 class HeldOut {
   public:
@@ -62,14 +55,14 @@ class HeldOut {
   private:
     void point(std::size_t t, const PointLights& lights, const float* values, Sums& sums) const {
         const float* n = material_.normal.pixels.data() + 3 * t;
-        const Vec3f normal = {n[0], n[1], n[2]};
-        const Vec3f o = in_frame(normal, lights.to_eye[0], lights.to_eye[1], lights.to_eye[2]);
+        const NormalFrame local({n[0], n[1], n[2]});
+        const Vec3f o = local(lights.to_eye[0], lights.to_eye[1], lights.to_eye[2]);
         std::vector<ParametricFit> fits;
         for (const ParametricMaps& m : models_) fits.push_back(m.lobe(t));
         for (const std::size_t k : lights_) {
             const float* v = values + 3 * k;
             if (std::isinf(v[0]) || std::isinf(v[1]) || std::isinf(v[2])) continue;
-            const Vec3f i = in_frame(normal, lights.x[k], lights.y[k], lights.z[k]);
+            const Vec3f i = local(lights.x[k], lights.y[k], lights.z[k]);
             if (i[2] < kLeastLightCosine) continue;
             double truth = 0.0, received = 0.0, ours = 0.0;
             const Vec3d rho = relighter_.brdf(

@@ -47,6 +47,13 @@ void LightGeometry::at(std::size_t pixel, PointLights& out) const {
     }
 }
 
+NormalFrame::NormalFrame(const Vec3f& normal) {
+    const f32::Frame frame = f32::frame_shortest_arc(f32::vec3(normal[0], normal[1], normal[2]));
+    t_ = {frame.t.x, frame.t.y, frame.t.z};
+    b_ = {frame.b.x, frame.b.y, frame.b.z};
+    n_ = {frame.n.x, frame.n.y, frame.n.z};
+}
+
 namespace {
 
 // atan2 within 1e-7 (Abramowitz & Stegun 4.4.49): thousands of places a pixel are wanted.
@@ -135,20 +142,16 @@ void places(const NdfGrid& grid, const Block& d, std::size_t count, GridPlace* o
 
 void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<const float> values,
                     std::span<const std::uint8_t> keep, const NdfGrid& grid, PointSamples& out) {
-    const f32::Frame frame = f32::frame_shortest_arc(f32::vec3(normal[0], normal[1], normal[2]));
-    const auto local = [&](float x, float y, float z) {
-        const f32::vec3 v(x, y, z);
-        return Vec3f{f32::dot(frame.t, v), f32::dot(frame.b, v), f32::dot(frame.n, v)};
-    };
+    const NormalFrame local(normal);
     const Vec3f o = local(lights.to_eye[0], lights.to_eye[1], lights.to_eye[2]);
     out.to_eye = o;
     out.out = area_place(o[0], o[1], o[2]);
     out.light.clear();
     for (std::size_t k = 0; k < lights.size(); ++k) {
         const float* v = values.data() + 3 * k;
-        const f32::vec3 i(lights.x[k], lights.y[k], lights.z[k]);
+        const float cosine = local(lights.x[k], lights.y[k], lights.z[k])[2];
         const bool clipped = std::isinf(v[0]) || std::isinf(v[1]) || std::isinf(v[2]);
-        if ((keep.empty() || keep[k]) && !clipped && f32::dot(frame.n, i) >= kLeastLightCosine)
+        if ((keep.empty() || keep[k]) && !clipped && cosine >= kLeastLightCosine)
             out.light.push_back(static_cast<int>(k));
     }
     out.resize(out.light.size());

@@ -76,6 +76,23 @@ inline float area_at(const float* areas, const GridPlace& place, float z, float 
     return g > 1e-6f ? g : 1e-6f;  // as ndf_area_lookup
 }
 
+// Directions of sample space in a frame about a normal, which shading's shortest arc makes.
+class NormalFrame {
+  public:
+    explicit NormalFrame(const Vec3f& normal);
+    Vec3f operator()(float x, float y, float z) const {
+        return {t_[0] * x + t_[1] * y + t_[2] * z, b_[0] * x + b_[1] * y + b_[2] * z,
+                n_[0] * x + n_[1] * y + n_[2] * z};
+    }
+    Vec3f operator()(const Vec3d& v) const {
+        return (*this)(static_cast<float>(v[0]), static_cast<float>(v[1]),
+                       static_cast<float>(v[2]));
+    }
+
+  private:
+    Vec3f t_, b_, n_;
+};
+
 // What one point's samples look like to a distribution: only lights above the horizon of the normal
 // and samples that are not clipped.
 struct PointSamples {

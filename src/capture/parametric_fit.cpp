@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "burnish/f32.hpp"
+#include "capture/strengths.hpp"
 
 namespace burnish {
 
@@ -124,21 +125,9 @@ class Problem {
             uy += u * y;
             vy += v * y;
         }
-        const double determinant = uu * vv - uv * uv;
-        double d = 0.0, s = 0.0;
-        if (determinant > 1e-9 * uu * vv) {
-            d = (uy * vv - vy * uv) / determinant;
-            s = (vy * uu - uy * uv) / determinant;
-        }
-        if (s <= 0.0) {
-            s = 0.0;
-            d = uu > 0.0 ? std::max(uy / uu, 0.0) : 0.0;
-        } else if (d < 0.0) {
-            d = 0.0;
-            s = vv > 0.0 ? std::max(vy / vv, 0.0) : 0.0;
-        }
-        diffuse = static_cast<float>(d);
-        specular = static_cast<float>(s);
+        const Strengths best = solve_strengths(uu, uv, vv, uy, vy);
+        diffuse = static_cast<float>(best.diffuse);
+        specular = static_cast<float>(best.specular);
     }
 
   private:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "burnish/f32.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
@@ -18,11 +17,6 @@ Vec3d tint_of(const float* rgb) {
     if (!(luminance > 1e-9)) return {1.0, 1.0, 1.0};  // below what half floats hold apart
     return {static_cast<double>(rgb[0]) / luminance, static_cast<double>(rgb[1]) / luminance,
             static_cast<double>(rgb[2]) / luminance};
-}
-
-Vec3f in_frame(const f32::Frame& frame, const Vec3d& v) {
-    const f32::vec3 d(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
-    return {f32::dot(frame.t, d), f32::dot(frame.b, d), f32::dot(frame.n, d)};
 }
 
 }  // namespace
@@ -70,9 +64,8 @@ Image parametric_picture(const TabulatedMaterial& material, const ParametricMaps
             const Vec3d x = sample_point(rig, width, height, column, row);
             const Arrival in = arrival(lamp, x);
             const float* n = material.normal.pixels.data() + 3 * t;
-            const f32::Frame frame = f32::frame_shortest_arc(f32::vec3(n[0], n[1], n[2]));
-            const Vec3f i = in_frame(frame, in.to_light);
-            const Vec3f o = in_frame(frame, direction_to(eye, x));
+            const NormalFrame local({n[0], n[1], n[2]});
+            const Vec3f i = local(in.to_light), o = local(direction_to(eye, x));
             if (i[2] <= 0.0f || o[2] <= 0.0f) continue;
             const auto shape = static_cast<double>(
                 parametric_shape(maps.model, maps.lobe(t), static_cast<float>(material.eta), i, o));

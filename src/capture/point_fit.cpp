@@ -4,39 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "capture/strengths.hpp"
+
 namespace burnish {
 
 namespace {
 
 // By how much a turn that is a column off may be worse than it will be.
 constexpr float kHopeless = 4.0f;
-
-struct Strengths {
-    double diffuse = 0.0, specular = 0.0;
-    double error = 0.0;  // weighted sum of squares
-};
-
-// min over d, s >= 0 of |y - d u - s v|^2 from its sums.
-Strengths solve_strengths(double uu, double uv, double vv, double uy, double vy, double yy) {
-    const double determinant = uu * vv - uv * uv;
-    double d = 0.0, s = 0.0;
-    // Below this the two are one to rounding: all is diffuse.
-    if (determinant > 1e-9 * uu * vv) {
-        d = (uy * vv - vy * uv) / determinant;
-        s = (vy * uu - uy * uv) / determinant;
-    } else {
-        s = -1.0;
-    }
-    if (s < 0.0) {
-        s = 0.0;
-        d = uu > 0.0 ? std::max(uy / uu, 0.0) : 0.0;
-    } else if (d < 0.0) {
-        d = 0.0;
-        s = vv > 0.0 ? std::max(vy / vv, 0.0) : 0.0;
-    }
-    const double error = yy - 2.0 * (d * uy + s * vy) + d * d * uu + 2.0 * d * s * uv + s * s * vv;
-    return {d, s, std::max(error, 0.0)};
-}
 
 }  // namespace
 
@@ -77,13 +52,17 @@ PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
         vy += static_cast<double>(vy_[q] * b);
     }
     const double shared = 0.25 / static_cast<double>(area_out);
-    const Strengths best =
-        solve_strengths(uu_, shared * uv, shared * shared * vv, uy_, shared * vy, value_square_);
+    uv *= shared;
+    vv *= shared * shared;
+    vy *= shared;
+    const auto [d, s] = solve_strengths(uu_, uv, vv, uy_, vy);
+    const double error =
+        value_square_ - 2.0 * (d * uy_ + s * vy) + d * d * uu_ + 2.0 * d * s * uv + s * s * vv;
     PointFit fit;
     fit.shift = shift;
-    fit.diffuse = static_cast<float>(best.diffuse);
-    fit.specular = static_cast<float>(best.specular);
-    fit.error = value_square_ > 0.0 ? static_cast<float>(best.error / value_square_) : 0.0f;
+    fit.diffuse = static_cast<float>(d);
+    fit.specular = static_cast<float>(s);
+    if (value_square_ > 0.0) fit.error = static_cast<float>(std::max(error, 0.0) / value_square_);
     return fit;
 }
 
@@ -128,7 +107,7 @@ void PointFitter::colours(const ExemplarTables& tables, float shift, std::array<
     for (std::size_t q = 0; q < shape.size(); ++q)
         shape[q] = specular_shape(tables, *samples_, q, shift, fresnel_[q], area_out);
     for (std::size_t c = 0; c < 3; ++c) {
-        double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0, yy = 0.0;
+        double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
         for (std::size_t q = 0; q < shape.size(); ++q) {
             const float w = weights_[q], y = samples_->value_rgb[c][q];
             const float u = samples_->weight_rgb[c][q] * std::numbers::inv_pi_v<float>;
@@ -138,9 +117,8 @@ void PointFitter::colours(const ExemplarTables& tables, float shift, std::array<
             vv += static_cast<double>(w * v * v);
             uy += static_cast<double>(w * u * y);
             vy += static_cast<double>(w * v * y);
-            yy += static_cast<double>(w * y * y);
         }
-        const Strengths best = solve_strengths(uu, uv, vv, uy, vy, yy);
+        const Strengths best = solve_strengths(uu, uv, vv, uy, vy);
         diffuse[c] = static_cast<float>(best.diffuse);
         specular[c] = static_cast<float>(best.specular);
     }
