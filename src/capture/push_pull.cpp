@@ -33,17 +33,39 @@ PushPullImage pulled(const PushPullImage& fine) {
     return coarse;
 }
 
+// Columns of a row that hold anything: [first, last), empty where first >= last.
+struct Extent {
+    int first, last;
+};
+
+Extent extent_of(const PushPullImage& image, int y) {
+    const auto row = image.weight.begin() + static_cast<std::ptrdiff_t>(index(image.side, 0, y));
+    const auto holds = [](float w) { return w > 0.0f; };
+    const auto first = std::find_if(row, row + image.side, holds);
+    if (first == row + image.side) return {image.side, 0};
+    auto last = row + image.side;
+    while (last != first && !holds(*(last - 1))) --last;
+    return {static_cast<int>(first - row), static_cast<int>(last - row)};
+}
+
 // Bilinear from the coarse level: the nearest has 9/16, its neighbours 3/16, 3/16 and 1/16.
 void push(const PushPullImage& coarse, PushPullImage& fine) {
-    for (int y = 0; y < fine.side; ++y)
-        for (int x = 0; x < fine.side; ++x) {
+    std::vector<Extent> extents;
+    for (int y = 0; y < coarse.side; ++y) extents.push_back(extent_of(coarse, y));
+    for (int y = 0; y < fine.side; ++y) {
+        const int cy = y / 2, ny = std::clamp(cy + ((y & 1) ? 1 : -1), 0, coarse.side - 1);
+        // Where neither row holds anything, nor does this one.
+        const Extent a = extents[static_cast<std::size_t>(cy)];
+        const Extent b = extents[static_cast<std::size_t>(ny)];
+        const int first = std::max(2 * std::min(a.first, b.first) - 1, 0);
+        const int last = std::min(2 * std::max(a.last, b.last) + 1, fine.side);
+        for (int x = first; x < last; ++x) {
             const std::size_t to = index(fine.side, x, y);
             const float own = std::min(fine.weight[to], 1.0f);
             fine.weight[to] = own;
             if (own >= 1.0f) continue;
-            const int cx = x / 2, cy = y / 2;
+            const int cx = x / 2;
             const int nx = std::clamp(cx + ((x & 1) ? 1 : -1), 0, coarse.side - 1);
-            const int ny = std::clamp(cy + ((y & 1) ? 1 : -1), 0, coarse.side - 1);
             float sum = 0.0f, weights = 0.0f;
             const auto take = [&](int px, int py, float share) {
                 const std::size_t from = index(coarse.side, px, py);
@@ -60,6 +82,7 @@ void push(const PushPullImage& coarse, PushPullImage& fine) {
             fine.value[to] = own * fine.value[to] + (1.0f - own) * filled;
             fine.weight[to] = own + (1.0f - own) * std::min(weights / 16.0f, 1.0f);
         }
+    }
 }
 
 }  // namespace
