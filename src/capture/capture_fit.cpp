@@ -40,6 +40,8 @@ constexpr float kClose = 1.5f;
 // A candidate whose error is so many times the best one's after one step will not overtake it.
 constexpr float kGiveUp = 4.0f;
 constexpr std::size_t kPixelTile = 16;
+// Raised when the same settings come to give other numbers: stages of before are not gone on with.
+constexpr int kMethodVersion = 2;
 // What an interruption of the texel stage costs at most, and a band.
 constexpr std::chrono::seconds kSaveEvery{20};
 
@@ -82,6 +84,7 @@ CaptureFit::~CaptureFit() = default;
 
 std::uint64_t CaptureFit::identity() const {
     Identity id;
+    id.add(kMethodVersion);
     id.add(stack_->identity());
     id.add(settings_.grid.rings);
     id.add(settings_.grid.azimuths);

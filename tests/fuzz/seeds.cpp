@@ -2,7 +2,6 @@
 #include "seeds.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -16,14 +15,12 @@
 #include "burnish/parameters.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
-#include "scene/tabulated_material.hpp"
 #include "shading/brdf_models.hpp"
 
 namespace burnish::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
 
 void append(Words& words, std::span<const std::string_view> more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -451,122 +448,6 @@ const Words kWifWords = {"[WIF]\n",
                          "\xFF\xFE",
                          "\x1A"};
 
-// The first letter says which of the formats: fuzz_rig.cpp.
-Words rig_seeds() {
-    Words seeds;
-    const std::string manual = read_text_file(fs::path(BURNISH_SOURCE_DIR) / "docs" / "rig.md");
-    const std::size_t start = manual.find("```json\n") + 8;
-    seeds.push_back("j" + manual.substr(start, manual.find("```", start) - start));
-    seeds.push_back(
-        R"(j{"format":"burnish-rig","version":1,"units":"mm","response":"srgb",)"
-        R"("sample":{"width":40,"height":40},"mask":"map.png","white":"map.png",)"
-        R"("lights":[{"image":"map.png","direction":[0,1,1],"intensity":[1,2,3],)"
-        R"("camera":{"direction":[0,0,1]}},{"exposures":[{"image":"sky.exr","exposure":0.5}],)"
-        R"("position":[1,2,3],"emission_axis":[0,0,-1],"emission_exponent":2,)"
-        R"("camera":{"position":[0,0,9]}}]})");
-    seeds.push_back("l2\r\nmap.png 0.6 0 0.8\r\nC:\\a\\sky.exr 0.0 -.6 8e-1\r\n");
-    seeds.push_back("l1\na b.jpg 0,577350269 0,577350269 0,577350269\n");
-    seeds.push_back(
-        R"(d{"label":"a","notes":"","imageWidth":120,"lightConfiguration":"directional",)"
-        R"("directions":[[0.6,0,0.8],{"x":0,"y":0,"z":1}]})");
-    seeds.push_back(R"(d{"lightConfiguration":"spherical","domeDiameter":600,"verticalOffset":-40,)"
-                    R"("directions":[[0,0,1]],"ledAdjust":[[1,2,4]]})");
-    seeds.push_back(
-        R"(d{"lightConfiguration":"lights3d","positions3d":[[1,2,300]],"lightsCalibration":)"
-        R"([{"whiteBalance":{"r":1,"g":1,"b":2},"intensity":0.5,"spatialCalibration":{}}]})");
-    return seeds;
-}
-
-const Words kRigWords = {"burnish-rig",
-                         "format",
-                         "version",
-                         "units",
-                         "mm",
-                         "response",
-                         "linear",
-                         "srgb",
-                         "sample",
-                         "width",
-                         "height",
-                         "camera",
-                         "position",
-                         "direction",
-                         "mask",
-                         "white",
-                         "lights",
-                         "image",
-                         "exposures",
-                         "exposure",
-                         "intensity",
-                         "emission_axis",
-                         "emission_exponent",
-                         "lightConfiguration",
-                         "directional",
-                         "spherical",
-                         "lights3d",
-                         "directions",
-                         "positions",
-                         "positions3d",
-                         "domeDiameter",
-                         "verticalOffset",
-                         "imageWidth",
-                         "ledAdjust",
-                         "lightsCalibration",
-                         "whiteBalance",
-                         "spatialCalibration",
-                         "map.png",
-                         "sky.exr",
-                         "0,577",
-                         "1e308",
-                         "1e-308",
-                         "nan",
-                         "\\",
-                         "\xEF\xBB\xBF"};
-
-// Two exemplars of a constant table, 1/pi, whose integral of D cos is 1; with and without maps.
-Words tabulated_seeds() {
-    TabulatedMaterial m;
-    m.grid = {4, 6};
-    m.exemplars = 2;
-    m.D.assign(48, 0.31831F);
-    m.origin.assign(48, NdfOrigin::measured);
-    m.groove = {0.0F, 1.0F};
-    m.width = m.height = 2;
-    m.exemplar = {0, 1, TabulatedMaterial::kNoExemplar, 1};
-    m.angle = {0.0F, 1.0F, 2.0F, 3.0F};
-    m.diffuse = m.specular = m.normal = Image(2, 2, 3);
-    for (std::size_t i = 2; i < 12; i += 3) m.normal.pixels[i] = 1;
-    const fs::path file = fs::temp_directory_path() / fmt::format("burnish-seed-{}.exr", getpid());
-    Words seeds;
-    for (int i = 0; i < 2; ++i) {
-        write_tabulated_material(file, m);
-        seeds.push_back(read_text_file(file));
-        m.maps["ward.alpha_x"] = {1, 2, 3, 4};
-        m.metadata["source"] = "seed";
-    }
-    fs::remove(file);
-    return seeds;
-}
-
-const Words kTabulatedWords = {"exemplars",
-                               "texels",
-                               "maps",
-                               "tabulated:version",
-                               "tabulated:rings",
-                               "tabulated:azimuths",
-                               "tabulated:exemplars",
-                               "tabulated:columns",
-                               "tabulated:eta",
-                               "chunkCount",
-                               "dataWindow",
-                               "displayWindow",
-                               "scanlineimage",
-                               "compression",
-                               "channels",
-                               "exemplar",
-                               "angle",
-                               "diffuse.R"};
-
 std::string escaped(std::string_view word) {
     std::string text;
     for (const char c : word) {
@@ -604,10 +485,10 @@ int main(int count, char** arguments) {
         write(folder, "csv", csv_seeds(), csv_words());
         write(folder, "scratch", scratch_seeds(), kScratchWords);
         write(folder, "bsdf", bsdf_seeds(), kBsdfWords);
-        write(folder, "tabulated", tabulated_seeds(), kTabulatedWords);
+        write(folder, "tabulated", tabulated_seeds(), tabulated_words());
         write(folder, "image", image_seeds(), kImageWords);
         write(folder, "wif", wif_seeds(), kWifWords);
-        write(folder, "rig", rig_seeds(), kRigWords);
+        write(folder, "rig", rig_seeds(), rig_words());
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fuzz_seeds: %s\n", error.what());
         return EXIT_FAILURE;

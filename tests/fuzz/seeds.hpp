@@ -7,8 +7,16 @@
 
 namespace burnish::fuzz {
 
+using Words = std::vector<std::string>;
+
 // Contents of files.
-std::vector<std::string> gltf_seeds();
-std::vector<std::string> image_seeds();
+Words gltf_seeds();
+Words image_seeds();
+Words rig_seeds();
+Words tabulated_seeds();
+
+// What their formats are made of.
+Words rig_words();
+Words tabulated_words();
 
 }  // namespace burnish::fuzz
