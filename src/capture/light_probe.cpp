@@ -33,7 +33,7 @@ struct View {
 };
 
 View cut_out(const Image& image, const ProbeCircle& circle, const std::string& name) {
-    // n.z = 1/sqrt(2) turns the view by 90 degrees: lights farther out are below the sample.
+    // n.z = 1/sqrt(2) turns the view by 90 degrees: lights farther out are behind the ball.
     const double radius = circle.radius * std::numbers::sqrt2 / 2.0;
     const auto clamped = [](double value, int size) {
         return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
@@ -150,6 +150,18 @@ Vec3d probe_reflection(const ProbeCircle& circle, double x, double y) {
     const double nx = (x - circle.x) / circle.radius, ny = (circle.y - y) / circle.radius;
     const double nz = std::sqrt(std::max(1.0 - nx * nx - ny * ny, 0.0));
     return {2.0 * nz * nx, 2.0 * nz * ny, 2.0 * nz * nz - 1.0};  // 2 (n.v) n - v, v = (0, 0, 1)
+}
+
+Vec3d from_picture(const Vec3d& direction, const Vec3d& camera) {
+    // right = y x camera, up = camera x right; z > 0 keeps the camera off the y axis.
+    const double size = std::hypot(camera[0], camera[2]);
+    const Vec3d right{camera[2] / size, 0.0, -camera[0] / size};
+    const Vec3d up{camera[1] * right[2], camera[2] * right[0] - camera[0] * right[2],
+                   -camera[1] * right[0]};
+    Vec3d out{};
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = direction[0] * right[i] + direction[1] * up[i] + direction[2] * camera[i];
+    return out;
 }
 
 ProbeLight light_from_probe(const Image& image, const ProbeCircle& circle,

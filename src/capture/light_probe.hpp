@@ -2,7 +2,8 @@
 // the normal there, which lies halfway between the view and the light.
 //
 // The view is orthographic along -z: the camera is far away, or the ball is near the optical axis.
-// Directions are those of sample space: +x right, +y up, +z towards the camera.
+// Directions are those of the picture: +x right, +y up, +z towards the camera. They are those of
+// sample space where the camera is on the normal; else from_picture takes them there.
 #pragma once
 
 #include <string>
@@ -29,6 +30,10 @@ struct ProbeLight {
 
 // The direction that a ball reflects towards the camera at (x, y), inside the outline.
 Vec3d probe_reflection(const ProbeCircle& circle, double x, double y);
+
+// A direction of the picture in sample space, for a camera in the direction `camera` (unit, z > 0)
+// that is held so that the sample's y axis points straight up in the picture.
+Vec3d from_picture(const Vec3d& direction, const Vec3d& camera);
 
 // `image` holds linear values, 1, 3 or 4 channels. The brightest spot is looked for where the ball
 // shows directions with z > 0. Throws Error naming `name` for a circle that misses the picture or

@@ -44,14 +44,14 @@ bool is_there(const std::filesystem::path& path) {
     return std::filesystem::is_regular_file(path, error);
 }
 
-namespace {
-
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return extension;
 }
+
+namespace {
 
 Reading read_any(const std::filesystem::path& path, bool needs_images, bool has_camera) {
     const std::string text = read_text_file(path, kMostBytes);
@@ -62,16 +62,8 @@ Reading read_any(const std::filesystem::path& path, bool needs_images, bool has_
     return read_rig_json(request);
 }
 
-// JPEG and 8-bit PNG hold display values; the others are what cameras' raw data are turned into.
-RigResponse usual_response(const std::filesystem::path& picture) {
-    const std::string extension = lower_extension(picture);
-    const bool linear =
-        extension == ".exr" || extension == ".hdr" || extension == ".tif" || extension == ".tiff";
-    return linear ? RigResponse::linear : RigResponse::srgb;
-}
-
 // One response holds for all pictures.
-RigResponse usual_response(Rig& rig) {
+RigResponse common_response(Rig& rig) {
     std::optional<RigResponse> usual;
     bool warned = false;
     for (const RigLight& light : rig.lights)
@@ -169,6 +161,14 @@ void warn_of_geometry(Rig& rig) {
 
 }  // namespace rig_reading
 
+// JPEG and 8-bit PNG hold display values; the others are what cameras' raw data are turned into.
+RigResponse usual_response(const std::filesystem::path& picture) {
+    const std::string extension = rig_reading::lower_extension(picture);
+    const bool linear =
+        extension == ".exr" || extension == ".hdr" || extension == ".tif" || extension == ".tiff";
+    return linear ? RigResponse::linear : RigResponse::srgb;
+}
+
 Rig read_rig(const std::filesystem::path& path, bool needs_images, const RigOverrides& overrides) {
     using namespace rig_reading;
     Reading reading = read_any(path, needs_images, overrides.camera.has_value());
@@ -176,7 +176,7 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images, const RigOver
     rig.file = path;
     rig.response = overrides.response ? *overrides.response
                    : reading.response ? *reading.response
-                                      : usual_response(rig);
+                                      : common_response(rig);
     if (overrides.flip_y) flip_y(rig);
     if (overrides.camera) {
         rig.camera = *overrides.camera;

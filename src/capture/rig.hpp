@@ -72,9 +72,15 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images,
 // Told by extension (.lp, .dome) or, for JSON, by its "format".
 bool is_rig_file(const std::filesystem::path& path);
 
+// What the numbers in a picture of this name usually are: linear for .exr, .hdr, .tif and .tiff.
+RigResponse usual_response(const std::filesystem::path& picture);
+
 // Our JSON, file names relative to the folder that `path` is in; written whole or not at all.
 // Throws Error when the rig has no size, as one from an .lp file: set it first.
 void write_rig(const std::filesystem::path& path, const Rig& rig);
+
+// An .lp file: of each light, given by its direction, one picture. The format knows nothing else.
+void write_lp(const std::filesystem::path& path, const Rig& rig);
 
 // How the light of one rig entry arrives at a point of the sample.
 struct Arrival {

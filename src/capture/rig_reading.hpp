@@ -26,6 +26,7 @@ void require_name(const std::string& file, const std::string& where, const std::
 [[noreturn]] void fail_missing(const std::string& file, const std::string& where,
                                const std::string& name);
 bool is_there(const std::filesystem::path& path);
+std::string lower_extension(const std::filesystem::path& path);
 
 // Each fills lights, camera, sizes and what else its format knows; read_rig does the rest.
 struct Request {

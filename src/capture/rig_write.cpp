@@ -1,4 +1,4 @@
-// Our rig JSON, written.
+// Our rig JSON and .lp files, written.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -6,6 +6,7 @@
 
 #include "burnish/error.hpp"
 #include "capture/rig.hpp"
+#include "capture/rig_reading.hpp"
 #include "core/files.hpp"
 
 namespace burnish {
@@ -81,6 +82,25 @@ void write_rig(const fs::path& path, const Rig& rig) {
         text = text_of(path, rig);
     } catch (const nlohmann::json::exception&) {  // JSON holds no other text
         throw Error(path.string(), "lights", "names of pictures in UTF-8", "other bytes");
+    }
+    write_text_file(path, text);
+}
+
+void write_lp(const fs::path& path, const Rig& rig) {
+    const fs::path folder = fs::absolute(path).parent_path();
+    std::string text = fmt::format("{}\n", rig.lights.size());
+    for (const RigLight& light : rig.lights) {
+        if (light.place.near || light.images.size() != 1)
+            throw Error(path.string(), light.where, "a direction and one picture",
+                        "something else");
+        const std::string name = relative_to(folder, light.images[0].image);
+        // A line ends the entry, and blanks at the ends of a name are not its own.
+        rig_reading::require_name(path.string(), light.where, name);
+        if (name.empty() || name.front() == ' ' || name.back() == ' ')
+            throw Error(path.string(), light.where, "a name without blanks at its ends",
+                        shown(name));
+        const Vec3d& d = light.place.at;
+        text += fmt::format("{} {:.8f} {:.8f} {:.8f}\n", name, d[0], d[1], d[2]);
     }
     write_text_file(path, text);
 }

@@ -21,6 +21,7 @@ void add_scratch_command(CLI::App& parent, Session& session);
 void add_weave_command(CLI::App& parent, Session& session);
 void add_capture_command(CLI::App& parent, Session& session);
 void add_capture_simulate_command(CLI::App& capture, Session& session);
+void add_capture_directions_command(CLI::App& capture, Session& session);
 void add_capture_fit_command(CLI::App& capture, Session& session);
 void add_capture_relight_command(CLI::App& capture, Session& session);  // `capture relight`
 void add_capture_export_command(CLI::App& capture, Session& session);   // `capture export`

@@ -36,6 +36,17 @@ void RigFlags::add_to(CLI::App& command) {
         ->type_name("MM");
 }
 
+void RigFlags::add_to_new(CLI::App& command) {
+    command
+        .add_option("--response", response_,
+                    "linear or srgb: what the sample's pictures hold (default: by their ending)")
+        ->type_name("NAME");
+    command.add_option("--camera", camera_, "direction of the camera (default 0,0,1)")
+        ->type_name("X,Y,Z");
+    command.add_option("--width-mm", width_mm_, "of the sample (default: 1 mm a pixel)")
+        ->type_name("MM");
+}
+
 RigOverrides RigFlags::overrides() const {
     RigOverrides out;
     out.flip_y = flip_y_;

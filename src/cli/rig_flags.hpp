@@ -1,4 +1,5 @@
-// Flags that say what a rig file gets wrong or cannot know, for the commands that read stacks.
+// Flags that say what a rig file gets wrong or cannot know, for the commands that read stacks, or
+// what a rig is to hold, for those that make one.
 #pragma once
 
 #include <string>
@@ -15,7 +16,8 @@ namespace burnish::cli {
 class RigFlags {
   public:
     void add_to(CLI::App& command);
-    RigOverrides overrides() const;  // throws UsageError
+    void add_to_new(CLI::App& command);  // for a rig that is made: no --flip-y
+    RigOverrides overrides() const;      // throws UsageError
 
   private:
     std::string response_, camera_;

@@ -7,64 +7,18 @@
 #include <numbers>
 
 #include "../scene/support.hpp"
+#include "ball_support.hpp"
 #include "core/image_io.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using test::angle_deg;
+using test::direction;
+using test::Lamp;
 
-Vec3d direction(double theta_deg, double phi_deg) {
-    const double t = theta_deg * kDegree, p = phi_deg * kDegree;
-    return {std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
-}
-
-double dot(const Vec3d& a, const Vec3d& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double angle_deg(const Vec3d& a, const Vec3d& b) {
-    const Vec3d cross{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                      a[0] * b[1] - a[1] * b[0]};
-    return std::atan2(std::hypot(cross[0], cross[1], cross[2]), dot(a, b)) / kDegree;
-}
-
-struct Lamp {
-    Vec3d towards;
-    double radius_deg, radiance;
-};
-
-// Rays along -z meet the sphere and leave it by d - 2 (d.n) n; a pixel is the mean of 8 x 8 rays.
 Image ball(const ProbeCircle& circle, const std::vector<Lamp>& lamps, int channels = 3) {
-    constexpr int kRays = 8;
-    std::vector<double> least_cosines;
-    for (const Lamp& lamp : lamps) least_cosines.push_back(std::cos(lamp.radius_deg * kDegree));
-    Image image(320, 260, channels, 0.0f);
-    for (int row = 0; row < image.height; ++row)
-        for (int column = 0; column < image.width; ++column) {
-            double sum = 0;
-            for (int k = 0; k < kRays * kRays; ++k) {
-                const double px = column + (k % kRays + 0.5) / kRays;
-                const double py = row + (k / kRays + 0.5) / kRays;
-                const double x = px - circle.x, y = -(py - circle.y);
-                const double under = circle.radius * circle.radius - x * x - y * y;
-                double radiance = 0.02;  // the table behind
-                if (under > 0) {
-                    const Vec3d n{x / circle.radius, y / circle.radius,
-                                  std::sqrt(under) / circle.radius};
-                    const double dn = -n[2];  // d = (0, 0, -1)
-                    const Vec3d out{-2 * dn * n[0], -2 * dn * n[1], -1 - 2 * dn * n[2]};
-                    radiance = 0.01;  // the room
-                    for (std::size_t l = 0; l < lamps.size(); ++l)
-                        if (dot(out, lamps[l].towards) > least_cosines[l])
-                            radiance = lamps[l].radiance;
-                }
-                sum += radiance / (kRays * kRays);
-            }
-            for (int c = 0; c < channels; ++c)
-                image.at(column, row)[c] = static_cast<float>(std::min(sum, 1.0));
-        }
-    return image;
+    return test::picture_of_balls({{circle, lamps}}, channels);
 }
 
 constexpr ProbeCircle kBall{163.3, 127.8, 110.0};
@@ -109,6 +63,24 @@ TEST(LightProbe, YPointsUpAndXRight) {
         light_from_probe(ball(kBall, {{direction(40, 0), 4, 5}}), kBall, "ball");
     EXPECT_GT(right.x, kBall.x + 30);
     EXPECT_GT(right.direction[0], 0.6);
+}
+
+// The camera's own direction, its picture's right and the way up from there, against the two
+// conditions that define them: the sample's y has no part to the right, and up is towards it.
+TEST(LightProbe, PicturesOfTiltedCamerasAreTurnedIntoSampleSpace) {
+    for (const Vec3d& camera : {direction(0, 0), direction(45, 270), direction(60, 20)}) {
+        EXPECT_LT(angle_deg(from_picture({0, 0, 1}, camera), camera), 1e-6);
+        const Vec3d right = from_picture({1, 0, 0}, camera), up = from_picture({0, 1, 0}, camera);
+        EXPECT_NEAR(right[1], 0.0, 1e-12);
+        EXPECT_GT(right[0], 0.0);
+        EXPECT_GT(up[1], 0.0);
+        EXPECT_NEAR(angle_deg(right, up), 90.0, 1e-6);
+        EXPECT_NEAR(angle_deg(right, camera), 90.0, 1e-6);
+        EXPECT_NEAR(angle_deg(up, camera), 90.0, 1e-6);
+    }
+    // From the south a lamp over the camera's shoulder stands above the sample's middle.
+    const Vec3d above = from_picture(direction(45, 90), direction(45, 270));
+    EXPECT_LT(angle_deg(above, {0, 0, 1}), 1e-6);
 }
 
 TEST(LightProbe, TakesTheStrongestSpotAndTellsOfTheSecond) {
