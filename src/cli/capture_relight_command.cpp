@@ -5,6 +5,7 @@
 
 #include "app/capture_relight.hpp"
 #include "cli/commands.hpp"
+#include "cli/rig_flags.hpp"
 #include "cli/session.hpp"
 
 namespace burnish::cli {
@@ -13,8 +14,8 @@ namespace {
 constexpr const char* kFooter = R"(
 Writes into DIR: 0000.exr, 0001.exr ... (linear, in the units of the rig's intensities), rig.json, which
 names them; with --compare also compare.csv. A light of the rig that has a camera is seen from there.
-PSNR is relative to the brightest sample of the stack that is not clipped. docs/relight-export.md says
-more.
+PSNR is relative to the brightest sample of the stack that is not clipped. --response, --camera, --flip-y
+and --width-mm as the fit had them, for both rigs. docs/relight-export.md says more.
 
 Examples:
   burnish capture relight brass.exr --rig dome.json -o relit
@@ -23,6 +24,7 @@ Examples:
 struct Flags {
     RelightRequest request;
     std::string material, rig, compare, output;
+    RigFlags rig_flags;
     bool each_light = false;
 };
 
@@ -31,6 +33,7 @@ void run(Flags& flags, const Session& session) {
     request.material = flags.material;
     request.rig = flags.rig;
     if (!flags.compare.empty()) request.compare = flags.compare;
+    request.overrides = flags.rig_flags.overrides();
     request.output = flags.output;
     request.command = session.command_line();
     RelightReport report = relight_material(request, session.progress());
@@ -61,6 +64,7 @@ void add_capture_relight_command(CLI::App& capture, Session& session) {
     compare->type_name("STACK");
     command->add_flag("--each-light", flags->each_light, "print the error of every light, too")
         ->needs(compare);
+    flags->rig_flags.add_to(*command);
     command->footer(kFooter);
     command->callback([flags, &session] { run(*flags, session); });
 }

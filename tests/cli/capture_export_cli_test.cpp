@@ -1,5 +1,6 @@
 // burnish capture export and relight as a person runs them: what the files hold, the direction of
 // the glTF's highlight, bad input.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -362,6 +363,86 @@ TEST(CaptureRelight, NamesWhatCannotBe) {
     refused({f.material_path, "--rig", f.rig_path, "--compare", stack, "-o", again}, 1,
             {"0001.exr", "12 x 8", "6 x 4"});
     EXPECT_FALSE(std::filesystem::exists(again));
+}
+
+std::vector<Image> relit(const RelightFolder& f, std::vector<std::string> more,
+                         const std::string& name) {
+    const std::string out = f.folder.path(name);
+    more.insert(more.begin(), {"relight", f.material_path, "-o", out});
+    const Outcome outcome = capture(more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
+    std::vector<Image> pictures;
+    for (const RigLight& light : read_rig(out + "/rig.json", true).lights)
+        pictures.push_back(read_image(light.images.at(0).image));
+    return pictures;
+}
+
+void expect_same(const std::vector<Image>& a, const std::vector<Image>& b, bool same) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(a[k].pixels == b[k].pixels, same) << k;
+}
+
+TEST(CaptureRelight, FlagsSayWhatTheRigHasWrong) {
+    RelightFolder f;
+    for (std::size_t k = 0; k < 2; ++k)  // near ones, whose rays differ over the sample
+        for (double& value : f.rig.lights[k].place.at) value *= 90.0;
+    f.rig.lights[0].place.near = f.rig.lights[1].place.near = true;
+    f.rig.lights[1].emission_axis = {0.0, 0.6, -0.8};
+    f.rig.lights[1].emission_exponent = 1.0;
+    write_rig(f.rig_path, f.rig);
+    const std::vector<Image> right = relit(f, {"--rig", f.rig_path}, "right");
+
+    Rig down = f.rig;  // as a program writes it whose y points down
+    down.camera.at[1] *= -1.0;
+    for (RigLight& light : down.lights) {
+        light.place.at[1] *= -1.0;
+        light.emission_axis[1] *= -1.0;
+    }
+    const std::string down_path = f.folder.path("down.json");
+    write_rig(down_path, down);
+    expect_same(relit(f, {"--rig", down_path, "--flip-y"}, "flipped"), right, true);
+    expect_same(relit(f, {"--rig", down_path}, "down"), right, false);
+
+    Rig beside = f.rig;
+    beside.camera.at = {0.0, 0.0, 1.0};
+    const std::string beside_path = f.folder.path("beside.json");
+    write_rig(beside_path, beside);
+    const std::string camera =
+        fmt::format("{},{},{}", f.rig.camera.at[0], f.rig.camera.at[1], f.rig.camera.at[2]);
+    expect_same(relit(f, {"--rig", beside_path, "--camera", camera}, "moved"), right, true);
+}
+
+TEST(CaptureRelight, ComparesWithTheResponseThatIsGiven) {
+    RelightFolder f;
+    const std::vector<Image> pictures = relit(f, {"--rig", f.rig_path}, "relit");
+    Rig stack = f.rig;
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+        Image image = pictures[k];
+        // sRGB codes of half the light, which nothing clips.
+        for (float& value : image.pixels) value = srgb_from_linear(std::min(value / 2, 0.9f));
+        stack.lights[k].images = {{f.folder.path(fmt::format("{}.png", k)), 1.0}};
+        write_image(stack.lights[k].images[0].image, image, {});
+        for (double& value : stack.lights[k].intensity) value = 0.5;
+    }
+    stack.response = RigResponse::linear;  // a lie
+    const std::string path = f.folder.path("stack.json"), out = f.folder.path("again");
+    write_rig(path, stack);
+    const auto psnr = [&](std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"relight", f.material_path, "--rig", path, "--compare", path, "-o", out});
+        const Outcome outcome = capture(more);
+        double value = 0.0;
+        EXPECT_EQ(
+            std::sscanf(outcome.output.c_str() + outcome.output.find("PSNR"), "PSNR %lf", &value),
+            1)
+            << outcome.output << outcome.complaint;
+        return value;
+    };
+    EXPECT_LT(psnr({}), 20.0);
+    EXPECT_GT(psnr({"--response", "srgb"}), 40.0);  // codes of 8 bits: 50 and more
+    expect_complaint(
+        capture({"relight", f.material_path, "--rig", path, "-o", out, "--response", "gamma"}), 2,
+        {"--response", "gamma"});
 }
 
 TEST(CaptureRelight, SaysHowTheSizesOfRigAndMaterialDiffer) {
