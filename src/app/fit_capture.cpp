@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/map_folder.hpp"
 #include "app/version.hpp"
 #include "burnish/error.hpp"
 #include "capture/coverage.hpp"
@@ -145,6 +146,7 @@ FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& p
     const Rig rig = read_rig(request.stack, true, request.overrides);
     report.warnings = rig.warnings;
     const fs::path stages = request.output.string() + ".stages";
+    const OutputFolder folder(stages);  // goes again when no stage came to an end
     CaptureFit fit(rig, request.settings, stages, progress);
     judge_stack(fit.stack(), request.stack.string(), report.warnings);
     const bool all = !request.until;

@@ -45,10 +45,11 @@ const char* extension_of(StackFormat format) {
 }
 
 // Codes of 0 to 1.
-void write_codes(const fs::path& path, Image image, StackFormat format, const Metadata& metadata) {
+void write_codes(const fs::path& temporary, const std::string& name, Image image,
+                 StackFormat format, const Metadata& metadata) {
     if (format == StackFormat::png8) {
         for (float& value : image.pixels) value = srgb_from_linear(value);
-        write_image(path, image, metadata);
+        write_image(temporary, image, metadata);
         return;
     }
     DataPicture picture = picture_of_rows(
@@ -58,9 +59,7 @@ void write_codes(const fs::path& path, Image image, StackFormat format, const Me
             std::copy_n(from, static_cast<std::ptrdiff_t>(end - begin) * image.width * 3, to);
         });
     picture.metadata = metadata;
-    write_file_whole(path, [&](const fs::path& temporary) {
-        write_data_picture(temporary, picture, path.string(), [](double) {});
-    });
+    write_data_picture(temporary, picture, name, [](double) {});
 }
 
 std::string truth_json(const SimulateCaptureRequest& request, const VirtualSample& sample) {
@@ -99,26 +98,39 @@ Image truth_map(const VirtualSample& sample,
     return image;
 }
 
-void write_truth(const SimulateCaptureRequest& request, const VirtualSample& sample,
-                 const Metadata& metadata, std::vector<fs::path>& written) {
+void add_truth(const SimulateCaptureRequest& request, const VirtualSample& sample,
+               const Metadata& metadata, std::vector<FileToWrite>& files) {
     const fs::path folder = request.output / "truth";
-    fs::create_directories(folder);
-    const auto write = [&](const char* name,
-                           const std::function<Vec3d(const VirtualTexel&)>& value) {
-        write_image(folder / name, truth_map(sample, value), metadata);
-        written.push_back(folder / name);
+    const auto add = [&](const char* name, const std::function<Vec3d(const VirtualTexel&)>& value) {
+        files.push_back({folder / name, [&sample, &metadata, value](const fs::path& path) {
+                             write_image(path, truth_map(sample, value), metadata);
+                         }});
     };
     const auto grey = [](double v) { return Vec3d{v, v, v}; };
-    write("class.exr", [&](const VirtualTexel& t) { return grey(t.ndf); });
-    write("grain_angle_deg.exr", [&](const VirtualTexel& t) {
+    add("class.exr", [grey](const VirtualTexel& t) { return grey(t.ndf); });
+    add("grain_angle_deg.exr", [grey](const VirtualTexel& t) {
         const double turns = t.grain / std::numbers::pi;
         return grey(180.0 * (turns - std::floor(turns)));
     });
-    write("diffuse.exr", [](const VirtualTexel& t) { return t.diffuse; });
-    write("specular.exr", [](const VirtualTexel& t) { return t.specular; });
-    write("normal.exr", [](const VirtualTexel& t) { return t.normal; });
-    write_text_file(folder / "truth.json", truth_json(request, sample));
-    written.push_back(folder / "truth.json");
+    add("diffuse.exr", [](const VirtualTexel& t) { return t.diffuse; });
+    add("specular.exr", [](const VirtualTexel& t) { return t.specular; });
+    add("normal.exr", [](const VirtualTexel& t) { return t.normal; });
+    files.push_back({folder / "truth.json", [&](const fs::path& path) {
+                         write_text_file(path, truth_json(request, sample));
+                     }});
+}
+
+// The rig that is written: its pictures, and intensities in the units of their codes.
+Rig written_rig(const SimulateCaptureRequest& request, const Rig& rig, double level) {
+    Rig out = rig;
+    out.response = request.format == StackFormat::png8 ? RigResponse::srgb : RigResponse::linear;
+    for (std::size_t k = 0; k < out.lights.size(); ++k) {
+        out.lights[k].images = {{request.output / "images" /
+                                     fmt::format("{:05}{}", k + 1, extension_of(request.format)),
+                                 1.0}};
+        for (double& intensity : out.lights[k].intensity) intensity /= level;
+    }
+    return out;
 }
 
 }  // namespace
@@ -127,36 +139,37 @@ SimulateCaptureReport simulate_capture(const SimulateCaptureRequest& request,
                                        const Progress& progress) {
     SimulateCaptureReport report;
     const VirtualSample sample = make_virtual_sample(request.preset, request.sample);
-    Rig rig = rig_of(request, sample);
+    const Rig rig = rig_of(request, sample);
     VirtualCamera camera = request.camera;
     const bool coded = request.format != StackFormat::exr;
     if (coded && camera.clip <= 0.0) camera.clip = kUsualClip;
     const double level = coded ? camera.clip * white_level(sample, rig) : 1.0;
-    rig.response = request.format == StackFormat::png8 ? RigResponse::srgb : RigResponse::linear;
-
-    const OutputFolder folder(request.output);
-    fs::create_directories(request.output / "images");
+    const Rig written = written_rig(request, rig, level);
     const Metadata metadata = {{"burnish:version", std::string(version())},
                                {"burnish:command", request.command}};
-    for (std::size_t k = 0; k < rig.lights.size(); ++k) {
-        progress.step("pictures", static_cast<double>(k) / static_cast<double>(rig.lights.size()));
-        Image image = virtual_picture(sample, rig, k, camera);
-        const fs::path path =
-            request.output / "images" / fmt::format("{:05}{}", k + 1, extension_of(request.format));
-        if (coded) {
-            for (float& value : image.pixels) value /= static_cast<float>(level);
-            write_codes(path, std::move(image), request.format, metadata);
-        } else {
-            write_image(path, image, metadata);
-        }
-        rig.lights[k].images = {{path, 1.0}};
+
+    const OutputFolder folder(request.output);
+    const OutputFolder images(request.output / "images"), truth(request.output / "truth");
+    // The first gets its name last: where rig.json is, the stack is whole.
+    std::vector<FileToWrite> files;
+    files.push_back(
+        {request.output / "rig.json", [&](const fs::path& path) { write_rig(path, written); }});
+    add_truth(request, sample, metadata, files);
+    for (const FileToWrite& file : files) report.written.push_back(file.path);
+    const std::size_t count = rig.lights.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const fs::path& name = written.lights[k].images.front().image;
+        files.push_back(
+            {name, [&, k, name](const fs::path& path) {
+                 progress.step("pictures", static_cast<double>(k) / static_cast<double>(count));
+                 Image image = virtual_picture(sample, rig, k, camera);
+                 if (!coded) return write_image(path, image, metadata);
+                 for (float& value : image.pixels) value /= static_cast<float>(level);
+                 write_codes(path, name.string(), std::move(image), request.format, metadata);
+             }});
     }
-    for (RigLight& light : rig.lights)
-        for (double& intensity : light.intensity) intensity /= level;
-    write_truth(request, sample, metadata, report.written);
-    write_rig(request.output / "rig.json", rig);
-    report.written.push_back(request.output / "rig.json");
-    report.pictures = rig.lights.size();
+    write_files_whole(files);
+    report.pictures = count;
     return report;
 }
 

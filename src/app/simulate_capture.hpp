@@ -32,7 +32,7 @@ struct SimulateCaptureReport {
     std::size_t pictures = 0;
 };
 
-// Pictures first, rig.json last: where it is, the stack is whole. Throws Error.
+// All or, when anything fails, none: an older stack of that folder stays whole. Throws Error.
 SimulateCaptureReport simulate_capture(const SimulateCaptureRequest& request,
                                        const Progress& progress);
 

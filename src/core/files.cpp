@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <optional>
 #include <random>
 #include <utility>
@@ -220,6 +221,55 @@ void commit(Temporary& temporary, const fs::path& target, const fs::path& path) 
     if (folder) flush_to_disk(folder);
 }
 
+fs::path folder_for_streams() {
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    return error ? fs::path("/tmp") : folder;
+}
+
+// A file that is written under another name until it gets its own.
+class Pending {
+  public:
+    explicit Pending(const fs::path& path)
+        : path_(path),
+          target_(checked_target(path)),
+          temporary_(folder(), path.extension(), path) {}
+
+    // Errors name the file that was asked for: the temporary's name tells nobody anything.
+    void write(const std::function<void(const fs::path&)>& writer) {
+        try {
+            writer(temporary_.name());
+        } catch (const UsageError&) {
+            throw;
+        } catch (const Error& error) {
+            std::string line = error.what();
+            const std::string name = temporary_.name().string();
+            const std::size_t at = line.find(name);
+            if (at == line.npos) throw;
+            throw Error(line.replace(at, name.size(), path_.string()));
+        }
+    }
+
+    void finish() {
+        if (target_.empty()) {
+            stream_bytes(path_, read_file(temporary_.name()));
+        } else {
+            commit(temporary_, target_, path_);
+        }
+    }
+
+  private:
+    static fs::path checked_target(const fs::path& path) {
+        if (takes_a_stream(path)) return {};
+        require_replaceable(path);
+        return replaced_file(path);
+    }
+    fs::path folder() const { return target_.empty() ? folder_for_streams() : folder_of(target_); }
+
+    fs::path path_, target_;  // target_: empty for a device or a pipe
+    Temporary temporary_;
+};
+
 }  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::uintmax_t limit_bytes) {
@@ -258,28 +308,18 @@ std::string read_text_file(const fs::path& path, std::uintmax_t limit_bytes) {
 }
 
 void write_file_whole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    if (takes_a_stream(path)) {
-        std::error_code error;
-        const fs::path folder = fs::temp_directory_path(error);
-        const Temporary temporary(error ? "/tmp" : folder, path.extension(), path);
-        write(temporary.name());
-        stream_bytes(path, read_file(temporary.name()));
-        return;
-    }
-    require_replaceable(path);
-    const fs::path target = replaced_file(path);
-    Temporary temporary(folder_of(target), path.extension(), path);
-    write(temporary.name());
-    commit(temporary, target, path);
+    Pending file(path);
+    file.write(write);
+    file.finish();
 }
 
 void write_files_whole(std::span<const FileToWrite> files) {
-    if (files.empty()) return;
-    // Each file waits for the rest of the list before it gets its name.
-    write_file_whole(files.front().path, [&](const fs::path& temporary) {
-        files.front().write(temporary);
-        write_files_whole(files.subspan(1));
-    });
+    std::deque<Pending> pending;
+    for (const FileToWrite& file : files) pending.emplace_back(file.path).write(file.write);
+    while (!pending.empty()) {
+        pending.back().finish();
+        pending.pop_back();
+    }
 }
 
 void write_bytes(const fs::path& path, std::span<const std::byte> bytes) {

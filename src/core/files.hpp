@@ -29,7 +29,8 @@ std::vector<std::byte> read_file_head(const std::filesystem::path& path, std::si
 // Calls `write(temporary path in the same folder, same extension)`, flushes it to disk and renames
 // it over `path` (over the file a symbolic link points to), keeping the old file's permissions.
 // When `write` or the flush throws, or the disk is full, the temporary is removed and the old file
-// is left as it was. `write` itself must notice its short writes. Devices and pipes (/dev/full,
+// is left as it was; an Error that names the temporary is thrown on with `path` in its place.
+// `write` itself must notice its short writes. Devices and pipes (/dev/full,
 // /dev/stdout) receive a copy of the temporary, every write checked.
 void write_file_whole(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -192,6 +193,12 @@ void encode(const std::vector<ImagePart>& parts, const std::string& target,
         throw Error(name, "", "to encode an OpenEXR image of several parts",
                     one_line(output ? output->geterror() : OIIO::geterror()));
     };
+    // OpenEXR says what the system said, in many words.
+    const auto unwritable = [&] {
+        const int reason = errno;
+        if (reason != ENOSPC && reason != EFBIG && reason != EDQUOT) wrong();
+        throw Error(name, "", "a file that can be written", reason_of(reason));
+    };
     if (!output || !output->supports("multiimage")) wrong();
     int full_width = 0, full_height = 0;
     for (const ImagePart& part : parts) {
@@ -200,12 +207,14 @@ void encode(const std::vector<ImagePart>& parts, const std::string& target,
     }
     std::vector<OIIO::ImageSpec> specs;
     for (const ImagePart& part : parts) specs.push_back(spec_of(part, full_width, full_height));
-    if (!output->open(target, static_cast<int>(specs.size()), specs.data())) wrong();
+    errno = 0;
+    if (!output->open(target, static_cast<int>(specs.size()), specs.data())) unwritable();
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i > 0 && !output->open(target, specs[i], OIIO::ImageOutput::AppendSubimage)) wrong();
-        if (!output->write_image(OIIO::TypeFloat, interleaved(parts[i]).data())) wrong();
+        if (i > 0 && !output->open(target, specs[i], OIIO::ImageOutput::AppendSubimage))
+            unwritable();
+        if (!output->write_image(OIIO::TypeFloat, interleaved(parts[i]).data())) unwritable();
     }
-    if (!output->close() || output->has_error()) wrong();
+    if (!output->close() || output->has_error()) unwritable();
 }
 
 }  // namespace

@@ -120,6 +120,45 @@ TEST(WriteFile, KeepsTheOldFileWhenTheWriterThrows) {
     EXPECT_EQ(folder.entries(), 1U);
 }
 
+// The temporary's name would tell nobody which file it was, and is gone.
+TEST(WriteFile, ErrorsNameTheFileThatWasAskedFor) {
+    const TemporaryFolder folder;
+    try {
+        write_file_whole(folder / "new.txt", [](const fs::path& temporary) {
+            write_file_whole(temporary, [](const fs::path& inner) {
+                throw Error(inner.string(), "", "room", "none");
+            });
+        });
+        ADD_FAILURE() << "nothing was thrown";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  (folder / "new.txt").string() + ": expected room, found none");
+    }
+}
+
+TEST(WriteFiles, AllOrNone) {
+    const TemporaryFolder folder;
+    const fs::path first = folder / "first", second = folder / "second";
+    write_text_file(first, "old");
+    const auto text = [](const char* words) {
+        return [words](const fs::path& path) { write_text_file(path, words); };
+    };
+    const auto fails = [](const fs::path&) { throw Error("no"); };
+    EXPECT_THROW(write_files_whole(std::vector<FileToWrite>{{first, text("a")}, {second, fails}}),
+                 Error);
+    EXPECT_EQ(read_text_file(first), "old");
+    EXPECT_FALSE(fs::exists(second));
+    // A folder in the way of the first is seen before anything has a name.
+    fs::create_directory(folder / "in the way");
+    EXPECT_THROW(write_files_whole(std::vector<FileToWrite>{{folder / "in the way", text("a")},
+                                                            {second, text("b")}}),
+                 Error);
+    EXPECT_FALSE(fs::exists(second));
+    write_files_whole(std::vector<FileToWrite>{{first, text("a")}, {second, text("b")}});
+    EXPECT_EQ(read_text_file(first), "a");
+    EXPECT_EQ(read_text_file(second), "b");
+}
+
 TEST(WriteFile, FollowsLinksToTheirFile) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "there");
