@@ -25,6 +25,9 @@ namespace {
 
 // Bytes of training samples in memory at most.
 constexpr std::size_t kTrainingBytes = std::size_t{256} << 20;
+// Training points where nobody says how many: the figures of docs/capture.md are from a tenth of
+// these samples, and their cost is that of so many.
+constexpr std::size_t kUsualPoints = 8192, kUsualSamples = 4000000;
 constexpr std::size_t kCandidates = 3, kDoubtCandidates = 8;
 // A texel whose error is so many times the training points' mean is tried at every turn, in steps
 // of so many columns.
@@ -104,8 +107,11 @@ std::vector<std::size_t> CaptureFit::training_pixels() const {
     for (std::size_t p = 0; p < stack_->pixels(); ++p)
         if (stack_->mask()[p]) all.push_back(p);
     const std::size_t fits = std::max<std::size_t>(kTrainingBytes / (12 * stack_->lights()), 16);
-    const std::size_t most =
-        std::min({static_cast<std::size_t>(settings_.training_points), all.size(), fits});
+    const std::size_t wanted =
+        settings_.training_points > 0
+            ? static_cast<std::size_t>(settings_.training_points)
+            : std::min(kUsualPoints, std::max<std::size_t>(kUsualSamples / stack_->lights(), 16));
+    const std::size_t most = std::min({wanted, all.size(), fits});
     if (most == all.size()) return all;
     // Steps of an irrational share do not fall in with rows.
     std::vector<std::size_t> chosen(most);

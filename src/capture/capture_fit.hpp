@@ -25,10 +25,11 @@ struct CaptureFitSettings {
     int exemplars = 64;         // at most
     std::optional<double> eta;  // none: estimated; 0: no Fresnel
     std::uint64_t seed = 1;
-    int hold_out = 0;            // every n-th light takes no part and judges; 0: none
-    int training_points = 8192;  // at most, from which exemplars are made
-    bool normals = false;        // let normals tilt; else the sample is flat
-    bool models = true;          // analytic models of every texel too (parametric_fit.hpp)
+    int hold_out = 0;  // every n-th light takes no part and judges; 0: none
+    // From which exemplars are made, at most; 0: 8192, and no more than have 4 million samples.
+    int training_points = 0;
+    bool normals = false;  // let normals tilt; else the sample is flat
+    bool models = true;    // analytic models of every texel too (parametric_fit.hpp)
 };
 
 struct CaptureFitReport {
