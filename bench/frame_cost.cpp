@@ -25,7 +25,7 @@ Row compare(FrameBench& bench, std::string_view subject, std::string_view base) 
 
 bool is_method(const Technique& technique) {
     return technique.variant == gpu::ShadingVariant::full && !technique.lit_by_image() &&
-           technique.method != Method::normal_map;
+           !technique.tabulated() && technique.method != Method::normal_map;
 }
 
 }  // namespace
@@ -41,6 +41,11 @@ void measure_frames(Report& report) {
             Row row = compare(bench, technique.name, "normal-map");
             row.work = fmt::format("{} against normal-map, {}", technique.name, size);
             row.budget = budget;
+            report.rows.push_back(row);
+        }
+        for (const char* name : {"tabulated", "tabulated-one"}) {
+            Row row = compare(bench, name, "normal-map");
+            row.work = fmt::format("{} against normal-map, {}", name, size);
             report.rows.push_back(row);
         }
         Row against_gouraud = compare(bench, "normal-map", "gouraud");

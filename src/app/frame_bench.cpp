@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 
+#include "app/frame_tabulated.hpp"
 #include "burnish/error.hpp"
 #include "core/memory.hpp"
 #include "scene/load.hpp"
@@ -16,16 +18,20 @@ using gpu::ImageLight;
 using gpu::ShadingVariant;
 
 constexpr Technique by_method(Method method, std::string_view name) {
-    return {name, method, ShadingVariant::full, ImageLight::off};
+    return {name, method, ShadingVariant::full, ImageLight::off, BenchMaterial::steel};
 }
 
 constexpr Technique by_image(std::string_view name, ImageLight light) {
-    return {name, Method::follow_grain, ShadingVariant::full, light};
+    return {name, Method::follow_grain, ShadingVariant::full, light, BenchMaterial::steel};
 }
 
-constexpr std::array<Technique, 13> kTechniques = {{
-    {"gouraud", Method::normal_map, ShadingVariant::gouraud, ImageLight::off},
-    {"aniso", Method::none, ShadingVariant::anisotropic, ImageLight::off},
+constexpr Technique by_table(std::string_view name, BenchMaterial material) {
+    return {name, Method::follow_grain, ShadingVariant::full, ImageLight::off, material};
+}
+
+constexpr std::array<Technique, 15> kTechniques = {{
+    {"gouraud", Method::normal_map, ShadingVariant::gouraud, ImageLight::off, BenchMaterial::steel},
+    {"aniso", Method::none, ShadingVariant::anisotropic, ImageLight::off, BenchMaterial::steel},
     by_method(Method::normal_map, "normal-map"),
     by_method(Method::gram_schmidt, "gram-schmidt"),
     by_method(Method::rotate_exact, "rotate-exact"),
@@ -37,6 +43,8 @@ constexpr std::array<Technique, 13> kTechniques = {{
     by_image("image-importance", ImageLight::importance),
     by_image("image-prefiltered", ImageLight::prefiltered),
     by_image("image-bent-normal", ImageLight::bent_normal),
+    by_table("tabulated", BenchMaterial::texels),
+    by_table("tabulated-one", BenchMaterial::one_texel),
 }};
 
 constexpr const char* kMesh = "builtin:torus";
@@ -56,6 +64,10 @@ Scene make_scene(int triangles) {
     light.direction = {-0.4f, -0.6f, -0.7f};
     light.intensity = 3.0f;
     scene.lights = {light};
+    // Not on the mesh: so that the normal map is there as tables read it too, without the moments
+    // that widen lobes.
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials.back().normal_filter = NormalFilter::mips;
     return scene;
 }
 
@@ -116,9 +128,13 @@ void require_size(const gpu::Context& context, const FrameCase& frame_case) {
 }
 
 FrameSubject frame_subject() {
-    return {kMesh,        "steel, ashikhmin-shirley e_x 200, e_y 10",
-            kNormalMap,   "one directional light, no shadows",
-            kEnvironment, gpu::RenderOptions{}.image_light_samples};
+    return {kMesh,
+            "steel, ashikhmin-shirley e_x 200, e_y 10",
+            kNormalMap,
+            "one directional light, no shadows",
+            kEnvironment,
+            "4 exemplars of 32 x 96 on 64 x 64 texels, and one on one texel",
+            gpu::RenderOptions{}.image_light_samples};
 }
 
 struct FrameBench::Stage {
@@ -126,8 +142,24 @@ struct FrameBench::Stage {
         : scene(make_scene(frame_case.triangles)),
           camera(camera_on(scene)),
           options(options_for(frame_case)),
+          steel(scene.materials[0]),
           environment(image_light ? load_environment(kEnvironment) : Environment{}),
           renderer(context, scene, image_light ? &environment : nullptr) {}
+
+    // A tabulated one is made when it is first asked for.
+    Material material_of(const Technique& technique) {
+        Material material = steel;
+        material.method = technique.method;
+        if (!technique.tabulated()) return material;
+        std::shared_ptr<const TabulatedMaterial>& table = tables[technique.material];
+        if (!table) {
+            table = std::make_shared<const TabulatedMaterial>(
+                technique.material == BenchMaterial::one_texel ? bench_material_of_one()
+                                                               : bench_material_of_texels());
+        }
+        material.tabulated = table;
+        return material;
+    }
 
     std::size_t count_covered() {
         gpu::RenderOptions plain = options;
@@ -141,6 +173,8 @@ struct FrameBench::Stage {
     Scene scene;
     Camera camera;
     gpu::RenderOptions options;
+    Material steel;
+    std::map<BenchMaterial, std::shared_ptr<const TabulatedMaterial>> tables;
     Environment environment;
     gpu::Renderer renderer;
 };
@@ -160,7 +194,7 @@ gpu::FrameTimes FrameBench::time(const Technique& technique, int frames) {
     if (technique.lit_by_image() && stage_->environment.radiance.empty())
         throw Error(std::string(technique.name), "", "a bench made with image light",
                     "one without");
-    for (Material& material : stage_->scene.materials) material.method = technique.method;
+    stage_->scene.materials.assign(stage_->scene.materials.size(), stage_->material_of(technique));
     stage_->renderer.set_materials(stage_->scene.materials);
     stage_->options.image_light = technique.image_light;
     // A single frame is as long as a sample should be: the state it finds is a small part of it.

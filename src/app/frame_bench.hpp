@@ -17,17 +17,23 @@
 
 namespace burnish {
 
+// Of what the torus is: the brushed steel, or a table of distributions (app/frame_tabulated.hpp).
+enum class BenchMaterial { steel, texels, one_texel };
+
 struct Technique {
     std::string_view name;
     Method method;
     gpu::ShadingVariant variant;
     gpu::ImageLight image_light;
+    BenchMaterial material;
 
+    bool tabulated() const { return material != BenchMaterial::steel; }
     bool lit_by_image() const { return image_light != gpu::ImageLight::off; }
 };
 
 // gouraud, aniso (the anisotropic lobe without the normal map), every method that reads the map,
-// and follow-grain under image light in three ways.
+// follow-grain under image light in three ways, and follow-grain of tabulated materials of many
+// texels and of one.
 std::span<const Technique> techniques();
 // Throws UsageError that suggests the nearest and names `where`.
 const Technique& technique_named(std::string_view name, std::string_view where);
@@ -43,7 +49,7 @@ void require_size(const gpu::Context& context, const FrameCase& frame_case);
 
 // What is drawn, in words for a report.
 struct FrameSubject {
-    std::string mesh, material, normal_map, light, environment;
+    std::string mesh, material, normal_map, light, environment, tabulated;
     int image_light_samples = 0;
 };
 FrameSubject frame_subject();

@@ -1,5 +1,6 @@
 // The result of `burnish bench frame` as a bar chart: a panel a case, two panels a row. The bars of
-// one light share one scale over all panels; image light costs many times as much and has its own.
+// one light share one scale over all panels; image light and tables cost many times as much and
+// have their own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ struct Bar {
 
 struct Panel {
     std::string title;
-    std::vector<Bar> one_light, image_light;
+    std::vector<Bar> one_light, image_light, tabulated;
 };
 
 struct Scale {
@@ -59,8 +60,14 @@ std::string escaped(std::string_view text) {
 
 const char* color_of(const Technique& technique) {
     if (technique.lit_by_image()) return "#d55e00";
+    if (technique.tabulated()) return "#7b5ea7";
     if (technique.variant != gpu::ShadingVariant::full) return "#8b929b";
     return technique.method == Method::normal_map ? "#0072b2" : "#1b8a6b";
+}
+
+std::vector<Bar>& bars_for(Panel& panel, const Technique& technique) {
+    if (technique.lit_by_image()) return panel.image_light;
+    return technique.tabulated() ? panel.tabulated : panel.one_light;
 }
 
 Panel panel_of(const FrameCaseCost& of, Clock clock) {
@@ -70,8 +77,8 @@ Panel panel_of(const FrameCaseCost& of, Clock clock) {
     for (const TechniqueCost& cost : of.costs) {
         const Estimated value = of.against_gouraud(cost, clock);
         if (!value) continue;
-        auto& bars = cost.technique.lit_by_image() ? panel.image_light : panel.one_light;
-        bars.push_back({cost.technique.name, *value, k12_cost(cost.technique.name),
+        bars_for(panel, cost.technique)
+            .push_back({cost.technique.name, *value, k12_cost(cost.technique.name),
                         color_of(cost.technique), cost.samples.empty()});
     }
     return panel;
@@ -157,16 +164,18 @@ double draw_bars(const std::vector<Bar>& bars, const Scale& scale, double y, std
 
 double height_of(const Panel& panel) {
     double height = kTitle;
-    for (const auto* bars : {&panel.one_light, &panel.image_light})
+    for (const auto* bars : {&panel.one_light, &panel.image_light, &panel.tabulated})
         if (!bars->empty()) height += kRow * static_cast<double>(bars->size()) + kAxis;
     return height;
 }
 
-std::string draw_panel(const Panel& panel, const Scale& one_light, const Scale& image_light) {
+std::string draw_panel(const Panel& panel, const Scale& one_light, const Scale& image_light,
+                       const Scale& tabulated) {
     std::string svg = text_at(kLabels, 18, "start", 14, panel.title);
     double y = kTitle;
     if (!panel.one_light.empty()) y += draw_bars(panel.one_light, one_light, y, svg);
-    if (!panel.image_light.empty()) draw_bars(panel.image_light, image_light, y, svg);
+    if (!panel.image_light.empty()) y += draw_bars(panel.image_light, image_light, y, svg);
+    if (!panel.tabulated.empty()) draw_bars(panel.tabulated, tabulated, y, svg);
     return svg;
 }
 
@@ -192,6 +201,7 @@ std::string frame_cost_svg(const FrameCost& cost) {
     for (const FrameCaseCost& of : cost.cases) panels.push_back(panel_of(of, cost.clock()));
     const Scale one_light = shared_scale(panels, &Panel::one_light);
     const Scale image_light = shared_scale(panels, &Panel::image_light);
+    const Scale tabulated = shared_scale(panels, &Panel::tabulated);
 
     const std::size_t columns = panels.size() > 1 ? 2 : 1;
     std::string body;
@@ -202,7 +212,7 @@ std::string frame_cost_svg(const FrameCost& cost) {
         row_height = std::max(column == 0 ? 0.0 : row_height, height_of(panels[i]));
         body += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n{}</g>\n",
                             kMargin + static_cast<double>(column) * (kPanelWidth + kGap), y,
-                            draw_panel(panels[i], one_light, image_light));
+                            draw_panel(panels[i], one_light, image_light, tabulated));
     }
     const double width = 2 * kMargin + static_cast<double>(columns) * (kPanelWidth + kGap) - kGap;
     const double height = y + row_height + kMargin;

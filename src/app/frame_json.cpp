@@ -102,6 +102,7 @@ ordered_json subject_json() {
             {"normal_map", s.normal_map},
             {"light", s.light},
             {"environment", s.environment},
+            {"tabulated", s.tabulated},
             {"image_light_samples", s.image_light_samples}};
 }
 

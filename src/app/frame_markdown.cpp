@@ -114,10 +114,11 @@ std::string frame_cost_markdown(const FrameCost& cost) {
     for (const std::string& warning : cost.warnings) text += "\nNote: " + warning + ".\n";
     const FrameSubject s = frame_subject();
     text += fmt::format(
-        "\nScene: {}, {}, normal map {}, {}; image light: {}, {} samples by importance. K11 Fig 11 "
+        "\nScene: {}, {}, normal map {}, {}; image light: {}, {} samples by importance; "
+        "tabulated: {}. K11 Fig 11 "
         "gives no figures in the text we hold; it says that {}.\n",
         s.mesh, s.material, s.normal_map, s.light, s.environment, s.image_light_samples,
-        kK11Figure11);
+        s.tabulated, kK11Figure11);
     for (const FrameCaseCost& of : cost.cases) text += case_text(of, cost.clock());
     return text;
 }

@@ -14,7 +14,9 @@
 #include "../cli/program.hpp"
 #include "../gpu/gpu_fixture.hpp"
 #include "app/frame_papers.hpp"
+#include "app/frame_tabulated.hpp"
 #include "core/statistics.hpp"
+#include "scene/tabulated_check.hpp"
 
 namespace burnish::test {
 namespace {
@@ -235,6 +237,23 @@ TEST(FrameCost, AnOutputThatCannotBeWrittenIsSaidFirst) {
     const Folder folder;
     std::filesystem::create_directory(folder.path("f.md"));
     expect_complaint(run_burnish({"bench", "frame", "-o", folder.path("f.json")}), 1, {"f.md"});
+}
+
+// A material that a file could hold, and the dear case: neighbours that share nothing.
+TEST(FrameCost, MeasuredMaterialsOfTheBenchAreSoundAndVaryFromTexelToTexel) {
+    const TabulatedMaterial many = bench_material_of_texels();
+    EXPECT_NO_THROW(check_tabulated_material("many", many));
+    EXPECT_NO_THROW(check_tabulated_material("one", bench_material_of_one()));
+    EXPECT_EQ(bench_material_of_one().texels(), 1u);
+    EXPECT_EQ(std::set(many.exemplar.begin(), many.exemplar.end()).size(), 4u);
+    std::size_t alike = 0;
+    for (std::size_t i = 1; i < many.texels(); ++i) {
+        const float turn = std::fabs(many.angle[i] - many.angle[i - 1]);
+        // Of the field in the code 0.05 from one to the next, and 0.07 from row to row.
+        EXPECT_LT(turn, 0.13F) << i;
+        alike += many.exemplar[i] == many.exemplar[i - 1] && turn == 0.0F ? 1 : 0;
+    }
+    EXPECT_LT(alike, many.texels() / 50);  // the crests of the field
 }
 
 // Table I against itself: 1004 / 968, / 647, / 642.

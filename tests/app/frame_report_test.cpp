@@ -115,6 +115,25 @@ TEST(FrameReport, TheChartHasABarAndTheFigureForEach) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+// On the scale of the methods these would leave no bars to see.
+TEST(FrameReport, TablesHaveBarsOfTheirOwnScale) {
+    FrameCost cost = made_up();
+    const auto width_of = [&](const char* name) {
+        const std::string svg = frame_cost_svg(cost);
+        const std::size_t label = svg.find(std::string(">") + name + "<");
+        const std::size_t at = svg.find(" width=\"", svg.find("<rect", label));
+        return label == std::string::npos ? 0.0 : std::stod(svg.substr(at + 8));
+    };
+    const double before = width_of("rotate-approx");
+    cost.cases[0].costs.push_back(
+        cost_of({"gouraud", "normal-map", "tabulated"}, {{4, 8, 12}, {8, 16, 24}, {80, 160, 240}}));
+    EXPECT_GT(before, 100.0);
+    EXPECT_EQ(width_of("rotate-approx"), before);
+    EXPECT_GT(width_of("tabulated"), before);
+    EXPECT_NE(frame_cost_markdown(cost).find("| tabulated | 20.00 ± 0.00 | 20.00 | 10.00 ± 0.00 |"),
+              std::string::npos);
+}
+
 // One technique by the device's clock and another by the wall's would not be comparable.
 TEST(FrameReport, ATimerThatFallsSilentIsNotUsedForAny) {
     FrameCost sound = made_up();
