@@ -1,6 +1,6 @@
 // The specular term of a distribution given as a table (TABULATED), and its sampling. m.table and
-// m.areas: where the exemplar's block begins; m.groove: the turn from the lobe's x axis to the
-// table's. src/gpu/tabulated_maps.hpp says what the textures hold.
+// m.areas: where the exemplar's block begins; m.groove: from the lobe's x axis to the table's,
+// in turns. src/gpu/tabulated_maps.hpp says what the textures hold.
 
 uniform highp sampler2D u_tabulated_tables;
 uniform highp sampler2D u_tabulated_areas;
@@ -9,39 +9,39 @@ uniform vec2 u_tabulated_fresnel;   // refractive index (0: no Fresnel), 1/F at 
 
 const ivec2 kAreaGrid = ivec2(32, 16);  // of ndf_grid.hpp
 
-// Between rows as `row` says, between columns as the azimuth does, all around.
-float block_at(highp sampler2D map, ivec2 block, ivec2 size, float row, float phi) {
-    float turns = phi / (2.0 * kPi);
+// Between rows as `row` says, between columns as the azimuth does, all around; each texel has the four
+// values that this asks for.
+float block_at(highp sampler2D map, ivec2 block, ivec2 size, float row, float turns) {
     float column = (turns - floor(turns)) * float(size.x);
     int left = min(int(column), size.x - 1);
-    int right = left + 1 == size.x ? 0 : left + 1;
     int low = min(int(row), size.y - 2);
-    float t = column - float(left);
-    float a = mix(texelFetch(map, block + ivec2(left, low), 0).r,
-                  texelFetch(map, block + ivec2(right, low), 0).r, t);
-    float b = mix(texelFetch(map, block + ivec2(left, low + 1), 0).r,
-                  texelFetch(map, block + ivec2(right, low + 1), 0).r, t);
-    return mix(a, b, row - float(low));
+    vec4 four = texelFetch(map, block + ivec2(left, low), 0);
+    vec2 rows = mix(four.xz, four.yw, column - float(left));
+    return mix(rows.x, rows.y, row - float(low));
 }
 
 // Measured at normal incidence, and elsewhere what a smooth dielectric makes of it.
-vec3 specular_fresnel(Shading m, float cos_h) {
+float tabulated_fresnel(float cos_h) {
     float eta = max(u_tabulated_fresnel.x, 1.0);
     float rise = fresnel_conductor(eta, 0.0, cos_h) * u_tabulated_fresnel.y;
-    return m.specular * (u_tabulated_fresnel.x > 0.0 ? rise : 1.0);
+    return u_tabulated_fresnel.x > 0.0 ? rise : 1.0;
+}
+
+vec3 specular_fresnel(Shading m, float cos_h) {
+    return m.specular * tabulated_fresnel(cos_h);
 }
 
 float tabulated_D(Shading m, LobePoint q) {
     float rings = float(u_tabulated_grid.y);
     float row = clamp(tabulated_u(q) * rings - 0.5, 0.0, rings - 1.0);
-    float phi = tabulated_phi(q.x, q.y) + m.groove;
-    return q.weight * block_at(u_tabulated_tables, m.table, u_tabulated_grid, row, phi);
+    float turns = tabulated_turns(q.x, q.y) + m.groove;
+    return q.weight * block_at(u_tabulated_tables, m.table, u_tabulated_grid, row, turns);
 }
 
 float tabulated_seen(Shading m, vec3 w) {
     float row = tabulated_s(w) * float(kAreaGrid.y - 1);
-    float phi = tabulated_phi(w.x, w.y) + m.groove;
-    return tabulated_area(block_at(u_tabulated_areas, m.areas, kAreaGrid, row, phi), w);
+    float turns = tabulated_turns(w.x, w.y) + m.groove;
+    return tabulated_area(block_at(u_tabulated_areas, m.areas, kAreaGrid, row, turns), w);
 }
 
 float specular_eval(Shading m, Perturbation p, vec3 wi, vec3 wo) {
@@ -54,9 +54,9 @@ float specular_eval(Shading m, Perturbation p, vec3 wi, vec3 wo) {
 // Of each table x: shares of a ring's cells so far, y: the density that draws have in the cell.
 uniform highp sampler2D u_tabulated_draws;
 
-// Rows of an exemplar's block of areas: the areas, the groove, and shares of the rings so far.
+// Rows of an exemplar's block of areas: the areas, and shares of the rings so far.
 float rings_so_far(Shading m, int ring) {
-    ivec2 at = ivec2(ring % kAreaGrid.x, kAreaGrid.y + 1 + ring / kAreaGrid.x);
+    ivec2 at = ivec2(ring % kAreaGrid.x, kAreaGrid.y + ring / kAreaGrid.x);
     return texelFetch(u_tabulated_areas, m.areas + at, 0).r;
 }
 
@@ -109,13 +109,13 @@ vec3 tabulated_base_sample(Shading m, vec2 xi) {
     float fall = mix(ring_edge(ring), ring_edge(ring + 1), along);
     float sine = sqrt(max(fall * (2.0 - fall), 0.0));
     float turns = (float(column) - 0.5 + across) / float(u_tabulated_grid.x);
-    float phi = 2.0 * kPi * turns - m.groove;
+    float phi = 2.0 * kPi * (turns - m.groove);
     return vec3(sine * cos(phi), sine * sin(phi), max(1.0 - fall, 1e-6));
 }
 
 float tabulated_base_pdf(Shading m, LobePoint q) {
     int ring = min(int(tabulated_u(q) * float(u_tabulated_grid.y)), u_tabulated_grid.y - 1);
-    float turns = (tabulated_phi(q.x, q.y) + m.groove) / (2.0 * kPi);
+    float turns = tabulated_turns(q.x, q.y) + m.groove;
     float place = (turns - floor(turns)) * float(u_tabulated_grid.x) + 0.5;
     int column = int(place) % u_tabulated_grid.x;
     return q.weight * texelFetch(u_tabulated_draws, m.table + ivec2(column, ring), 0).g;

@@ -4,9 +4,8 @@
 // samples) is wider than a texel, 4 to 16 texels drawn evenly from its area: their mean over the samples
 // of a pixel is the mean over all texels.
 
-uniform highp usampler2D u_tabulated_texels;  // x: exemplar, angle; y: normal
-uniform sampler2D u_tabulated_diffuse;
-uniform sampler2D u_tabulated_specular;
+uniform highp usampler2D u_tabulated_texels;  // tabulated_maps.hpp
+uniform highp usampler2D u_tabulated_colors;
 uniform int u_tabulated_columns;              // of blocks beside one another
 uniform float u_tabulated_part;               // side of a sample's share of the pixel
 uniform int u_tabulated_one;                  // 1 where all texels are one
@@ -24,71 +23,152 @@ vec2 tabulated_uv(Surface s) {
 #endif
 }
 
-vec3 texel_normal(uint bits) {
-    vec2 xy = (vec2(float(int(bits & 0xffffu)), float(int(bits >> 16))) - 32768.0) / 32767.0;
-    // 0.03: as normal_of_texel.
-    return normalize(vec3(xy, max(sqrt(max(1.0 - dot(xy, xy), 0.0)), 0.03)));
+// Two numbers of [-1, 1].
+vec2 pair_of(uint bits) {
+    return (vec2(float(int(bits & 0xffffu)), float(int(bits >> 16))) - 32768.0) * (1.0 / 32767.0);
 }
 
-// Makes `m`, whose n is the normal map's, the material at a texel. False where nothing was measured.
-bool put_texel(inout Shading m, vec2 whole) {
+// Not unit where it is steep.
+vec3 texel_normal(uint bits) {
+    vec2 xy = pair_of(bits);
+    // 0.03: as normal_of_texel.
+    return vec3(xy, max(sqrt(max(1.0 - dot(xy, xy), 0.0)), 0.03));
+}
+
+// Of half floats that are not negative: their bits are those of a float 2^112 times as small.
+vec3 color_of(uint r, uint g, uint b) {
+    return vec3(uintBitsToFloat((r & 0xffffu) << 13), uintBitsToFloat((g & 0xffffu) << 13),
+                uintBitsToFloat((b & 0xffffu) << 13)) * 5.192296858534828e33;
+}
+
+// Makes `m`, whose n is the normal map's, the material at a texel; 0 where nothing was measured, and
+// then it is some other. No branches: software renderers go through both sides.
+float put_texel(inout Shading m, vec2 whole) {
     vec2 size = vec2(textureSize(u_tabulated_texels, 0));
     // 0.5: so that a quotient of whole numbers is never rounded down to the one before.
     vec2 cell = whole - size * floor((whole + 0.5) / size);
     ivec2 at = ivec2(clamp(cell, vec2(0.0), size - 1.0));
-    uvec2 bits = texelFetch(u_tabulated_texels, at, 0).rg;
+    uvec4 bits = texelFetch(u_tabulated_texels, at, 0);
     int exemplar = int(bits.x & 0xffffu);
-    if (exemplar == 0xffff) { return false; }
-    ivec2 block = ivec2(exemplar % u_tabulated_columns, exemplar / u_tabulated_columns);
+    bool measured = exemplar != 0xffff;
+    exemplar = measured ? exemplar : 0;
+    // By float, exact for 16 bits: software renderers divide integers one by one.
+    int row = int((float(exemplar) + 0.5) / float(u_tabulated_columns));
+    ivec2 block = ivec2(exemplar - row * u_tabulated_columns, row);
     m.table = block * u_tabulated_grid;
     m.areas = block * ivec2(kAreaGrid.x, u_tabulated_area_rows);
-    m.base_color = texelFetch(u_tabulated_diffuse, at, 0).rgb;
-    m.specular = texelFetch(u_tabulated_specular, at, 0).rgb;
+    uvec4 colors = texelFetch(u_tabulated_colors, at, 0);
+    m.base_color = color_of(colors.x, colors.x >> 16, colors.y);
+    m.specular = color_of(colors.y >> 16, colors.z, colors.z >> 16);
     m.n = tabulated_normal(texel_normal(bits.y), m.n);
-    float angle = float(int(bits.x >> 16)) * (2.0 * kPi / 65536.0);
-    m.groove = 0.0;
-    if (METHOD == kMethodFollowGrain) {
-        // Turned so that the groove runs along the lobe's x axis.
-        m.groove = texelFetch(u_tabulated_areas, m.areas + ivec2(0, kAreaGrid.y), 0).r;
-    }
-    vec2 d = vec2(cos(angle + m.groove), sin(angle + m.groove));
+    // follow-grain is turned so that the groove runs along the lobe's x axis.
+    bool along_groove = METHOD == kMethodFollowGrain;
+    m.groove = along_groove ? float(int(bits.x >> 16)) * (1.0 / 65536.0) : 0.0;
+    vec2 d = pair_of(along_groove ? bits.w : bits.z);
     vec2 r = u_anisotropy_direction;
     m.direction = vec2(d.x * r.x - d.y * r.y, d.x * r.y + d.y * r.x);
-    return true;
+    return measured ? 1.0 : 0.0;
 }
 
 // Where in its part of the pixel a tap lies. Multiples of sqrt(2) and sqrt(3): uneven with those that
 // choose directions.
-vec2 tap_place(Rotation rotation, int tap) {
+vec2 tap_place(uvec2 pixel, int tap) {
+    Rotation rotation = rotation_of_pixel(pixel, u_seed);
     uint index = u_frame * 16u + uint(tap);
     return vec2(unit_of(index * 1779033703u + rotation.y), unit_of(index * 3144134277u + rotation.z));
 }
 
+vec3 turned_direction(vec3 w, vec2 d) {
+    return vec3(w.x * d.x + w.y * d.y, w.y * d.x - w.x * d.y, w.z);
+}
+
+#if LIGHTS > 0
+// What all texels have in common; directions against the surface's axes.
+struct TexelLights {
+    vec3 wi[LIGHTS];
+    vec3 h[LIGHTS];
+    vec3 irradiance[LIGHTS];
+    float fresnel[LIGHTS];
+};
+
+TexelLights texel_lights(Surface s, Axes a, vec3 wo) {
+    TexelLights l;
+    for (int i = 0; i < LIGHTS; ++i) {
+        vec3 irradiance;
+        vec3 towards = light_direction(i, s.position, irradiance);
+#if SHADOW_MAPS > 0
+        irradiance *= light_reaches(i, s.position, a.z, towards);
+#endif
+        l.irradiance[i] = irradiance;
+        l.wi[i] = to_axes(a, towards);
+        l.h[i] = half_vector(l.wi[i] + wo, vec3(0.0, 0.0, 1.0));
+        l.fresnel[i] = tabulated_fresnel(max(dot(l.h[i], wo), 0.0));
+    }
+    return l;
+}
+
+// Directions against the texel's axes but for those of `l`.
+vec3 lit_texel(TexelLights l, Shading m, Perturbation p, vec3 wo) {
+    float cos_o = dot(p.n, wo);
+    float seen = tabulated_seen(m, perturb_direction(p, wo));
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < LIGHTS; ++i) {
+        vec3 wi = turned_direction(l.wi[i], m.direction);
+        float cos_i = dot(p.n, wi);
+        float D = tabulated_D(m, perturb_point(p, turned_direction(l.h[i], m.direction)));
+        float lit = tabulated_seen(m, perturb_direction(p, wi));
+        vec3 f = m.specular * (l.fresnel[i] * tabulated_brdf(D, lit, seen, cos_i, cos_o));
+        f += diffuse_color(m) * diffuse_eval(cos_i, cos_o);
+        sum += l.irradiance[i] * f * max(cos_i, 0.0);
+    }
+    return sum;
+}
+#endif
+
 vec3 reflected_by_texels(Surface s, Shading m, Axes a) {
+    vec3 wo = to_axes(a, s.to_eye);
+#if LIGHTS > 0
+    TexelLights lights = texel_lights(s, a, wo);
+#endif
     vec2 at = tabulated_uv(s) * vec2(textureSize(u_tabulated_texels, 0));
     vec2 right = dFdx(at) * u_tabulated_part;
     vec2 up = dFdy(at) * u_tabulated_part;
     float extent = sqrt(max(dot(right, right), dot(up, up)));
     bool wide = extent > 1.0;
-    int side = wide ? clamp(int(min(ceil(extent), 4.0)), 2, 4) : 2;
-    m.taps = u_tabulated_one > 0 ? 1 : side * side;
-    Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
+    float side = wide ? min(ceil(extent), 4.0) : 2.0;
+    m.taps = u_tabulated_one > 0 ? 1 : int(side * side);
     vec2 first = floor(at - 0.5);
     vec2 between = at - 0.5 - first;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
+    vec2 corner = vec2(0.0);
     for (int tap = 0; tap < m.taps; ++tap) {
-        vec2 corner = vec2(float(tap % side), float(tap / side));
+        vec2 cell = first + corner;
+        // A loop that runs once or not at all: software renderers leave a loop, but go through both
+        // sides of an `if`.
+        for (int i = wide ? 0 : 1; i < 1; ++i) {
+            vec2 place = (corner + tap_place(s.pixel, tap)) / side - 0.5;
+            cell = floor(at + right * place.x + up * place.y);
+        }
         vec2 share = mix(1.0 - between, between, corner);
-        vec2 place = (corner + tap_place(rotation, tap)) / float(side) - 0.5;
-        vec2 cell = wide ? floor(at + right * place.x + up * place.y) : first + corner;
         float weight = wide || u_tabulated_one > 0 ? 1.0 : share.x * share.y;
         Shading t = m;
         t.tap = tap;
-        if (weight > 0.0 && put_texel(t, cell)) {
-            sum += weight * reflected(s, t, a);
-            weights += weight;
-        }
+        weight *= put_texel(t, cell);
+        Axes turned_axes = a;
+        Perturbation p = facing_perturbation(s, t, turned_axes);
+        vec3 turned_wo = turned_direction(wo, t.direction);
+        vec3 radiance = vec3(0.0);
+#if LIGHTS > 0
+        radiance += lit_texel(lights, t, p, turned_wo);
+#endif
+#if IMAGE_LIGHT > 0
+        radiance += lit_by_environment(s, t, turned_axes, p, turned_wo);
+#endif
+        sum += weight * radiance;
+        weights += weight;
+        corner.x += 1.0;
+        corner = corner.x < side ? corner : vec2(0.0, corner.y + 1.0);
     }
     return sum / max(weights, 1e-6);
 }

@@ -60,8 +60,8 @@ void upload(GLuint texture, const Format& format, int width, int height, const v
 }
 
 void upload(GLuint texture, const Blocks& blocks) {
-    const Format format =
-        blocks.values == 1 ? Format{GL_R32F, GL_RED, GL_FLOAT} : Format{GL_RG32F, GL_RG, GL_FLOAT};
+    const Format format = blocks.values == 4 ? Format{GL_RGBA32F, GL_RGBA, GL_FLOAT}
+                                             : Format{GL_RG32F, GL_RG, GL_FLOAT};
     upload(texture, format, blocks.total_width(), blocks.total_height(), blocks.texels.data());
 }
 
@@ -72,7 +72,7 @@ int largest_side() {
 }
 
 int rows_of_areas(const NdfGrid& grid) {
-    return kAreaGrid.rings + 1 + (grid.rings + kAreaGrid.azimuths - 1) / kAreaGrid.azimuths;
+    return kAreaGrid.rings + (grid.rings + kAreaGrid.azimuths - 1) / kAreaGrid.azimuths;
 }
 
 // About square blocks of tables, within what the device takes.
@@ -104,26 +104,61 @@ std::uint32_t code_of_slope(float v) {
     return static_cast<std::uint32_t>(std::lround(std::clamp(v, -1.0F, 1.0F) * 32767.0F) + 32768);
 }
 
+std::uint32_t code_of_pair(float x, float y) {
+    return code_of_slope(x) | code_of_slope(y) << 16;
+}
+
+std::uint32_t code_of_direction(float angle) {
+    return code_of_pair(std::cos(angle), std::sin(angle));
+}
+
 std::vector<std::uint32_t> texels_of(const TabulatedMaterial& m) {
     std::vector<std::uint32_t> words;
-    words.reserve(2 * m.texels());
+    words.reserve(4 * m.texels());
     for (std::size_t i = 0; i < m.texels(); ++i) {
         const float* n = m.normal.pixels.data() + 3 * i;
-        words.push_back(m.exemplar[i] | code_of_angle(m.angle[i]) << 16);
-        words.push_back(code_of_slope(n[0]) | code_of_slope(n[1]) << 16);
+        const bool measured = m.exemplar[i] != TabulatedMaterial::kNoExemplar;
+        const float groove = measured ? m.groove[m.exemplar[i]] : 0.0F;
+        words.push_back(m.exemplar[i] | code_of_angle(groove) << 16);
+        words.push_back(code_of_pair(n[0], n[1]));
+        words.push_back(code_of_direction(m.angle[i]));
+        words.push_back(code_of_direction(m.angle[i] + groove));
     }
     return words;
 }
 
-std::vector<std::uint16_t> halves_of(const Image& image) {
-    std::vector<std::uint16_t> halves;
-    halves.reserve(image.pixels.size() / 3 * 4);
-    for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3) {
-        for (std::size_t c = 0; c < 3; ++c)
-            halves.push_back(glm::packHalf1x16(std::min(image.pixels[i + c], 65504.0F)));
-        halves.push_back(glm::packHalf1x16(1.0F));
+std::uint32_t half_of(float v) {
+    return glm::packHalf1x16(std::clamp(v, 0.0F, 65504.0F));
+}
+
+std::vector<std::uint32_t> colors_of(const TabulatedMaterial& m) {
+    std::vector<std::uint32_t> words;
+    words.reserve(4 * m.texels());
+    for (std::size_t i = 0; i < m.texels(); ++i) {
+        const float* d = m.diffuse.pixels.data() + 3 * i;
+        const float* s = m.specular.pixels.data() + 3 * i;
+        words.push_back(half_of(d[0]) | half_of(d[1]) << 16);
+        words.push_back(half_of(d[2]) | half_of(s[0]) << 16);
+        words.push_back(half_of(s[1]) | half_of(s[2]) << 16);
+        words.push_back(0);
     }
-    return halves;
+    return words;
+}
+
+// Each value with those that it is mixed with: of the next column, of the next ring, and of both.
+void put_fours(Blocks& blocks, int exemplar, const NdfGrid& grid, const float* table) {
+    for (int r = 0; r < grid.rings; ++r) {
+        const float* low = table + r * grid.azimuths;
+        const float* high = table + std::min(r + 1, grid.rings - 1) * grid.azimuths;
+        for (int a = 0; a < grid.azimuths; ++a) {
+            const int next = (a + 1) % grid.azimuths;
+            float* to = blocks.at(exemplar, a, r);
+            to[0] = low[a];
+            to[1] = low[next];
+            to[2] = high[a];
+            to[3] = high[next];
+        }
+    }
 }
 
 void bind_texture(Program& program, const char* name, int unit, GLuint texture) {
@@ -185,31 +220,22 @@ void TabulatedMaps::make(Made& made, std::shared_ptr<const TabulatedMaterial> ma
     made.material = std::move(material);
     made.columns = columns_for(m);
     made.area_rows = rows_of_areas(m.grid);
-    Blocks tables(m.exemplars, made.columns, m.grid.azimuths, m.grid.rings, 1);
-    Blocks areas(m.exemplars, made.columns, kAreaGrid.azimuths, made.area_rows, 1);
+    Blocks tables(m.exemplars, made.columns, m.grid.azimuths, m.grid.rings, 4);
+    Blocks areas(m.exemplars, made.columns, kAreaGrid.azimuths, made.area_rows, 4);
     for (int e = 0; e < m.exemplars; ++e) {
-        for (int r = 0; r < m.grid.rings; ++r) {
-            std::copy_n(m.table(e) + r * m.grid.azimuths, m.grid.azimuths, tables.at(e, 0, r));
-        }
-        const std::vector<float> seen = ndf_areas(m.grid, m.table(e));
-        for (int r = 0; r < kAreaGrid.rings; ++r) {
-            std::copy_n(seen.data() + r * kAreaGrid.azimuths, kAreaGrid.azimuths,
-                        areas.at(e, 0, r));
-        }
-        *areas.at(e, 0, kAreaGrid.rings) = m.groove[index_of(e)];
+        put_fours(tables, e, m.grid, m.table(e));
+        put_fours(areas, e, kAreaGrid, ndf_areas(m.grid, m.table(e)).data());
         const TabulatedDraws draws = tabulated_draws(m.grid, m.table(e));
         for (int r = 0; r < m.grid.rings; ++r) {
-            *areas.at(e, r % kAreaGrid.azimuths, kAreaGrid.rings + 1 + r / kAreaGrid.azimuths) =
+            *areas.at(e, r % kAreaGrid.azimuths, kAreaGrid.rings + r / kAreaGrid.azimuths) =
                 draws.rings[index_of(r)];
         }
     }
     upload(made.tables.get(), tables);
     upload(made.areas.get(), areas);
-    upload(made.texels.get(), {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT}, m.width, m.height,
-           texels_of(m).data());
-    const Format half = {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
-    upload(made.diffuse.get(), half, m.width, m.height, halves_of(m.diffuse).data());
-    upload(made.specular.get(), half, m.width, m.height, halves_of(m.specular).data());
+    const Format words = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    upload(made.texels.get(), words, m.width, m.height, texels_of(m).data());
+    upload(made.colors.get(), words, m.width, m.height, colors_of(m).data());
     check_gl("uploading a tabulated material");
 }
 
@@ -243,9 +269,8 @@ void TabulatedMaps::bind(Program& program, const Material& material, bool draws)
     bind_texture(program, "u_tabulated_tables", 0, made->tables.get());
     bind_texture(program, "u_tabulated_areas", 1, made->areas.get());
     bind_texture(program, "u_tabulated_texels", 2, made->texels.get());
-    bind_texture(program, "u_tabulated_diffuse", 3, made->diffuse.get());
-    bind_texture(program, "u_tabulated_specular", 4, made->specular.get());
-    if (made->draws) bind_texture(program, "u_tabulated_draws", 5, made->draws->get());
+    bind_texture(program, "u_tabulated_colors", 3, made->colors.get());
+    if (made->draws) bind_texture(program, "u_tabulated_draws", 4, made->draws->get());
     program.set("u_tabulated_grid", glm::ivec2(m.grid.azimuths, m.grid.rings));
     program.set("u_tabulated_columns", made->columns);
     program.set("u_tabulated_area_rows", made->area_rows);

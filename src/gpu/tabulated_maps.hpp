@@ -1,13 +1,19 @@
 // What the shader of tabulated materials reads (shaders/lib/tabulated.glsl, tabulated_texels.glsl).
 // Each exemplar has a block in three pictures, block i at (i % columns, i / columns):
 //
-//   tables  azimuths x rings: D
-//   draws   the same: share of the ring's draws up to and with the cell, density of draws in it
-//   areas   kAreaGrid: g - z; a row with the angle of the groove; the share of draws up to and with
-//           each ring, kAreaGrid.azimuths a row
+//   tables  azimuths x rings: D, of the cell, the next around, the next ring's, and of both
+//   draws   azimuths x rings: share of the ring's draws up to and with the cell, density of draws
+//   in it areas   kAreaGrid: g - z, four as in the tables; the share of draws up to and with each
+//   ring,
+//           kAreaGrid.azimuths a row
 //
-// and of each texel there are exemplar (16 bits) and angle (16 bits, 2 pi / 65536), the normal's x
-// and y (16 bits each), diffuse and specular colour as half floats.
+// and of each texel, by 16 bits,
+//
+//   texels  exemplar, angle of its groove (2 pi / 65536); x, y of the normal; cosine and sine of
+//           the angle; of angle and groove together
+//   colors  diffuse and specular, as half floats
+//
+// One fetch gives what a value between four cells asks for: software renderers pay by the fetch.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -43,7 +49,7 @@ class TabulatedMaps {
     struct Made {
         std::shared_ptr<const TabulatedMaterial> material;
         int columns = 1, area_rows = 0;
-        GlTexture tables, areas, texels, diffuse, specular;
+        GlTexture tables, areas, texels, colors;
         std::unique_ptr<GlTexture> draws;
     };
     static void make(Made& made, std::shared_ptr<const TabulatedMaterial> material);

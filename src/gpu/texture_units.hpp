@@ -24,6 +24,6 @@ inline constexpr GLuint kWeaveWeftUnit = 17;
 inline constexpr GLuint kWeaveWarpUnit = 18;
 inline constexpr GLuint kWeaveLobesUnit = 19;
 // Tabulated materials.
-inline constexpr GLuint kTabulatedUnits = 20;  // and the five behind it
+inline constexpr GLuint kTabulatedUnits = 20;  // and the four behind it
 
 }  // namespace burnish::gpu
