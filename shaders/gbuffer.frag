@@ -10,6 +10,9 @@ layout(location = 0) out uvec4 o_packed;
 #ifdef POSITION
 layout(location = 1) out vec4 o_position;
 #endif
+#ifdef SHAPE
+layout(location = 2) out vec4 o_shape;
+#endif
 
 void main() {
     vec2 dx = dFdx(v_uv);
@@ -24,5 +27,8 @@ void main() {
 #endif
 #ifdef POSITION
     o_position = vec4(v_position, 1.0);
+#endif
+#ifdef SHAPE
+    o_shape = vec4(dx, dy);
 #endif
 }

@@ -18,6 +18,9 @@
 in vec2 v_ndc;
 uniform highp usampler2D u_packed;
 uniform sampler2D u_position;
+#ifdef TABULATED
+uniform highp sampler2D u_shape;
+#endif
 uniform vec3 u_ray_center;
 uniform vec3 u_ray_x;
 uniform vec3 u_ray_y;
@@ -37,6 +40,9 @@ void main() {
     s.to_eye = -normalize(u_ray_center + u_ray_x * v_ndc.x + u_ray_y * v_ndc.y);
     s.normal = packed_normal(words);
     s.footprint = packed_footprint(words);
+#ifdef TABULATED
+    s.shape = texelFetch(u_shape, pixel, 0);
+#endif
     s.tangent = packed_tangent(words);
     s.uv = vec4(packed_uv(words), 0.0, 0.0);
     s.color = vec4(1.0);

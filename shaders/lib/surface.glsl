@@ -7,6 +7,9 @@ struct Surface {
     vec4 tangent;     // interpolated; w: sign of the bitangent, mirrored transforms counted in
     vec4 uv;          // set 0 in xy, set 1 in zw; one transformed set in xy unless UV_PER_TEXTURE
     float footprint;  // log2 of the pixel's size on uv.xy (FOOTPRINT_GIVEN only)
+#if defined(FOOTPRINT_GIVEN) && defined(TABULATED)
+    vec4 shape;       // of the pixel on uv.xy: its step to the right in xy, upwards in zw
+#endif
     vec4 color;       // vertex colour
     bool front;
     uvec2 pixel;      // in the whole picture, whatever the tile

@@ -130,9 +130,15 @@ vec3 reflected_by_texels(Surface s, Shading m, Axes a) {
 #if LIGHTS > 0
     TexelLights lights = texel_lights(s, a, wo);
 #endif
-    vec2 at = tabulated_uv(s) * vec2(textureSize(u_tabulated_texels, 0));
+    vec2 size = vec2(textureSize(u_tabulated_texels, 0));
+    vec2 at = tabulated_uv(s) * size;
+#ifdef FOOTPRINT_GIVEN
+    vec2 right = s.shape.xy * size * u_tabulated_part;
+    vec2 up = s.shape.zw * size * u_tabulated_part;
+#else
     vec2 right = dFdx(at) * u_tabulated_part;
     vec2 up = dFdy(at) * u_tabulated_part;
+#endif
     float extent = sqrt(max(dot(right, right), dot(up, up)));
     bool wide = extent > 1.0;
     float side = wide ? min(ceil(extent), 4.0) : 2.0;

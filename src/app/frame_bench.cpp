@@ -116,8 +116,8 @@ void require_size(const gpu::Context& context, const FrameCase& frame_case) {
                     fmt::format("at most {} on {}", size_text(most, most), context.renderer()),
                     found);
     if (!context.is_software()) return;  // its memory is its own to say
-    // Colour 16, depth 4, two sums 32, surface 16 (gpu/targets.hpp), and a fifth of air.
-    constexpr std::uint64_t kBytesPerPixel = 82;
+    // Colour 16, depth 4, two sums 32, surface 16 and 16 (gpu/targets.hpp), and a fifth of air.
+    constexpr std::uint64_t kBytesPerPixel = 101;
     const std::uint64_t needed = kBytesPerPixel * static_cast<std::uint64_t>(frame_case.width) *
                                  static_cast<std::uint64_t>(frame_case.height);
     const std::uint64_t there = available_memory();

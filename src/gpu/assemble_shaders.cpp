@@ -131,7 +131,9 @@ void write_all(Writer& writer) {
         writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
         writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", "gouraud.vert");
         writer.write(dialect, "", "gbuffer.frag");
-        writer.write(dialect, "#define POSITION\n#define DOUBLE_SIDED\n", "gbuffer.frag");
+        writer.write(dialect, "#define SHAPE\n", "gbuffer.frag");
+        writer.write(dialect, "#define POSITION\n#define SHAPE\n#define DOUBLE_SIDED\n",
+                     "gbuffer.frag");
     }
 }
 

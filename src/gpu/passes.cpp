@@ -34,6 +34,8 @@ void set_rays(Program& program, const View& view) {
 // Below this average size of a triangle shading once a pixel is the faster way (measured on
 // llvmpipe: renderer.hpp).
 constexpr double kPixelsPerTriangle = 40.0;
+// Likewise of tabulated materials, whose pixels are dear.
+constexpr double kTabulatedPixelsPerTriangle = 400.0;
 
 bool blended(const Material& m) {
     return m.alpha_mode == AlphaMode::blend;
@@ -77,7 +79,9 @@ bool Painter::defers(const Frame& frame) const {
         triangles += scene_.meshes[static_cast<std::size_t>(item.mesh)].triangles();
     const double pixels =
         static_cast<double>(frame.options->width) * static_cast<double>(frame.options->height);
-    return static_cast<double>(triangles) * kPixelsPerTriangle > pixels;
+    return static_cast<double>(triangles) *
+               (needs_shape() ? kTabulatedPixelsPerTriangle : kPixelsPerTriangle) >
+           pixels;
 }
 
 bool Painter::can_defer(const Frame& frame, const DrawItem& item) const {
@@ -154,6 +158,11 @@ bool Painter::casts_shadows(const Frame& frame) const {
 
 bool Painter::needs_position(const Frame& frame) const {
     return scene_.lights.any_positional() || casts_shadows(frame);
+}
+
+bool Painter::needs_shape() const {
+    return std::any_of(scene_.materials.begin(), scene_.materials.end(),
+                       [](const Material& m) { return static_cast<bool>(m.tabulated); });
 }
 
 // Masked surfaces cast the shadow of all their triangles, blended ones none.
@@ -241,7 +250,7 @@ void Painter::paint(const Frame& frame, Targets& targets) {
 // has its number, and a full-screen triangle at the far plane passes where something is nearer.
 void Painter::paint_deferred(const Frame& frame, Targets& targets,
                              std::vector<std::size_t>& forward) {
-    targets.bind_gbuffer(needs_position(frame));
+    targets.bind_gbuffer(needs_position(frame), needs_shape());
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     std::map<int, Bounds> seen;  // by material
@@ -276,6 +285,7 @@ void Painter::paint_deferred(const Frame& frame, Targets& targets,
 void Painter::write_gbuffer(const Frame& frame, const DrawItem& item) {
     const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
     std::string defines = needs_position(frame) ? "#define POSITION\n" : "";
+    if (needs_shape()) defines += "#define SHAPE\n";
     if (material.double_sided) defines += "#define DOUBLE_SIDED\n";
     Program& program = programs_.get("surface.vert", "gbuffer.frag", defines);
     program.use();

@@ -76,6 +76,7 @@ class Painter {
     bool defers(const Frame& frame) const;
     bool casts_shadows(const Frame& frame) const;
     bool needs_position(const Frame& frame) const;
+    bool needs_shape() const;  // of pixels on their textures: tabulated materials ask for it
     bool can_defer(const Frame& frame, const DrawItem& item) const;
     void draw_fullscreen(Program& program, float depth);
 

@@ -37,10 +37,9 @@ struct SurfaceVariant {
     int shadow_maps = 0;
     int image_light = 0;  // 0 off, 1 importance, 2 bent normal, 3 prefiltered
 
-    // Whether gbuffer.frag holds all that shading needs. Tabulated materials ask for the shape of
-    // the pixel on them, of which it has the size only.
+    // Whether gbuffer.frag holds all that shading needs.
     bool can_resolve() const {
-        return alpha_mode == AlphaMode::opaque && !vertex_color && !uv_per_texture && !tabulated;
+        return alpha_mode == AlphaMode::opaque && !vertex_color && !uv_per_texture;
     }
 
     std::string defines() const;  // lines for assemble_stage, and the key of the program

@@ -76,25 +76,30 @@ void Targets::bind_frame() const {
     glBindFramebuffer(GL_FRAMEBUFFER, frame_target_.get());
 }
 
-void Targets::bind_gbuffer(bool with_position) {
-    if (!gbuffer_ || (with_position && !gbuffer_->position)) {
+void Targets::add_to_gbuffer(std::optional<GlTexture>& image, GLenum place) {
+    if (image) return;
+    image.emplace();
+    define_texture(image->get(), {GL_RGBA32F, GL_FLOAT}, GL_RGBA, width_, height_);
+    glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, image->get(), 0);
+}
+
+void Targets::bind_gbuffer(bool with_position, bool with_shape) {
+    if (!gbuffer_) {
         gbuffer_.emplace();
-        if (with_position) gbuffer_->position.emplace();
-        std::vector<GLenum> outputs = {GL_COLOR_ATTACHMENT0};
         define_texture(gbuffer_->words.get(), {GL_RGBA32UI, GL_UNSIGNED_INT}, GL_RGBA_INTEGER,
                        width_, height_);
         attach(gbuffer_->target.get(), gbuffer_->words.get(), depth_.get());
-        if (with_position) {
-            const GLuint position = gbuffer_->position->get();
-            define_texture(position, {GL_RGBA32F, GL_FLOAT}, GL_RGBA, width_, height_);
-            outputs.push_back(GL_COLOR_ATTACHMENT1);
-            glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
-            glFramebufferTexture2D(GL_FRAMEBUFFER, outputs[1], GL_TEXTURE_2D, position, 0);
-        }
-        glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
-        if (!complete()) throw Error("the device cannot render to several float images at once");
     }
+    if (with_position) add_to_gbuffer(gbuffer_->position, GL_COLOR_ATTACHMENT1);
+    if (with_shape) add_to_gbuffer(gbuffer_->shape, GL_COLOR_ATTACHMENT2);
     glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
+    // Only what is asked for now: an image that is attached and not written costs time too.
+    const GLenum outputs[] = {GL_COLOR_ATTACHMENT0,
+                              static_cast<GLenum>(with_position ? GL_COLOR_ATTACHMENT1 : GL_NONE),
+                              static_cast<GLenum>(with_shape ? GL_COLOR_ATTACHMENT2 : GL_NONE)};
+    glDrawBuffers(with_shape ? 3 : with_position ? 2 : 1, outputs);
+    if (!complete()) throw Error("the device cannot render to several float images at once");
 }
 
 void Targets::bind_gbuffer_textures(Program& program) const {
@@ -105,6 +110,7 @@ void Targets::bind_gbuffer_textures(Program& program) const {
     };
     bind(kPackedUnit, gbuffer_->words.get(), "u_packed");
     if (gbuffer_->position) bind(kPositionUnit, gbuffer_->position->get(), "u_position");
+    if (gbuffer_->shape) bind(kShapeUnit, gbuffer_->shape->get(), "u_shape");
 }
 
 void Targets::clear_sum() {

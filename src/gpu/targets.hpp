@@ -28,7 +28,7 @@ class Targets {
 
     void bind_frame() const;  // colour, depth and stencil
     // The images of gbuffer.frag with the same depth and stencil; made when first asked for.
-    void bind_gbuffer(bool with_position);
+    void bind_gbuffer(bool with_position, bool with_shape);
     void bind_gbuffer_textures(Program& program) const;
 
     void clear_sum();
@@ -38,9 +38,11 @@ class Targets {
     std::vector<float> read_sum(int width, int height) const;
 
   private:
+    void add_to_gbuffer(std::optional<GlTexture>& image, GLenum place);
+
     struct GBuffer {
         GlTexture words;
-        std::optional<GlTexture> position;
+        std::optional<GlTexture> position, shape;
         Framebuffer target;
     };
 

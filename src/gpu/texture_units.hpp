@@ -25,5 +25,6 @@ inline constexpr GLuint kWeaveWarpUnit = 18;
 inline constexpr GLuint kWeaveLobesUnit = 19;
 // Tabulated materials.
 inline constexpr GLuint kTabulatedUnits = 20;  // and the four behind it
+inline constexpr GLuint kShapeUnit = 25;       // likewise an image of gbuffer.frag
 
 }  // namespace burnish::gpu

@@ -272,6 +272,53 @@ TEST_P(TabulatedPicture, IsThatOfOurOwnEvaluation) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, TabulatedPicture, testing::Range(0, 9));
 
+// Up close and from afar, where the shape of the pixel says which texels it sees; from a slant, so
+// that the shape is no square. A lamp with a place beside the directional one needs positions too.
+class TabulatedDeferred : public GpuTest {
+  protected:
+    // Mean difference over the mean.
+    double difference(float repeats, bool placed) {
+        Scene scene = one_object(unit_plane(), surface_of(patchwork(), Method::follow_grain));
+        scene.materials[0].normal_texture.transform =
+            glm::mat3(repeats, 0, 0, 0, repeats, 0, 0, 0, 1);
+        scene.lights.push_back(directional({0.4f, 0.2f, 1.0f}));
+        if (placed) {
+            Light lamp;
+            lamp.type = LightType::point;
+            lamp.position = {0.5f, 0.5f, 2.0f};
+            lamp.intensity = 4.0f;
+            scene.lights.push_back(lamp);
+        }
+        Camera camera = camera_on_z(3.0f);
+        camera.position = {1.2f, -1.5f, 2.4f};
+        gpu::RenderOptions o = small_picture(48, 48);
+        gpu::Renderer renderer(*context, scene, nullptr);
+        o.surface_pass = gpu::SurfacePass::forward;
+        const Image forward = renderer.render(camera, o);
+        o.surface_pass = gpu::SurfacePass::deferred;
+        const Image deferred = renderer.render(camera, o);
+        double sum = 0, level = 0;
+        for (std::size_t i = 1; i < forward.pixels.size(); i += 4) {
+            const auto a = static_cast<double>(forward.pixels[i]);
+            sum += std::fabs(a - static_cast<double>(deferred.pixels[i]));
+            level += a;
+        }
+        return sum / level;
+    }
+};
+
+TEST_F(TabulatedDeferred, IsThePictureThatForwardShadingDraws) {
+    for (const float repeats : {1.0f, 40.0f}) {
+        for (const bool placed : {false, true}) {
+            const double d = difference(repeats, placed);
+            std::printf("%g repeats, %s: %.2g\n", static_cast<double>(repeats),
+                        placed ? "a lamp with a place" : "directional", d);
+            // The tangent is packed to 7e-4 rad, and lobes here are no narrower than 0.2.
+            EXPECT_LT(d, 3e-3) << repeats;
+        }
+    }
+}
+
 // --- against the analytic lobe -------------------------------------------------------------------
 
 class TabulatedGgx : public GpuTest {
