@@ -15,6 +15,7 @@
 #include "capture/lobe_fit.hpp"
 #include "capture/parametric_fit.hpp"
 #include "capture/partial_ndf.hpp"
+#include "capture/peak_normal.hpp"
 #include "capture/stage_file.hpp"
 #include "core/parallel.hpp"
 #include "core/work_pool.hpp"
@@ -42,6 +43,8 @@ constexpr float kLastColumns = 0.25f;
 constexpr float kClose = 1.5f;
 // A candidate whose error is so many times the best one's after one step will not overtake it.
 constexpr float kGiveUp = 4.0f;
+// A texel's normal and turn are found in turns.
+constexpr int kNormalPasses = 3;
 constexpr std::size_t kPixelTile = 16;
 // Raised when the same settings come to give other numbers: stages of before are not gone on with.
 constexpr int kMethodVersion = 2;
@@ -179,6 +182,7 @@ float luminance(const std::array<float, 3>& rgb) {
 struct CaptureFit::TileWork {
     std::vector<float> values, tables, weights;
     std::array<PixelWork, kPixelTile> pixels;
+    std::array<Vec3f, kPixelTile> normals;  // that are searched from
     PartialNdfWork partial;
     PointSamples few;
 };
@@ -238,19 +242,22 @@ PointFit CaptureFit::best_turn(const PointFitter& fitter, const PointSamples& fe
     return best;
 }
 
-// The best exemplar and turn of one pixel, and its strengths in each channel.
-void CaptureFit::fit_texel(std::size_t pixel, const float* values,
+// The best exemplar and turn of a pixel, the k-th of its tile, and its strengths in each channel.
+void CaptureFit::fit_texel(std::size_t pixel, std::size_t k,
                            const std::vector<PointTurn>& candidates, const TexelTools& tools,
-                           PixelWork& work, PointSamples& few, Texels& texels) const {
+                           TileWork& tile, Texels& texels) const {
+    const float* values = tile.values.data() + k * 3 * stack_->lights();
+    PixelWork& work = tile.pixels[k];
     int exemplar = -1;
     PointFitter fitter(work.samples, tools.eta);
-    thin_samples(work.samples, kSearchLights, few);
-    PointFit best = best_turn(fitter, few, candidates, tools, exemplar);
+    thin_samples(work.samples, kSearchLights, tile.few);
+    PointFit best = best_turn(fitter, tile.few, candidates, tools, exemplar);
     if (exemplar < 0) return;
-    Vec3f normal = {0.0f, 0.0f, 1.0f};
+    Vec3f normal = tile.normals[k];
     if (settings_.normals) {
-        normal = refined_normal(context_, pixel, values, tools.eta, tables_of(exemplar), normal,
-                                work, best);
+        for (int pass = 0; pass < kNormalPasses; ++pass)
+            normal = refined_normal(context_, pixel, values, tools.eta, tables_of(exemplar), normal,
+                                    work, best);
         fitter = PointFitter(work.samples, tools.eta);  // they were gathered anew
     }
     std::array<float, 3> diffuse{}, specular{};
@@ -260,8 +267,8 @@ void CaptureFit::fit_texel(std::size_t pixel, const float* values,
         best.shift * 2.0f * std::numbers::pi_v<float> / static_cast<float>(settings_.grid.azimuths);
     texels.error[pixel] = best.error;
     if (!texels.models.empty()) {
-        thin_samples(work.samples, kModelLights, few);
-        fit_models(pixel, exemplar, best.shift, tools, few, texels);
+        thin_samples(work.samples, kModelLights, tile.few);
+        fit_models(pixel, exemplar, best.shift, tools, tile.few, texels);
     }
     for (std::size_t c = 0; c < 3; ++c) {
         texels.diffuse[3 * pixel + c] = diffuse[c];
@@ -305,21 +312,24 @@ void CaptureFit::fit_band(const StackBand& band, TexelTools& tools, Texels& texe
         stack_->decode(band, begin, count, w.values.data());
         const auto pixel = [&](std::size_t k) { return band.first + begin + k; };
         for (std::size_t k = 0; k < count; ++k) {
+            float* table = w.tables.data() + k * cells;
+            float* known = w.weights.data() + k * cells;
+            const float* values = w.values.data() + k * per_point;
+            w.normals[k] = {0.0f, 0.0f, 1.0f};
             if (!stack_->mask()[pixel(k)]) {
-                std::fill_n(w.weights.data() + k * cells, cells, 0.0f);
-                continue;
+                std::fill_n(known, cells, 0.0f);
+            } else if (settings_.normals) {
+                w.normals[k] = peak_normal(context_, tools.solver, pixel(k), values, w.pixels[k],
+                                           w.partial, table, known);
+            } else {
+                context_.gather(pixel(k), w.normals[k], values, w.pixels[k]);
+                tools.solver.solve(w.pixels[k].samples, w.partial, table, known);
             }
-            context_.gather(pixel(k), {0.0f, 0.0f, 1.0f}, w.values.data() + k * per_point,
-                            w.pixels[k]);
-            tools.solver.solve(w.pixels[k].samples, w.partial, w.tables.data() + k * cells,
-                               w.weights.data() + k * cells);
         }
         const auto candidates =
             best_turns(tools.matcher, {w.tables, w.weights, count}, kDoubtCandidates);
         for (std::size_t k = 0; k < count; ++k)
-            if (stack_->mask()[pixel(k)])
-                fit_texel(pixel(k), w.values.data() + k * per_point, candidates[k], tools,
-                          w.pixels[k], w.few, texels);
+            if (stack_->mask()[pixel(k)]) fit_texel(pixel(k), k, candidates[k], tools, w, texels);
     });
 }
 

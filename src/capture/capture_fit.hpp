@@ -74,9 +74,8 @@ class CaptureFit {
     PointFit best_turn(const PointFitter& fitter, const PointSamples& few,
                        const std::vector<PointTurn>& candidates, const TexelTools& tools,
                        int& exemplar) const;
-    void fit_texel(std::size_t pixel, const float* values, const std::vector<PointTurn>& candidates,
-                   const TexelTools& tools, PixelWork& work, PointSamples& few,
-                   Texels& texels) const;
+    void fit_texel(std::size_t pixel, std::size_t k, const std::vector<PointTurn>& candidates,
+                   const TexelTools& tools, TileWork& tile, Texels& texels) const;
     void fit_models(std::size_t pixel, int exemplar, float shift, const TexelTools& tools,
                     const PointSamples& samples, Texels& texels) const;
     void fit_band(const StackBand& band, TexelTools& tools, Texels& texels) const;

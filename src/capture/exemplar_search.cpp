@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "capture/partial_ndf.hpp"
+#include "capture/peak_normal.hpp"
 #include "capture/residual_signature.hpp"
 #include "core/parallel.hpp"
 
@@ -28,7 +30,8 @@ constexpr float kAlikeAtFirst = 0.03f, kAlike = 0.004f;
 // Points of an exemplar that its slide along the diffuse direction is worked out from.
 constexpr std::size_t kSlidePoints = 256;
 constexpr double kFirstEta = 1.5;
-constexpr float kMostTilt = 0.35f;  // radians
+// Of an exemplar, which many turns show from all sides, even broad lobes have a middle (alpha 1).
+constexpr double kLeastExemplarBend = 2.0;
 
 }  // namespace
 
@@ -42,35 +45,50 @@ ExemplarSearch::ExemplarSearch(const SampleContext& context, const std::vector<s
       progress_(progress),
       normals_(pixels.size(), Vec3f{0.0f, 0.0f, 1.0f}) {}
 
-// Parabolas through three tilts along x and y each, twice: the error is smooth and nearly even in
-// both.
+namespace {
+
+// From the slope of least error where the error is a paraboloid, through six places a step apart;
+// no farther than two steps. A lobe is stiff across its groove and soft along it, so that x and y
+// for themselves would hardly get anywhere.
+template <typename ErrorAt>
+std::array<float, 2> least_slope(const ErrorAt& error, float step) {
+    const float middle = error(0.0f, 0.0f), right = error(step, 0.0f), up = error(0.0f, step);
+    const float left = error(-step, 0.0f), down = error(0.0f, -step);
+    const float both = error(step, step);
+    const float xx = right - 2.0f * middle + left, yy = up - 2.0f * middle + down;
+    const float xy = both - right - up + middle;
+    const float gx = 0.5f * (right - left), gy = 0.5f * (up - down);
+    float x = 0.0f, y = 0.0f;
+    if (const float det = xx * yy - xy * xy; xx > 0.0f && det > 0.0f) {
+        x = -(yy * gx - xy * gy) / det;
+        y = -(xx * gy - xy * gx) / det;
+    } else {  // downhill along the axes that bend up
+        if (xx > 0.0f) x = -gx / xx;
+        if (yy > 0.0f) y = -gy / yy;
+    }
+    const float scale = step * std::min(1.0f, 2.0f / std::max(std::hypot(x, y), 1e-6f));
+    return {scale * x, scale * y};
+}
+
+}  // namespace
+
 Vec3f refined_normal(const SampleContext& context, std::size_t pixel, const float* values,
                      float eta, const ExemplarTables& tables, Vec3f normal, PixelWork& work,
                      PointFit& fit) {
-    const auto tilted = [](const Vec3f& n, float x, float y) {
-        const float sx = n[0] / n[2] + x, sy = n[1] / n[2] + y;
-        const float length = std::sqrt(sx * sx + sy * sy + 1.0f);
-        return Vec3f{sx / length, sy / length, 1.0f / length};
-    };
     const auto error = [&](const Vec3f& n) {
         context.gather(pixel, n, values, work);
         return PointFitter(work.samples, eta).at(tables, fit.shift).error;
     };
     for (const float step : {0.04f, 0.015f}) {
-        const float middle = error(normal);
-        std::array<float, 2> move{};
-        for (std::size_t k = 0; k < 2; ++k) {
-            const float x = k == 0 ? step : 0.0f, y = k == 0 ? 0.0f : step;
-            const float before = error(tilted(normal, -x, -y)), after = error(tilted(normal, x, y));
-            const float bend = before - 2.0f * middle + after;
-            if (bend > 0.0f)
-                move[k] = step * std::clamp(0.5f * (before - after) / bend, -2.0f, 2.0f);
-        }
-        const Vec3f next = tilted(normal, move[0], move[1]);
-        if (next[2] > std::cos(kMostTilt) && error(next) < middle) normal = next;
+        const std::array<float, 2> move = least_slope(
+            [&](float x, float y) {
+                return error(tilted_normal(normal, {x, y}));
+            },
+            step);
+        const Vec3f next = tilted_normal(normal, move);
+        if (error(next) < error(normal)) normal = next;
         context.gather(pixel, normal, values, work);
-        const PointFit again = PointFitter(work.samples, eta).refined(tables, fit.shift, 0.5f);
-        fit = again;
+        fit = PointFitter(work.samples, eta).refined(tables, fit.shift, 0.5f);
     }
     return normal;
 }
@@ -107,6 +125,7 @@ void ExemplarSearch::solve_round(double eta, bool search) {
         for (std::size_t p = begin; p < end; ++p) fit_point(p, work);
     });
     solve_tables();
+    if (settings_.normals) centre_exemplars();
 }
 
 // The best of a point's candidates; what it leaves is signed.
@@ -131,7 +150,7 @@ void ExemplarSearch::fit_point(std::size_t p, PixelWork& work) {
         return;
     }
     const ExemplarTables own = tables_of(turns_[p].exemplar);
-    if (tilting_) {
+    if (settings_.normals) {
         normals_[p] =
             refined_normal(context_, pixels_[p], values_of(p), eta, own, normals_[p], work, best);
         turns_[p].shift = best.shift;
@@ -168,6 +187,24 @@ void ExemplarSearch::solve_tables() {
             table[i] = std::max(table[i] + slide.distance() * mimic[i], 0.0f);
     });
     completion_ = complete_exemplars(exemplars_);
+}
+
+// A tilt of all its points' normals and a lean of an exemplar the other way show the same: what
+// leans is the normals.
+void ExemplarSearch::centre_exemplars() {
+    const std::vector<std::vector<std::size_t>> members = this->members();
+    for (int e = 0; e < exemplars_.count; ++e) {
+        const std::array<float, 2> slope = peak_slope(context_.grid, exemplars_.table(e),
+                                                      exemplars_.weight(e), kLeastExemplarBend);
+        for (const std::size_t p : members[static_cast<std::size_t>(e)]) {
+            const float turn = turns_[p].shift * 2.0f * std::numbers::pi_v<float> /
+                               static_cast<float>(context_.grid.azimuths);
+            const float c = std::cos(turn), s = std::sin(turn);
+            normals_[p] = tilted_normal(normals_[p],
+                                        {c * slope[0] - s * slope[1], s * slope[0] + c * slope[1]});
+        }
+    }
+    solve_tables();
 }
 
 // Exemplars whose members fall into well and badly explained ones give the latter an exemplar of
@@ -352,9 +389,15 @@ void ExemplarSearch::solve_partial() {
         PixelWork work;
         PartialNdfWork partial;
         for (std::size_t p = begin; p < end; ++p) {
+            float* table = tables_.data() + p * cells;
+            float* weights = weights_.data() + p * cells;
+            if (settings_.normals) {
+                normals_[p] = peak_normal(context_, solver, pixels_[p], values_of(p), work, partial,
+                                          table, weights);
+                continue;
+            }
             context_.gather(pixels_[p], normals_[p], values_of(p), work);
-            solver.solve(work.samples, partial, tables_.data() + p * cells,
-                         weights_.data() + p * cells);
+            solver.solve(work.samples, partial, table, weights);
         }
     });
 }
@@ -369,8 +412,6 @@ void ExemplarSearch::run() {
     completion_ = complete_exemplars(exemplars_);
     for (int round = 0; round < kSolveRounds; ++round) {
         progress_.step("solving exemplars", static_cast<double>(round) / kSolveRounds);
-        // Normals tilt once exemplars are told apart: before, they would take up the difference.
-        tilting_ = settings_.normals && round >= kSplitRounds;
         solve_round(eta_, true);
         if (round == 0 || round == kSplitRounds) {
             join_alike(round == 0 ? kAlikeAtFirst : kAlike);

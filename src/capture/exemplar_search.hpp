@@ -42,6 +42,8 @@ struct ExemplarSearchSettings {
     bool normals = false;  // points' normals may tilt
 };
 
+inline constexpr float kMostTilt = 0.35f;  // of normals, radians
+
 // Columns to each side in which a matched turn is searched for the best.
 inline constexpr float kSearchColumns = 1.5f;
 
@@ -70,6 +72,7 @@ class ExemplarSearch {
     void solve_round(double eta, bool search);
     void fit_point(std::size_t p, PixelWork& work);
     void solve_tables();
+    void centre_exemplars();
     void split_exemplars();
     void merge_exemplars();
     void join_alike(float alike);
@@ -90,7 +93,6 @@ class ExemplarSearch {
     ExemplarSearchSettings settings_;
     Progress progress_;
     double eta_ = 0.0;
-    bool tilting_ = false;
     Exemplars exemplars_;
     CompletionReport completion_;
     // One entry a point.
