@@ -8,9 +8,9 @@
 FN Float quarter_turns(Float x, Float y) {
     Float t = min(x, y) / max(max(x, y), kTiny);
     Float w = t * t;
-    Float high = Float(-0.0858621275) +
-                 w * (Float(0.0533940592) + w * (Float(-0.023563209) + w * Float(0.00500598128)));
-    Float low = Float(0.636619357) + w * (Float(-0.212163183) + w * (Float(0.126569448) + w * high));
+    Float high = -Float(0.0858621275) +
+                 w * (Float(0.0533940592) + w * (-Float(0.023563209) + w * Float(0.00500598128)));
+    Float low = Float(0.636619357) + w * (-Float(0.212163183) + w * (Float(0.126569448) + w * high));
     Float near = t * low;
     return choose(y > x, Float(1) - near, near);
 }
