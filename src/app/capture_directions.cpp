@@ -105,6 +105,18 @@ void warn_of(const Found& found, const fs::path& path, std::vector<std::string>&
                         path.string(), 100.0 * found.second));
 }
 
+// A diameter for a radius, or y counted from the bottom, would go unnoticed else.
+void warn_of_outlines(const std::vector<ProbeCircle>& circles, const fs::path& path,
+                      const Image& image, std::vector<std::string>& warnings) {
+    for (const ProbeCircle& c : circles)
+        if (c.x - c.radius < -1.0 || c.y - c.radius < -1.0 || c.x + c.radius > image.width + 1.0 ||
+            c.y + c.radius > image.height + 1.0)
+            warnings.push_back(fmt::format(
+                "{}: the ball's outline ({:g}, {:g}, radius {:g}) leaves the picture of {} x {} "
+                "pixels: a diameter, or y from the bottom?",
+                path.string(), c.x, c.y, c.radius, image.width, image.height));
+}
+
 std::string line_of(const fs::path& path, const Vec3d& d, const Found& found, bool several) {
     const double theta = std::atan2(std::hypot(d[0], d[1]), d[2]) * kDegrees;
     const double phi = std::atan2(d[1], d[0]) * kDegrees;
@@ -159,6 +171,7 @@ DirectionsReport find_directions(const DirectionsRequest& request, const Progres
         const fs::path& path = request.balls[k];
         const Image image = read_image(path, {.as_data = linear_ball(request, path)});
         require_size(path, image.width, image.height, width, height);
+        if (k == 0) warn_of_outlines(request.circles, path, image, report.warnings);
         const Found found = look_at(image, request.circles, path);
         RigPlace& place = rig.lights[k].place;
         place = {false, from_picture(found.direction, rig.camera.at)};

@@ -33,9 +33,6 @@ void judge_stack(const ImageStack& stack, const std::string& name,
         throw Error(name, "pictures", "light on the sample", "every picture is black");
     if (census.clipped_share >= 1.0)
         throw Error(name, "pictures", "samples that are not clipped", "every picture is white");
-    if (stack.lights() < 3)
-        throw Error(name, "lights", "at least 3 lights to fit anything",
-                    fmt::to_string(stack.lights()));
     if (census.clipped_share > kMuchClipped)
         warnings.push_back(
             fmt::format("{}: {:.2g} % of the samples are clipped and left out: the tops of "
@@ -98,11 +95,12 @@ void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const st
                         "or it falls between the lights",
                         name, dark, used));
     if (fit.report().training_error > kMuchUnexplained)
-        warnings.push_back(
-            fmt::format("{}: {:.0f} % of the light is unexplained: the sample may not be flat "
-                        "(--normals), or shadows and "
-                        "light between its parts are no reflectance of a surface",
-                        name, 100.0 * fit.report().training_error));
+        warnings.push_back(fmt::format(
+            "{}: {:.0f} % of the light is unexplained: {}, or shadows and light between "
+            "its parts are no reflectance of a surface",
+            name, 100.0 * fit.report().training_error,
+            fit.settings().normals ? "the lights may be too few for its highlights"
+                                   : "the sample may not be flat (--normals)"));
 }
 
 // The fit beside other people's models, where it was not told the answer.
@@ -145,6 +143,9 @@ FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& p
     require_writable(request.output);
     const Rig rig = read_rig(request.stack, true, request.overrides);
     report.warnings = rig.warnings;
+    if (rig.lights.size() < 3)  // before many pictures are read
+        throw Error(request.stack.string(), "lights", "at least 3 lights to fit anything",
+                    fmt::to_string(rig.lights.size()));
     const fs::path stages = request.output.string() + ".stages";
     const OutputFolder folder(stages);  // goes again when no stage came to an end
     CaptureFit fit(rig, request.settings, stages, progress);
@@ -153,7 +154,12 @@ FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& p
     if (all || *request.until != CaptureStage::pictures) fit.find_exemplars();
     if (all || *request.until == CaptureStage::texels) fit.fit_texels();
     report.text = describe(fit, request);
-    if (!all) return report;
+    if (!all) {
+        report.text += fmt::format(
+            "stopped after {}: no material yet; the same command without --until goes on from {}\n",
+            kStages[static_cast<std::size_t>(*request.until)], stages.string());
+        return report;
+    }
 
     TabulatedMaterial material = fit.material();
     const std::vector<std::uint8_t> keep =

@@ -61,6 +61,7 @@ class CaptureFit {
     const ImageStack& stack() const { return *stack_; }
     const Exemplars& exemplars() const { return exemplars_; }
     const CaptureFitReport& report() const { return report_; }
+    const CaptureFitSettings& settings() const { return settings_; }
 
   private:
     struct Texels;

@@ -235,8 +235,11 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
     if (samples.size() == 0) return fit;
     Problem problem(model, samples, eta);
     // From the given lobe; from two round ones, should that lead nowhere.
+    const float along = std::log(start.alpha_along), across = std::log(start.alpha_across);
+    const float round = 0.5f * (along + across);
     const std::array<Parameters, 3> starts = {
-        Parameters{std::log(start.alpha_along), std::log(start.alpha_across), start.groove},
+        model == ParametricModel::ward_isotropic ? Parameters{round, round, start.groove}
+                                                 : Parameters{along, across, start.groove},
         Parameters{std::log(0.25f), std::log(0.3f), start.groove},
         Parameters{std::log(0.25f), std::log(0.3f), start.groove + 0.5f * kPi}};
     Parameters best{};

@@ -18,7 +18,7 @@ large as the sample with KHR_materials_anisotropy. docs/relight-export.md says w
 
 Examples:
   burnish capture export brass.exr -o brass
-  burnish render brass/material.gltf --azimuth 0 --elevation 40 -o brass.png)";
+  burnish render brass/material.gltf --camera-azimuth 0 --camera-elevation 40 -o brass.png)";
 
 struct Flags {
     std::string material, output;

@@ -72,6 +72,8 @@ void run(Flags& flags, const Session& session) {
     request.overrides = flags.rig.overrides();
     set_grid(flags);
     set_fresnel(flags);
+    if (request.settings.hold_out == 1)  // nothing would be left to fit
+        throw UsageError("--hold-out", "", "0, or a whole number from 2 to 1000", "1");
     if (!flags.until.empty())
         request.until = static_cast<CaptureStage>(
             index_of_name(capture_stage_names(), flags.until, "stage", "--until"));

@@ -180,6 +180,15 @@ TEST(CaptureDirections, WarnsOfTwoLamps) {
     expect_parts(outcome.complaint, {"warning", "two.png", "two lamps"});
 }
 
+TEST(CaptureDirections, WarnsOfADiameterGivenForARadius) {
+    const Folder folder;
+    const std::string doubled = fmt::format("{},{},{}", kBall.x, kBall.y, 2 * kBall.radius);
+    const Outcome outcome = directions({ball_picture(folder, "one.png", kLights[0])},
+                                       {"--ball", doubled, "-o", folder.path("rig.lp")});
+    EXPECT_EQ(outcome.exit_code, 0);
+    expect_parts(outcome.complaint, {"warning", "one.png", "leaves the picture of 320 x 260"});
+}
+
 TEST(CaptureDirections, RefusesInOneLineAndLeavesNothing) {
     const Folder folder;
     const auto pictures = ball_pictures(folder);

@@ -66,7 +66,9 @@ TEST(CaptureFitCommand, StagesOneByOneGiveTheSame) {
     const std::string whole = folder.path("whole.exr"), parts = folder.path("parts.exr");
     ASSERT_EQ(fit(rig, whole).exit_code, 0);
     for (const char* stage : {"pictures", "exemplars", "texels"}) {
-        ASSERT_EQ(fit(rig, parts, {"--until", stage}).exit_code, 0);
+        const Outcome part = fit(rig, parts, {"--until", stage});
+        ASSERT_EQ(part.exit_code, 0);
+        EXPECT_NE(part.output.find(std::string("stopped after ") + stage), std::string::npos);
         EXPECT_FALSE(std::filesystem::exists(parts));
         EXPECT_TRUE(std::filesystem::exists(parts + ".stages/" + stage + ".bin")) << stage;
     }
@@ -112,6 +114,7 @@ TEST(CaptureFitCommand, RefusesInOneLine) {
     expect_one_line(fit(rig, folder.path("m.png")), 2, ".exr");
     expect_one_line(fit(rig, out, {"--f0", "0.04"}), 2, "--f0");
     expect_one_line(fit(rig, out, {"--grid", "32x95"}), 2, "multiple of 24");
+    expect_one_line(fit(rig, out, {"--hold-out", "1"}), 2, "from 2 to 1000");
     expect_one_line(fit(folder.path("none.json"), out), 1, "none.json");
     expect_one_line(fit(rig, "/proc/m.exr"), 1, "/proc/m.exr");
 
