@@ -197,15 +197,15 @@ struct CaptureFit::TexelTools {
     WorkPool<TileWork> work;
 };
 
-// The exemplar and turn that explain a pixel's samples best, in PointTurn::residual the error.
-// Candidates are judged by few samples: what all of them say about a turn differs by less than the
-// last search looks to each side.
+// The exemplar and turn that explain a pixel's samples best; `exemplar` stays as it was where there
+// is no candidate. Candidates are judged by few samples: what all of them say about a turn differs
+// by less than the last search looks to each side.
 PointFit CaptureFit::best_turn(const PointFitter& fitter, const PointSamples& few,
                                const std::vector<PointTurn>& candidates, const TexelTools& tools,
                                int& exemplar) const {
     const PointFitter quick(few, tools.eta);
-    std::vector<PointTurn> judged;
-    float least = 2.0f;  // more than any fit has
+    std::vector<PointTurn> judged;  // by their errors on the few, as residuals
+    float least = 2.0f;             // more than any fit has
     const auto judge = [&](int e, float shift, float give_up) {
         const PointFit fit = quick.refined(tables_of(e), shift, kTexelColumns, give_up);
         judged.push_back({e, fit.shift, fit.error});

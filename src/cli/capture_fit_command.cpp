@@ -108,9 +108,10 @@ void add_capture_fit_command(CLI::App& capture, Session& session) {
     add_integer(*command, "--exemplars", settings.exemplars, {1, 6400}, "distributions at most");
     command->add_option("--grid", flags->grid, "cells of a distribution (default 32x96)")
         ->type_name("RINGSxAZIMUTHS");
-    add_integer(*command, "--training-points", settings.training_points, {16, 1000000},
-                "pixels at most that exemplars are made from; default: 8192, and as many as have 4 "
-                "million samples");
+    add_integer(
+        *command, "--training-points", settings.training_points, {16, 1000000},
+        "pixels at most that exemplars are made from; default: 8192, and no more than have 4 "
+        "million samples");
     command->add_flag("--normals", settings.normals,
                       "fit each pixel's normal too; without, the sample is flat");
     command->add_flag("!--no-models", settings.models,
