@@ -9,6 +9,7 @@
 // A: 0 for the same shape, 1 for unrelated ones. Turns whose overlap O is too small do not count.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -36,7 +37,8 @@ struct MaskedTables {
 
 class RotationMatcher {
   public:
-    // `least_overlap`: share of the smaller mask that must be seen by both.
+    // `least_overlap`: share of the smaller mask that must be seen by both. The grid's azimuths
+    // must be an even number.
     explicit RotationMatcher(const NdfGrid& grid, float least_overlap = 0.4f);
 
     // Exemplars to be matched against many points: their spectra, computed once.
@@ -78,7 +80,8 @@ class RotationMatcher {
     int frequencies_;
     std::vector<float> ring_weight_;  // cos(theta) dw of a cell
     std::vector<float> forward_;      // azimuths x 2 frequencies
-    std::vector<float> even_, odd_;   // half turns x frequencies
+    // Back again, for even and odd frequencies apart: quarter turns x frequencies of that parity.
+    std::array<std::vector<float>, 2> cosines_, sines_;
     std::size_t count_ = 0;
     std::vector<float> spectra_, sums_;  // of the exemplars
 };
