@@ -6,6 +6,7 @@
 
 #include "app/capture_report_parts.hpp"
 #include "app/html_text.hpp"
+#include "app/info_scene.hpp"
 #include "app/version.hpp"
 
 namespace burnish::report {
@@ -66,10 +67,11 @@ std::string stack_section(const Page& page) {
     text += row("brightest sample", fmt::format("{:.4g}", page.census.brightest));
     text += row(
         "material",
-        fmt::format("{}, {} exemplars of {} rings x {} azimuths, {}",
+        fmt::format("{}, {} of {} rings x {} azimuths, {}",
                     m.width_mm > 0 ? fmt::format("{:g} x {:g} mm", m.width_mm, m.height_mm)
                                    : std::string("size not known"),
-                    m.exemplars, m.grid.rings, m.grid.azimuths,
+                    plural(static_cast<std::size_t>(m.exemplars), "exemplar"), m.grid.rings,
+                    m.grid.azimuths,
                     m.eta > 0 ? fmt::format("index {:.3g}", m.eta) : std::string("no Fresnel")));
     text += "</table>\n<pre>" + escaped_html(page.rig_text) + "</pre>\n";
     text += "<p>" + picture(page.coverage, "half vectors on a disc of tilt and azimuth", 456) +

@@ -94,11 +94,11 @@ void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const st
             fmt::format("{}: {} of {} exemplars show no highlight under any light: there is none, "
                         "or it falls between the lights",
                         name, dark, used));
-    if (fit.report().training_error > kMuchUnexplained)
+    if (fit.unexplained() > kMuchUnexplained)
         warnings.push_back(fmt::format(
             "{}: {:.0f} % of the light is unexplained: {}, or shadows and light between "
             "its parts are no reflectance of a surface",
-            name, 100.0 * fit.report().training_error,
+            name, 100.0 * fit.unexplained(),
             fit.settings().normals ? "the lights may be too few for its highlights"
                                    : "the sample may not be flat (--normals)"));
 }
@@ -123,7 +123,7 @@ std::string describe(const CaptureFit& fit, const FitCaptureRequest& request) {
     text += fmt::format(
         "{} exemplar{} from {} points, eta {:.3g}{}, {:.2g} % of the light unexplained\n",
         r.exemplars, r.exemplars == 1 ? "" : "s", r.training_points, r.eta,
-        request.settings.eta ? "" : " (estimated)", 100.0 * r.training_error);
+        request.settings.eta ? "" : " (estimated)", 100.0 * fit.unexplained());
     text += fmt::format(
         "of the hemisphere {:.0f} % is measured, {:.0f} % completed from other exemplars, {:.0f} % "
         "extrapolated\n",
@@ -138,16 +138,22 @@ std::span<const std::string_view> capture_stage_names() {
     return kStages;
 }
 
-FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& progress) {
-    FitCaptureReport report;
-    require_writable(request.output);
-    const Rig rig = read_rig(request.stack, true, request.overrides);
-    report.warnings = rig.warnings;
-    if (rig.lights.size() < 3)  // before many pictures are read
-        throw Error(request.stack.string(), "lights", "at least 3 lights to fit anything",
-                    fmt::to_string(rig.lights.size()));
-    const fs::path stages = request.output.string() + ".stages";
-    const OutputFolder folder(stages);  // goes again when no stage came to an end
+namespace {
+
+class InterruptedFit : public Interrupted {
+  public:
+    explicit InterruptedFit(const fs::path& stages)
+        : text_(fmt::format("interrupted: the same command goes on from what is in {}",
+                            one_line(stages.string()))) {}
+    const char* what() const noexcept override { return text_.c_str(); }
+
+  private:
+    std::string text_;
+};
+
+// The stages, then the material from them.
+void fit_into(const FitCaptureRequest& request, const Rig& rig, const fs::path& stages,
+              const Progress& progress, FitCaptureReport& report) {
     CaptureFit fit(rig, request.settings, stages, progress);
     judge_stack(fit.stack(), request.stack.string(), report.warnings);
     const bool all = !request.until;
@@ -158,7 +164,7 @@ FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& p
         report.text += fmt::format(
             "stopped after {}: no material yet; the same command without --until goes on from {}\n",
             kStages[static_cast<std::size_t>(*request.until)], stages.string());
-        return report;
+        return;
     }
 
     TabulatedMaterial material = fit.material();
@@ -174,6 +180,28 @@ FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& p
     if (!request.keep_stages) {
         std::error_code ignored;  // the material is written; leftovers harm nobody
         fs::remove_all(stages, ignored);
+    }
+}
+
+}  // namespace
+
+FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& progress) {
+    FitCaptureReport report;
+    require_writable(request.output);
+    const Rig rig = read_rig(request.stack, true, request.overrides);
+    report.warnings = rig.warnings;
+    if (rig.lights.size() < 3)  // before many pictures are read
+        throw Error(request.stack.string(), "lights", "at least 3 lights to fit anything",
+                    fmt::to_string(rig.lights.size()));
+    for (const std::string& line : rig_coverage(rig).diagnosis)
+        report.warnings.push_back(fmt::format("{}: {}", request.stack.string(), line));
+    const fs::path stages = request.output.string() + ".stages";
+    const OutputFolder folder(stages);  // goes again when no stage came to an end
+    try {
+        fit_into(request, rig, stages, progress, report);
+    } catch (const Interrupted&) {
+        if (fs::is_empty(stages)) throw;
+        throw InterruptedFit(stages);
     }
     return report;
 }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "app/info_scene.hpp"
+#include "burnish/error.hpp"
 #include "capture/coverage.hpp"
 #include "capture/rig.hpp"
 
@@ -44,15 +45,20 @@ std::string describe_camera(const Rig& rig, const RigCoverage& coverage) {
 
 std::string describe_pictures(const Rig& rig) {
     std::size_t all = 0, there = 0;
+    std::string missing;  // the first
     for (const RigLight& light : rig.lights)
         for (const RigExposure& exposure : light.images) {
             std::error_code error;
             ++all;
-            if (std::filesystem::is_regular_file(exposure.image, error)) ++there;
+            if (std::filesystem::is_regular_file(exposure.image, error)) {
+                ++there;
+            } else if (missing.empty()) {
+                missing = fmt::format("{}: {}", light.where, shown(exposure.image.string()));
+            }
         }
     if (all == 0) return "  no pictures\n";
     return fmt::format("  {}{}, {}\n", plural(all, "picture"),
-                       there == all ? "" : fmt::format(", {} missing", all - there),
+                       there == all ? "" : fmt::format(", {} missing ({})", all - there, missing),
                        rig.response == RigResponse::linear ? "linear" : "sRGB");
 }
 

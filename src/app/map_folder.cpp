@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
     std::error_code error;
     made_ = fs::create_directory(path, error);
-    if (error || !fs::is_directory(path, error))
+    if (const bool failed = static_cast<bool>(error); failed || !fs::is_directory(path, error))
         throw Error(path.string(), "", "a folder, or a name for one in a folder that is there",
-                    error ? one_line(error.message()) : "something else");
+                    fs::exists(path) ? "something else" : one_line(error.message()));
 }
 
 OutputFolder::~OutputFolder() {

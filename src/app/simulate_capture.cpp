@@ -125,9 +125,9 @@ Rig written_rig(const SimulateCaptureRequest& request, const Rig& rig, double le
     Rig out = rig;
     out.response = request.format == StackFormat::png8 ? RigResponse::srgb : RigResponse::linear;
     for (std::size_t k = 0; k < out.lights.size(); ++k) {
-        out.lights[k].images = {{request.output / "images" /
-                                     fmt::format("{:05}{}", k + 1, extension_of(request.format)),
-                                 1.0}};
+        out.lights[k].images = {
+            {request.output / "images" / fmt::format("{:04}{}", k, extension_of(request.format)),
+             1.0}};
         for (double& intensity : out.lights[k].intensity) intensity /= level;
     }
     return out;

@@ -47,7 +47,7 @@ constexpr float kGiveUp = 4.0f;
 constexpr int kNormalPasses = 3;
 constexpr std::size_t kPixelTile = 16;
 // Raised when the same settings come to give other numbers: stages of before are not gone on with.
-constexpr int kMethodVersion = 2;
+constexpr int kMethodVersion = 3;
 // What an interruption of the texel stage costs at most, and a band.
 constexpr std::chrono::seconds kSaveEvery{20};
 
@@ -303,6 +303,7 @@ void CaptureFit::fit_band(const StackBand& band, TexelTools& tools, Texels& texe
     const auto cells = static_cast<std::size_t>(settings_.grid.cells());
     const std::size_t per_point = 3 * stack_->lights();
     parallel_for(band.pixels, kPixelTile, [&](std::size_t begin, std::size_t end) {
+        if (interrupt_requested()) throw Interrupted();
         const WorkPool<TileWork>::Lease lease(tools.work);
         TileWork& w = *lease;
         const std::size_t count = end - begin;
@@ -331,6 +332,17 @@ void CaptureFit::fit_band(const StackBand& band, TexelTools& tools, Texels& texe
         for (std::size_t k = 0; k < count; ++k)
             if (stack_->mask()[pixel(k)]) fit_texel(pixel(k), k, candidates[k], tools, w, texels);
     });
+}
+
+double CaptureFit::unexplained() const {
+    if (!texels_) return report_.training_error;
+    double sum = 0.0, count = 0.0;
+    for (std::size_t p = 0; p < stack_->pixels(); ++p) {
+        if (texels_->exemplar[p] == TabulatedMaterial::kNoExemplar) continue;
+        sum += static_cast<double>(texels_->error[p]);
+        ++count;
+    }
+    return std::sqrt(sum / std::max(count, 1.0));
 }
 
 void CaptureFit::fit_texels() {

@@ -39,7 +39,7 @@ struct CaptureFitReport {
     int exemplars = 0;
     double eta = 0.0;
     CompletionReport completion;
-    double training_error = 0.0;  // root of the mean of PointFit::error
+    double training_error = 0.0;  // root of the mean of the points' PointFit::error
 };
 
 // Lights that take part (1) or are held out (0).
@@ -62,6 +62,9 @@ class CaptureFit {
     const Exemplars& exemplars() const { return exemplars_; }
     const CaptureFitReport& report() const { return report_; }
     const CaptureFitSettings& settings() const { return settings_; }
+    // Root of the mean of PointFit::error: of the texels once they are done, else of the points
+    // that exemplars are made from, as they were before the last of these.
+    double unexplained() const;
 
   private:
     struct Texels;

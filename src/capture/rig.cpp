@@ -54,6 +54,13 @@ std::string lower_extension(const std::filesystem::path& path) {
 namespace {
 
 Reading read_any(const std::filesystem::path& path, bool needs_images, bool has_camera) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        const std::filesystem::path inside = path / "rig.json";
+        throw Error(path.string(), "", "a rig file",
+                    is_there(inside) ? fmt::format("a folder; {} is one", shown(inside.string()))
+                                     : "a folder");
+    }
     const std::string text = read_text_file(path, kMostBytes);
     const Request request{path, text, needs_images, has_camera};
     const std::string extension = lower_extension(path);
@@ -146,17 +153,6 @@ void check_duplicates(Rig& rig) {
     }
 }
 
-void warn_of_geometry(Rig& rig) {
-    if (rig.lights.size() == 1)
-        rig.warnings.push_back("one light: there is nothing to fit a distribution to");
-    const bool own_cameras = std::any_of(rig.lights.begin(), rig.lights.end(),
-                                         [](const RigLight& light) { return light.camera; });
-    if (!own_cameras && rig.camera.at[0] == 0.0 && rig.camera.at[1] == 0.0)
-        rig.warnings.push_back(
-            "the camera is on the normal: under lights all round, another grain direction shows "
-            "nothing new");
-}
-
 }  // namespace
 
 }  // namespace rig_reading
@@ -185,7 +181,6 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images, const RigOver
     check_places(rig);
     check_duplicates(rig);
     find_size(rig, needs_images, overrides);
-    warn_of_geometry(rig);
     return rig;
 }
 

@@ -117,7 +117,9 @@ class Reader {
         const Vec3d to_light = direction_to(light.place, {0.0, 0.0, 0.0});
         double cosine = 0.0;
         for (std::size_t i = 0; i < 3; ++i) cosine -= light.emission_axis[i] * to_light[i];
-        if (!(cosine > 0.0)) axis.fail("an axis that points from the light to the sample");
+        // Of a light under the sample the place is wrong, not the axis: check_places says so.
+        if (!(cosine > 0.0) && light.place.at[2] >= kSmallest)
+            axis.fail("an axis that points from the light to the sample");
     }
 
     std::vector<RigExposure> read_images(const JsonPlace& place) const {

@@ -35,6 +35,7 @@ struct Flags {
     std::string grid, until, output;
     double eta = -1.0, f0 = -1.0;
     int seed = 1;
+    bool no_models = false;
 };
 
 void set_grid(Flags& flags) {
@@ -77,6 +78,7 @@ void run(Flags& flags, const Session& session) {
     if (!flags.until.empty())
         request.until = static_cast<CaptureStage>(
             index_of_name(capture_stage_names(), flags.until, "stage", "--until"));
+    request.settings.models = !flags.no_models;
     request.settings.seed = static_cast<std::uint64_t>(flags.seed);
     request.output = flags.output;
     if (request.output.extension() != ".exr")
@@ -114,7 +116,7 @@ void add_capture_fit_command(CLI::App& capture, Session& session) {
         "million samples");
     command->add_flag("--normals", settings.normals,
                       "fit each pixel's normal too; without, the sample is flat");
-    command->add_flag("!--no-models", settings.models,
+    command->add_flag("--no-models", flags->no_models,
                       "leave out the analytic models of every pixel");
     add_integer(*command, "--hold-out", settings.hold_out, {0, 1000},
                 "every n-th light takes no part; 0: all do");

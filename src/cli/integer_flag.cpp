@@ -21,12 +21,14 @@ int whole_number(const std::string& text, IntegerRange range, const std::string&
 
 CLI::Option* add_integer(CLI::App& command, const std::string& flag, int& target,
                          IntegerRange range, const std::string& help) {
-    return command.add_option_function<std::string>(
-        flag,
-        [&target, flag, range](const std::string& text) {
-            target = whole_number(text, range, flag);
-        },
-        fmt::format("{} ({} to {})", help, range.low, range.high));
+    return command
+        .add_option_function<std::string>(
+            flag,
+            [&target, flag, range](const std::string& text) {
+                target = whole_number(text, range, flag);
+            },
+            fmt::format("{} ({} to {})", help, range.low, range.high))
+        ->type_name("N");
 }
 
 CLI::Option* add_gl_device(CLI::App& command, int& target) {

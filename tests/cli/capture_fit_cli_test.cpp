@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "core/files.hpp"
 #include "core/image_io.hpp"
@@ -46,7 +49,7 @@ TEST(CaptureFitCommand, MakesAMaterialAndLeavesNothingElse) {
     const Folder folder;
     const std::string stack = stack_in(folder);
     EXPECT_TRUE(std::filesystem::exists(stack + "/truth/truth.json"));
-    EXPECT_TRUE(std::filesystem::exists(stack + "/images/00036.exr"));
+    EXPECT_TRUE(std::filesystem::exists(stack + "/images/0035.exr"));
     const std::string material = folder.path("material.exr");
     const Outcome outcome = fit(stack + "/rig.json", material, {"--hold-out", "6"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.complaint;
@@ -79,6 +82,20 @@ TEST(CaptureFitCommand, StagesOneByOneGiveTheSame) {
     EXPECT_EQ(a.diffuse.pixels, b.diffuse.pixels);
 }
 
+TEST(CaptureFitCommand, SaysHowAnInterruptedOneGoesOn) {
+    const Folder folder;
+    const std::string rig = stack_in(folder, "classes", {"--lights", "16x16"}) + "/rig.json";
+    const std::string material = folder.path("m.exr"), pictures = material + ".stages/pictures.bin";
+    RunningProgram program({"capture", "fit", rig, "-o", material});
+    for (int i = 0; i < 3000 && !std::filesystem::exists(pictures); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(std::filesystem::exists(pictures));
+    program.send_signal(SIGINT);
+    expect_complaint(program.wait(), 130, {"the same command goes on", "m.exr.stages"});
+    EXPECT_FALSE(std::filesystem::exists(material));
+    EXPECT_TRUE(std::filesystem::exists(pictures));
+}
+
 TEST(CaptureFitCommand, EveryFormatOfPicturesFits) {
     const Folder folder;
     for (const char* format : {"png16", "png8"}) {
@@ -91,7 +108,9 @@ TEST(CaptureFitCommand, EveryFormatOfPicturesFits) {
 
 TEST(CaptureFitCommand, SaysWhatAStackCannotSupport) {
     const Folder folder;
-    const Outcome grain = fit(stack_in(folder, "single-grain") + "/rig.json", folder.path("a.exr"));
+    // Under 36 lights its lobes fall between the lights, and turns are a guess.
+    const Outcome grain = fit(stack_in(folder, "single-grain", {"--lights", "12x12"}) + "/rig.json",
+                              folder.path("a.exr"));
     EXPECT_EQ(grain.exit_code, 0);
     EXPECT_NE(grain.complaint.find("one grain direction"), std::string::npos) << grain.complaint;
     const Outcome above = fit(stack_in(folder, "satin",
@@ -99,8 +118,7 @@ TEST(CaptureFitCommand, SaysWhatAStackCannotSupport) {
                                         "--camera-distance", "0"}) +
                                   "/rig.json",
                               folder.path("b.exr"));
-    EXPECT_NE(above.complaint.find("camera is on the normal"), std::string::npos)
-        << above.complaint;
+    EXPECT_NE(above.complaint.find("camera on the normal"), std::string::npos) << above.complaint;
     const Outcome mirror = fit(stack_in(folder, "mirror") + "/rig.json", folder.path("c.exr"));
     EXPECT_TRUE(mirror.complaint.find("narrower than lights") != std::string::npos ||
                 mirror.complaint.find("between the lights") != std::string::npos)
@@ -116,17 +134,18 @@ TEST(CaptureFitCommand, RefusesInOneLine) {
     expect_one_line(fit(rig, out, {"--grid", "32x95"}), 2, "multiple of 24");
     expect_one_line(fit(rig, out, {"--hold-out", "1"}), 2, "from 2 to 1000");
     expect_one_line(fit(folder.path("none.json"), out), 1, "none.json");
+    expect_one_line(fit(stack, out), 1, "a folder; \"" + rig + "\" is one");
     expect_one_line(fit(rig, "/proc/m.exr"), 1, "/proc/m.exr");
 
     // A picture that ends early, one of another size, and one that is missing.
-    const std::string picture = stack + "/images/00007.exr";
+    const std::string picture = stack + "/images/0007.exr";
     const auto bytes = read_file(picture);
     write_bytes(picture, std::span(bytes).first(bytes.size() / 2));
-    expect_one_line(fit(rig, out), 1, "00007.exr");
+    expect_one_line(fit(rig, out), 1, "0007.exr");
     write_image(picture, Image(4, 4, 3, 0.5f), {});
     expect_one_line(fit(rig, out), 1, "8 x 8");
     std::filesystem::remove(picture);
-    expect_one_line(fit(rig, out), 1, "00007.exr");
+    expect_one_line(fit(rig, out), 1, "0007.exr");
     EXPECT_FALSE(std::filesystem::exists(out));
 }
 

@@ -53,13 +53,13 @@ TEST(CaptureFullDisk, AnOlderStackStaysWhole) {
     ASSERT_EQ(simulate(stack).exit_code, 0);
     const auto before = all_below(stack);
     const std::string rig = contents_of(stack + "/rig.json");
-    const std::string picture = contents_of(stack + "/images/00001.exr");
+    const std::string picture = contents_of(stack + "/images/0000.exr");
     // Larger pictures than the file may be; rig and truth are not.
     expect_full(simulate(stack, "60", "exr", {.file_size_limit = 40000}), "stack/images/000",
                 kLimit);
     EXPECT_EQ(all_below(stack), before);
     EXPECT_EQ(contents_of(stack + "/rig.json"), rig);
-    EXPECT_EQ(contents_of(stack + "/images/00001.exr"), picture);
+    EXPECT_EQ(contents_of(stack + "/images/0000.exr"), picture);
 }
 
 Outcome fit(const std::string& rig, const std::string& output, std::vector<std::string> more = {},
