@@ -117,6 +117,11 @@ void check_exr_attribute(const ByteCursor& file, std::string_view name, std::uin
             if (std::abs(i32(corner)) > kFarthest) file.fail("a window out of bounds");
         }
         header.has_window = header.has_window || name == "dataWindow";
+    } else if (name == "type") {
+        // Of other parts OpenEXR keeps what it does not know, and checks nothing.
+        const std::string_view part(reinterpret_cast<const char*>(file.data() + value), length);
+        if (part != "scanlineimage" && part != "tiledimage")
+            file.fail(fmt::format("a part of type {}", shown(part)));
     } else if (name == "tiles" && length >= 8) {
         check_image_size(file.u32(value, false), file.u32(value + 4, false), file.name());
     } else if (name == "chunkCount" && length == 4) {
@@ -126,7 +131,8 @@ void check_exr_attribute(const ByteCursor& file, std::string_view name, std::uin
     }
 }
 
-// A list of names with 16 bytes each, ended by an empty name.
+// A list of names with 16 bytes each, ended by an empty name: pixel type (0 to 2: whole numbers,
+// half, float), a flag and padding, sampling. OpenImageIO 2.4 aborts at another type.
 std::uint64_t length_of_exr_channels(const ByteCursor& file, std::uint64_t value) {
     constexpr std::uint64_t kChannelBytes = 16;
     for (std::uint64_t at = value;;) {
@@ -134,6 +140,10 @@ std::uint64_t length_of_exr_channels(const ByteCursor& file, std::uint64_t value
         at += name.size() + 1;
         if (name.empty()) return at - value;
         file.require(at, kChannelBytes);
+        if (const std::uint32_t pixel_type = file.u32(at, false); pixel_type > 2)
+            file.fail(fmt::format("a channel of pixel type {}", pixel_type));
+        if (file.u32(at + 8, false) != 1 || file.u32(at + 12, false) != 1)
+            file.fail("a subsampled channel");
         at += kChannelBytes;
     }
 }

@@ -131,6 +131,45 @@ TEST(HostileOpenExr, AttributesAreAsLongAsTheirTypes) {
     }
 }
 
+// Found by the fuzzer: in a part of a type that it does not know, OpenEXR lets pixel types pass
+// that OpenImageIO aborts at.
+TEST(HostileOpenExr, ChannelsAndPartsAreOfTypesThatThereAre) {
+    const auto exr = std::find_if(encodings().begin(), encodings().end(),
+                                  [](const Encoding& e) { return e.format == "openexr"; });
+    ASSERT_NE(exr, encodings().end());
+    const Bytes good = encode(*exr, sample_picture(24, 18, exr->channels));
+    using namespace std::string_view_literals;
+    const auto expect_refusal = [](const Bytes& bytes, std::string_view part) {
+        try {
+            decode_texture(bytes, "hostile.img", ColorSpace::linear);
+            ADD_FAILURE() << part;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string_view(error.what()).find(part), std::string_view::npos)
+                << error.what();
+        }
+    };
+    const auto type = std::as_bytes(std::span("chlist\0"sv));
+    const auto found = std::search(good.begin(), good.end(), type.begin(), type.end());
+    ASSERT_NE(found, good.end());
+    // Behind the type and the length: a name of one letter, the pixel type, four bytes, sampling.
+    const auto channel = static_cast<std::size_t>(found - good.begin()) + type.size() + 4 + 2;
+    for (const unsigned kind : {3U, 255U}) {
+        Bytes bytes = good;
+        bytes[channel] = static_cast<std::byte>(kind);
+        expect_refusal(bytes, "a channel of pixel type " + std::to_string(kind));
+    }
+    for (const std::size_t sampling : {std::size_t{8}, std::size_t{12}})
+        for (const unsigned step : {0U, 2U}) {
+            Bytes bytes = good;
+            bytes[channel + sampling] = static_cast<std::byte>(step);
+            expect_refusal(bytes, "a subsampled channel");
+        }
+    Bytes bytes = good;
+    const auto part = std::as_bytes(std::span("type\0string\0\x05\0\0\0scanl"sv));
+    bytes.insert(bytes.begin() + 8, part.begin(), part.end());
+    expect_refusal(bytes, "a part of type \"scanl\"");
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, Hostile, testing::ValuesIn(encodings()),
                          [](const auto& encoding) { return encoding.param.label; });
 
