@@ -51,11 +51,11 @@ ExemplarSearch::ExemplarSearch(const SampleContext& context, const std::vector<s
 namespace {
 
 // From the slope of least error where the error is a paraboloid, through six places a step apart;
-// no farther than two steps. A lobe is stiff across its groove and soft along it, so that x and y
-// for themselves would hardly get anywhere.
+// no farther than two steps; `middle` is the error at the first of them. A lobe is stiff across its
+// groove and soft along it, so that x and y for themselves would hardly get anywhere.
 template <typename ErrorAt>
-std::array<float, 2> least_slope(const ErrorAt& error, float step) {
-    const float middle = error(0.0f, 0.0f), right = error(step, 0.0f), up = error(0.0f, step);
+std::array<float, 2> least_slope(const ErrorAt& error, float middle, float step) {
+    const float right = error(step, 0.0f), up = error(0.0f, step);
     const float left = error(-step, 0.0f), down = error(0.0f, -step);
     const float both = error(step, step);
     const float xx = right - 2.0f * middle + left, yy = up - 2.0f * middle + down;
@@ -83,13 +83,14 @@ Vec3f refined_normal(const SampleContext& context, std::size_t pixel, const floa
         return PointFitter(work.samples, eta).at(tables, fit.shift).error;
     };
     for (const float step : {0.04f, 0.015f}) {
+        const float now = error(normal);
         const std::array<float, 2> move = least_slope(
             [&](float x, float y) {
                 return error(tilted_normal(normal, {x, y}));
             },
-            step);
+            now, step);
         const Vec3f next = tilted_normal(normal, move);
-        if (error(next) < error(normal)) normal = next;
+        if (error(next) < now) normal = next;
         context.gather(pixel, normal, values, work);
         fit = PointFitter(work.samples, eta).refined(tables, fit.shift, 0.5f);
     }

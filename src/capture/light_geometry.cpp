@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "burnish/f32.hpp"
@@ -56,34 +55,17 @@ NormalFrame::NormalFrame(const Vec3f& normal) {
 
 namespace {
 
-// atan2 within 1e-7 (Abramowitz & Stegun 4.4.49): thousands of places a pixel are wanted.
-inline float angle_of(float y, float x) {
-    const float ax = std::abs(x), ay = std::abs(y);
-    const float most = std::max(ax, ay), t = most > 0.0f ? std::min(ax, ay) / most : 0.0f;
-    const float q = t * t;
-    float sum = 0.0028662257f;
-    for (const float term : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f,
-                             -0.1420889944f, 0.1999355085f, -0.3333314528f, 1.0f})
-        sum = sum * q + term;
-    float angle = t * sum;
-    if (ay > ax) angle = 0.5f * std::numbers::pi_v<float> - angle;
-    if (x < 0.0f) angle = std::numbers::pi_v<float> - angle;
-    return y < 0.0f ? -angle : angle;
-}
-
 // `at` in rings, cut to those there are.
 inline GridPlace place_at(const NdfGrid& grid, float at, float x, float y) {
     at = std::clamp(at, 0.0f, static_cast<float>(grid.rings - 1));
     const int ring = static_cast<int>(at);
     return {ring, at - static_cast<float>(ring),
-            angle_of(y, x) * static_cast<float>(grid.azimuths) *
-                (0.5f * std::numbers::inv_pi_v<float>)};
+            f32::tabulated_turns(x, y) * static_cast<float>(grid.azimuths)};
 }
 
 // The angle with the normal in quarter turns, 0 to 1; (x, y, z) of any length.
 inline float slant(float x, float y, float z) {
-    return std::min(angle_of(std::sqrt(x * x + y * y), z) * (2.0f * std::numbers::inv_pi_v<float>),
-                    1.0f);
+    return f32::quarter_turns(std::max(z, 0.0f), std::sqrt(x * x + y * y));
 }
 
 }  // namespace
@@ -123,14 +105,13 @@ template <bool kAreas>
 void places(const NdfGrid& grid, const Block& d, std::size_t count, GridPlace* out) {
     std::array<float, kBlock> at, column;
     const auto most = static_cast<float>(grid.rings - 1);
-    const float columns =
-        static_cast<float>(grid.azimuths) * (0.5f * std::numbers::inv_pi_v<float>);
+    const auto columns = static_cast<float>(grid.azimuths);
     for (std::size_t k = 0; k < kBlock; ++k) {
         const float s = slant(d.x[k], d.y[k], d.z[k]);
         const float ring = kAreas ? std::sqrt(1.0f - s) * most
                                   : std::sqrt(s) * static_cast<float>(grid.rings) - 0.5f;
         at[k] = std::clamp(ring, 0.0f, most);
-        column[k] = angle_of(d.y[k], d.x[k]) * columns;
+        column[k] = f32::tabulated_turns(d.x[k], d.y[k]) * columns;
     }
     for (std::size_t k = 0; k < count; ++k) {
         const int ring = static_cast<int>(at[k]);

@@ -36,8 +36,8 @@ class LightGeometry {
     PointLights far_;
 };
 
-// A place on a polar grid: between rings `ring` and `ring` + 1, at `column` (not whole, within half
-// a circle of 0).
+// A place on a polar grid: between rings `ring` and `ring` + 1, at `column` (not whole, from 0 to
+// the azimuths).
 struct GridPlace {
     int ring = 0;
     float fraction = 0.0f;
@@ -52,12 +52,10 @@ GridPlace area_place(float x, float y, float z);
 // ndf_lookup at a place worked out before, the table turned by `shift` columns.
 inline float lookup(const NdfGrid& grid, const float* table, const GridPlace& place, float shift) {
     const auto columns = static_cast<float>(grid.azimuths);
-    // The turn within one circle is the same for all places of a loop; a column is within half of
-    // one.
+    // The turn within one circle is the same for all places of a loop.
     float turn = shift - columns * static_cast<float>(static_cast<int>(shift / columns));
     if (turn < 0.0f) turn += columns;
     float c = place.column - turn;
-    if (c < 0.0f) c += columns;
     if (c < 0.0f) c += columns;
     int c0 = static_cast<int>(c);
     if (c0 >= grid.azimuths) c0 = 0;
