@@ -32,6 +32,12 @@ constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
 
 int main(int argc, char** argv) {
     burnish::keep_freed_memory();
+    if (argc > 1 && argv[1][0] == '-') {  // no file of that name
+        std::fprintf(stderr, "usage: burnish_bench [OUT.md [PART...]], parts:");
+        for (const auto& part : kParts) std::fprintf(stderr, " %s", part.first);
+        std::fprintf(stderr, "\n");
+        return 2;
+    }
     try {
         const std::vector<std::string> chosen(argv + std::min(argc, 2), argv + argc);
         Report report;

@@ -106,7 +106,7 @@ void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const st
 // The fit beside other people's models, where it was not told the answer.
 std::string describe(const std::vector<HeldOutError>& errors, std::size_t lights) {
     if (errors.empty()) return "";
-    std::string text = fmt::format("on the {} light{} held out:\n", lights, lights == 1 ? "" : "s");
+    std::string text = fmt::format("on the {} light{} held out, PSNR by their brightest sample:\n", lights, lights == 1 ? "" : "s");
     for (const HeldOutError& e : errors)
         text += fmt::format("  {:<18} {:5.1f} dB, RMSE {:.3g}\n", e.model, e.psnr, e.rmse);
     return text;
