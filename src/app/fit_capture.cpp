@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/info_scene.hpp"
 #include "app/map_folder.hpp"
 #include "app/version.hpp"
 #include "burnish/error.hpp"
@@ -106,7 +107,8 @@ void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const st
 // The fit beside other people's models, where it was not told the answer.
 std::string describe(const std::vector<HeldOutError>& errors, std::size_t lights) {
     if (errors.empty()) return "";
-    std::string text = fmt::format("on the {} light{} held out, PSNR by their brightest sample:\n", lights, lights == 1 ? "" : "s");
+    std::string text = fmt::format("on the {} held out, PSNR by their brightest sample:\n",
+                                   plural(lights, "light"));
     for (const HeldOutError& e : errors)
         text += fmt::format("  {:<18} {:5.1f} dB, RMSE {:.3g}\n", e.model, e.psnr, e.rmse);
     return text;
@@ -120,10 +122,10 @@ std::string describe(const CaptureFit& fit, const FitCaptureRequest& request) {
         fit.stack().width(), fit.stack().height(), fit.stack().lights(), r.spacing_deg,
         100.0 * r.census.clipped_share, 100.0 * r.census.black_share);
     if (r.exemplars == 0) return text;
-    text += fmt::format(
-        "{} exemplar{} from {} points, eta {:.3g}{}, {:.2g} % of the light unexplained\n",
-        r.exemplars, r.exemplars == 1 ? "" : "s", r.training_points, r.eta,
-        request.settings.eta ? "" : " (estimated)", 100.0 * fit.unexplained());
+    text +=
+        fmt::format("{} from {} points, eta {:.3g}{}, {:.2g} % of the light unexplained\n",
+                    plural(static_cast<std::size_t>(r.exemplars), "exemplar"), r.training_points,
+                    r.eta, request.settings.eta ? "" : " (estimated)", 100.0 * fit.unexplained());
     text += fmt::format(
         "of the hemisphere {:.0f} % is measured, {:.0f} % completed from other exemplars, {:.0f} % "
         "extrapolated\n",
@@ -131,14 +133,6 @@ std::string describe(const CaptureFit& fit, const FitCaptureRequest& request) {
         100.0 * r.completion.extrapolated);
     return text;
 }
-
-}  // namespace
-
-std::span<const std::string_view> capture_stage_names() {
-    return kStages;
-}
-
-namespace {
 
 class InterruptedFit : public Interrupted {
   public:
@@ -184,6 +178,10 @@ void fit_into(const FitCaptureRequest& request, const Rig& rig, const fs::path& 
 }
 
 }  // namespace
+
+std::span<const std::string_view> capture_stage_names() {
+    return kStages;
+}
 
 FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& progress) {
     FitCaptureReport report;

@@ -310,7 +310,8 @@ void RotationMatcher::match(const MaskedTables& points, const Take& take) const 
     match_range(points, 0, count_, take);
 }
 
-// Exemplars are laid out in tiles; `first` must begin one, as callers' ranges do.
+// Exemplars are laid out in tiles, of which whole ones are matched: what is before `first` is left
+// out.
 void RotationMatcher::match_range(const MaskedTables& points, std::size_t first, std::size_t count,
                                   const Take& take) const {
     const std::size_t begin_tile = first / kExemplarTile;
