@@ -4,11 +4,13 @@
 
 #include <string>
 
-#include "app/interleave.hpp"
-#include "gpu/context.hpp"
-#include "gpu/renderer.hpp"
+#include "bench/frame/interleave.hpp"
+#include "formats/load_model.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "report.hpp"
-#include "scene/load.hpp"
+#include "stage/material_parameters.hpp"
+#include "burnish/render_settings.hpp"
 
 namespace burnish::bench {
 
@@ -52,8 +54,8 @@ class Subject {
         options_.width = 1280;
         options_.height = 720;
         options_.samples = 1;
-        options_.image_light = gpu::ImageLight::off;
-        options_.background = gpu::BackgroundKind::color;
+        options_.image_light = ImageLight::off;
+        options_.background = BackgroundKind::color;
     }
 
     gpu::FrameTimes time(int frames) {
@@ -64,7 +66,7 @@ class Subject {
   private:
     Scene scene_;
     Camera camera_;
-    gpu::RenderOptions options_;
+    RenderSettings options_;
     gpu::Renderer renderer_;
 };
 

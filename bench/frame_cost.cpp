@@ -4,8 +4,10 @@
 
 #include <array>
 
-#include "app/frame_bench.hpp"
+#include "bench/frame/frame_bench.hpp"
 #include "report.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::bench {
 

@@ -10,16 +10,16 @@
 #include <filesystem>
 #include <glm/trigonometric.hpp>
 
-#include "gpu/renderer.hpp"
+#include "formats/environments.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "gpu/test_scene.hpp"
 #include "report.hpp"
-#include "scene/load.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::bench {
 
 namespace {
-
-using gpu::ImageLight;
 
 constexpr int kPairs = 9;
 
@@ -43,13 +43,13 @@ Camera camera_before_sphere() {
     return camera;
 }
 
-gpu::RenderOptions picture(int side, ImageLight light, int samples) {
-    gpu::RenderOptions o;
+RenderSettings picture(int side, ImageLight light, int samples) {
+    RenderSettings o;
     o.width = o.height = side;
     o.samples = 1;
     o.image_light = light;
     o.image_light_samples = samples;
-    o.background = gpu::BackgroundKind::color;
+    o.background = BackgroundKind::color;
     o.background_color = glm::vec3(0.0f);
     return o;
 }
@@ -64,8 +64,8 @@ double rmse(const Image& a, const Image& b) {
     return std::sqrt(sum / (0.75 * static_cast<double>(a.pixels.size())));
 }
 
-gpu::RenderOptions plain_picture(int side, int samples) {
-    gpu::RenderOptions o = picture(side, ImageLight::importance, samples);
+RenderSettings plain_picture(int side, int samples) {
+    RenderSettings o = picture(side, ImageLight::importance, samples);
     o.filter_image_samples = false;
     return o;
 }

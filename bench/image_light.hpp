@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "burnish/scene.hpp"
-#include "gpu/context.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::bench {
 

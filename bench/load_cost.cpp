@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "formats/gltf/gltf.hpp"
 #include "report.hpp"
 #include "scene/glb_writer.hpp"
-#include "scene/load.hpp"
 
 namespace burnish::bench {
 

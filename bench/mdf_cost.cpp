@@ -8,8 +8,8 @@
 
 #include "burnish/f32.hpp"
 #include "core/large_pages.hpp"
+#include "models/batch/mdf_batch.hpp"
 #include "report.hpp"
-#include "shading/mdf_batch.hpp"
 
 namespace burnish::bench {
 

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <limits>
 
-#include "maps/scratch.hpp"
+#include "maps/scratch/scratch.hpp"
 #include "report.hpp"
 
 namespace burnish::bench {

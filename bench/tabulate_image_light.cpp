@@ -10,6 +10,7 @@
 
 #include "burnish/error.hpp"
 #include "image_light.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::bench {
 namespace {

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace burnish {
+#include "burnish/api.hpp"
+
+namespace BURNISH_API burnish {
 
 // Something that was asked for cannot be done: a file is broken, a value is out of range, a device
 // is missing. `what()` is one line whatever went in: control characters become spaces. The command

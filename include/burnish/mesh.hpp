@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+#include "burnish/api.hpp"
+
+namespace BURNISH_API burnish {
 
 // Every attribute is empty or as long as `positions`. After loading, `normals` and `tangents` are
 // always present, unit length and finite; `texcoord0` is empty when the file had none.

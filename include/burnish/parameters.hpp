@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
-namespace burnish {
+#include "burnish/api.hpp"
+
+namespace BURNISH_API burnish {
 
 enum class ParameterKind { real, integer, boolean, choice, color, vector, text };
 enum class ParameterGroup { material, render, camera, environment, mesh };

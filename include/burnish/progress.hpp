@@ -5,7 +5,9 @@
 #include <string_view>
 #include <utility>
 
-namespace burnish {
+#include "burnish/api.hpp"
+
+namespace BURNISH_API burnish {
 
 class Progress {
   public:

@@ -5,19 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "burnish/parameters.hpp"
+#include "burnish/api.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/shading_names.hpp"
+#include "burnish/stage.hpp"
 
-namespace burnish {
-
-// What is to be seen, and in which light.
-struct StageRequest {
-    std::string input;                // model, scene file or builtin:<name>
-    std::string environment;          // "": the scene file's, else builtin:studio; "none"
-    std::vector<std::string> lights;  // --light words (see parse_light); empty: the file's lights
-    ParameterValues values;           // they win over the scene file's parameters
-};
+namespace BURNISH_API burnish {
 
 struct RenderRequest {
     StageRequest stage;

@@ -12,11 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "burnish/api.hpp"
+#include "burnish/conductor.hpp"
 #include "burnish/image.hpp"
 #include "burnish/mesh.hpp"
 #include "burnish/shading_names.hpp"
 
-namespace burnish {
+namespace BURNISH_API burnish {
 
 enum class Wrap { repeat, mirror, clamp };
 enum class AlphaMode { opaque, mask, blend };
@@ -38,14 +40,8 @@ struct TextureUse {
     explicit operator bool() const { return texture >= 0; }
 };
 
-// Complex index of refraction at R, G, B.
-struct Conductor {
-    glm::vec3 eta{1.0f};
-    glm::vec3 k{0.0f};
-};
-
-struct Draft;              // maps/draft.hpp
-struct TabulatedMaterial;  // scene/tabulated_material.hpp
+struct Draft;              // maps/weave/draft.hpp
+struct TabulatedMaterial;  // scene/material/tabulated_material.hpp
 
 // Woven cloth in place of a normal map (docs/weave.md). The lobe's x axis runs along the fibres:
 // along the tangent on weft yarns, the bitangent on warp yarns, turned by twist and

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace burnish {
+#include "burnish/api.hpp"
+
+namespace BURNISH_API burnish {
 
 // The numbers are those of shading/names.glsl (a test holds them together).
 enum class Mdf { ashikhmin_shirley = 0, ward = 1, beckmann = 2, ggx = 3 };

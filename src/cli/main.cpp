@@ -9,12 +9,12 @@
 #include <sstream>
 #include <string>
 
-#include "app/version.hpp"
 #include "burnish/error.hpp"
 #include "burnish/progress.hpp"
-#include "cli/commands.hpp"
+#include "cli/commands/commands.hpp"
 #include "cli/session.hpp"
 #include "cli/usage.hpp"
+#include "core/version.hpp"
 
 namespace burnish::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/plot.hpp"
+#include "jobs/models/plot.hpp"
 
 namespace CLI {
 class App;

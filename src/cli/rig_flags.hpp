@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "capture/rig.hpp"
+#include "capture/rig/rig.hpp"
 
 namespace CLI {
 class App;

@@ -8,8 +8,8 @@
 
 #include "core/even_points.hpp"
 #include "core/parallel.hpp"
+#include "models/albedo.hpp"
 #include "plot/curve.hpp"
-#include "shading/albedo.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "models/brdf_models.hpp"
 #include "plot/figure.hpp"
 #include "plot/panels.hpp"
-#include "shading/brdf_models.hpp"
 
 namespace burnish::plot {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

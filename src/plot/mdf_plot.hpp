@@ -11,9 +11,9 @@
 
 #include "burnish/image.hpp"
 #include "burnish/shading_names.hpp"
+#include "models/mdf.hpp"
 #include "plot/figure.hpp"
 #include "plot/panels.hpp"
-#include "shading/mdf.hpp"
 
 namespace burnish::plot {
 

@@ -1,6 +1,4 @@
 // From a file to a table: a material made by a test is fitted by the model it was made of.
-#include "app/fit_measured.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "../scene/bsdf_writer.hpp"
 #include "../scene/support.hpp"
+#include "jobs/models/brdf_fit.hpp"
 
 namespace burnish::test {
 namespace {

@@ -1,5 +1,5 @@
 // burnish bench frame: what it refuses, and that what it writes is whole and adds up.
-#include "app/frame_cost.hpp"
+#include "bench/frame/frame_cost.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,12 @@
 
 #include "../cli/program.hpp"
 #include "../gpu/gpu_fixture.hpp"
-#include "app/frame_papers.hpp"
-#include "app/frame_tabulated.hpp"
+#include "bench/frame/frame_papers.hpp"
+#include "bench/frame/frame_tabulated.hpp"
 #include "core/statistics.hpp"
-#include "scene/tabulated_check.hpp"
+#include "formats/tabulated/tabulated_check.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/frame_cost.hpp"
+#include "bench/frame/frame_cost.hpp"
 
 namespace burnish {
 namespace {

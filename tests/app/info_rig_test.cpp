@@ -4,8 +4,8 @@
 #include <regex>
 
 #include "../scene/support.hpp"
-#include "app/info.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
+#include "jobs/info/info.hpp"
 
 namespace burnish {
 namespace {

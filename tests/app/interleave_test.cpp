@@ -1,5 +1,5 @@
 // Measuring by turns, on machines made up.
-#include "app/interleave.hpp"
+#include "bench/frame/interleave.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 
 #include "burnish/error.hpp"
 #include "core/statistics.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish {
 namespace {

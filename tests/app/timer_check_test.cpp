@@ -1,5 +1,6 @@
 // Whether timer queries are believed, with devices that tell the truth and devices that do not.
-#include "app/timer_check.hpp"
+#include "bench/frame/timer_check.hpp"
+#include "gpu/draw/renderer.hpp"
 
 #include <gtest/gtest.h>
 

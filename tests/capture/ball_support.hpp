@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "burnish/image.hpp"
-#include "capture/light_probe.hpp"
+#include "capture/rig/light_probe.hpp"
 
 namespace burnish::test {
 

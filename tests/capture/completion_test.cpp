@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "capture/exemplar_solve.hpp"
+#include "capture/solve/exemplar_solve.hpp"
 #include "solve_support.hpp"
 
 namespace burnish {

@@ -1,5 +1,5 @@
 // What a rig sees, against closed forms, quadrature and sums over lattices.
-#include "capture/coverage.hpp"
+#include "capture/rig/coverage.hpp"
 
 #include <gtest/gtest.h>
 

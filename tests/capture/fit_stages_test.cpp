@@ -5,7 +5,7 @@
 
 #include "../cli/program.hpp"
 #include "burnish/error.hpp"
-#include "capture/capture_fit.hpp"
+#include "capture/solve/capture_fit.hpp"
 #include "truth_metrics.hpp"
 
 namespace burnish::test {

@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "../cli/program.hpp"
-#include "capture/capture_fit.hpp"
-#include "capture/parametric_fit.hpp"
+#include "capture/model/parametric_fit.hpp"
+#include "capture/solve/capture_fit.hpp"
 #include "truth_metrics.hpp"
 
 namespace burnish::test {

@@ -1,6 +1,6 @@
 // What comes out of a stack of pictures is what went in, within what its coding says; what cannot
 // be known is infinite.
-#include "capture/image_stack.hpp"
+#include "capture/stack/image_stack.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Light directions from mirror balls that are rendered here, ray by ray.
-#include "capture/light_probe.hpp"
+#include "capture/rig/light_probe.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "../scene/support.hpp"
 #include "ball_support.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish {
 namespace {

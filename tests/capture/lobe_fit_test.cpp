@@ -1,12 +1,12 @@
 // Lobes fitted to tables of known ones.
-#include "capture/lobe_fit.hpp"
+#include "fit/lobe_fit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "capture/virtual_ndf.hpp"
+#include "capture/simulate/virtual_ndf.hpp"
 
 namespace burnish::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "capture/rotation_match.hpp"
+#include "capture/solve/rotation_match.hpp"
 #include "table_support.hpp"
 
 namespace burnish::test {

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "../cli/program.hpp"
-#include "capture/capture_fit.hpp"
-#include "capture/held_out.hpp"
-#include "capture/peak_normal.hpp"
+#include "capture/judge/held_out.hpp"
+#include "capture/solve/capture_fit.hpp"
+#include "capture/solve/peak_normal.hpp"
 #include "truth_metrics.hpp"
 
 namespace burnish::test {

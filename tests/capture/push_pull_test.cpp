@@ -1,6 +1,6 @@
 // Push-pull interpolation by its properties: what is dense stays, what is near is filled smoothly,
 // what is far stays empty.
-#include "capture/push_pull.hpp"
+#include "capture/solve/push_pull.hpp"
 
 #include <gtest/gtest.h>
 

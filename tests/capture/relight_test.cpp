@@ -1,5 +1,5 @@
 // Relighting against the closed forms of simulated samples, and errors against known noise.
-#include "capture/relight.hpp"
+#include "capture/judge/relight.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "../cli/program.hpp"
-#include "capture/relight_compare.hpp"
-#include "core/image_io.hpp"
+#include "capture/judge/relight_compare.hpp"
+#include "image/image_io.hpp"
 #include "tabulate_sample.hpp"
 #include "truth_metrics.hpp"
 

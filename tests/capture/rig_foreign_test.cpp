@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "../scene/support.hpp"
-#include "capture/rig.hpp"
-#include "core/image_io.hpp"
+#include "capture/rig/rig.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish {
 namespace {

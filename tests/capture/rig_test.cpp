@@ -1,5 +1,5 @@
 // Our rig JSON, the checks that all formats share, and the geometry of arriving light.
-#include "capture/rig.hpp"
+#include "capture/rig/rig.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "../scene/support.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish {
 namespace {

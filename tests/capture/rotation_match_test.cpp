@@ -1,5 +1,5 @@
 // All turns at once against all turns one by one, by sums written from the definition.
-#include "capture/rotation_match.hpp"
+#include "capture/solve/rotation_match.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

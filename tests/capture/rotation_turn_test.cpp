@@ -2,7 +2,7 @@
 // say.
 #include <gtest/gtest.h>
 
-#include "capture/rotation_match.hpp"
+#include "capture/solve/rotation_match.hpp"
 #include "match_support.hpp"
 
 namespace burnish {

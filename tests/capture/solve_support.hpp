@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "capture/light_geometry.hpp"
+#include "capture/stack/light_geometry.hpp"
 #include "table_support.hpp"
 
 namespace burnish::test {

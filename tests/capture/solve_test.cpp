@@ -3,10 +3,10 @@
 
 #include <limits>
 
-#include "capture/exemplar_solve.hpp"
-#include "capture/partial_ndf.hpp"
-#include "capture/point_fit.hpp"
-#include "capture/virtual_ndf.hpp"
+#include "capture/simulate/virtual_ndf.hpp"
+#include "capture/solve/exemplar_solve.hpp"
+#include "capture/solve/partial_ndf.hpp"
+#include "capture/solve/point_fit.hpp"
 #include "solve_support.hpp"
 
 namespace burnish {

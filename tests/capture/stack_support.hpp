@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "../scene/support.hpp"
-#include "capture/image_stack.hpp"
-#include "core/image_io.hpp"
+#include "capture/stack/image_stack.hpp"
+#include "image/image_io.hpp"
 #include "table_support.hpp"
 
 namespace burnish::test {

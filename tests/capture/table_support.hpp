@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "scene/ndf_grid.hpp"
+#include "scene/material/ndf_grid.hpp"
 
 namespace burnish::test {
 

@@ -1,8 +1,8 @@
 // A simulated sample as the material that a perfect fit would find.
 #pragma once
 
-#include "capture/virtual_sample.hpp"
-#include "scene/tabulated_material.hpp"
+#include "capture/simulate/virtual_sample.hpp"
+#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::test {
 

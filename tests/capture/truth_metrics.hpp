@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "capture/virtual_sample.hpp"
-#include "scene/tabulated_material.hpp"
+#include "capture/simulate/virtual_sample.hpp"
+#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::test {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "capture/virtual_sample.hpp"
+#include "capture/simulate/virtual_sample.hpp"
 #include "table_support.hpp"
 
 namespace burnish {

@@ -7,9 +7,9 @@
 #include <regex>
 
 #include "../capture/ball_support.hpp"
-#include "app/capture_directions.hpp"
-#include "capture/rig.hpp"
-#include "core/image_io.hpp"
+#include "capture/rig/rig.hpp"
+#include "image/image_io.hpp"
+#include "jobs/capture/capture_directions.hpp"
 #include "program.hpp"
 
 namespace burnish::test {

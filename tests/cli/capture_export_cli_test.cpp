@@ -10,9 +10,10 @@
 #include <sstream>
 
 #include "../capture/tabulate_sample.hpp"
-#include "capture/relight.hpp"
-#include "core/image_io.hpp"
+#include "capture/judge/relight.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
 
 namespace burnish::test {
 namespace {

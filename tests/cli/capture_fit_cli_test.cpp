@@ -10,9 +10,10 @@
 #include <thread>
 
 #include "core/files.hpp"
-#include "core/image_io.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
-#include "scene/tabulated_material.hpp"
+#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::test {
 namespace {

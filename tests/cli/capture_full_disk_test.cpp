@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "formats/tabulated/tabulated_file.hpp"
 #include "program.hpp"
-#include "scene/tabulated_material.hpp"
+#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::test {
 namespace {

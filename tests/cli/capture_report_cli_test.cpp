@@ -8,9 +8,10 @@
 #include <memory>
 #include <set>
 
-#include "core/image_io.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
-#include "scene/tabulated_material.hpp"
+#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
 
 namespace burnish::test {

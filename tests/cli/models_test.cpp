@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "pictures.hpp"
 #include "tests/scene/support.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -75,7 +76,7 @@ void expect_finite(const std::vector<fs::path>& files, const std::string& enviro
                 material.method = static_cast<Method>(i);
             renderer.set_materials(stage.scene.materials);
             const fs::path file = folder / "picture.exr";
-            write_image(file, renderer.render(stage.camera, stage.options), {});
+            write_image(file, renderer.render(stage.camera, stage.settings), {});
             const Image picture = read_image(file, {.finite_only = false});
             EXPECT_EQ(trouble_of(picture), "") << model.filename() << ", " << method_names()[i];
         }

@@ -10,6 +10,9 @@
 
 #include "burnish/error.hpp"
 #include "tests/scene/support.hpp"
+#include "burnish/stage.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::test {
 namespace {
@@ -88,7 +91,7 @@ Image picture_of(const Stage& stage) {
     const Environment* environment =
         stage.environment.radiance.empty() ? nullptr : &stage.environment;
     gpu::Renderer renderer(*gl_context(), stage.scene, environment);
-    return renderer.render(stage.camera, stage.options);
+    return renderer.render(stage.camera, stage.settings);
 }
 
 Image shown_in_steps(const Image& linear, ToneMap tone_map) {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/stage.hpp"
-#include "gpu/context.hpp"
-#include "gpu/renderer.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "stage/stage.hpp"
 
 namespace burnish::test {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
 
 namespace burnish::test {

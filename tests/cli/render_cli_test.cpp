@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
 
 namespace burnish::test {

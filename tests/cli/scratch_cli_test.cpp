@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "app/scratch.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
+#include "jobs/maps/scratch.hpp"
 #include "program.hpp"
 
 namespace burnish::test {

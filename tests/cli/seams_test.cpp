@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pictures.hpp"
-#include "scene/tangents.hpp"
+#include "scene/geometry/tangents.hpp"
 #include "tests/gpu/test_scene.hpp"
 
 namespace burnish::test {
@@ -56,8 +56,8 @@ class SphereSeamTest : public testing::Test {
         stage.camera.orthographic = true;
         stage.camera.position = 2.0f * seam_;
         stage.camera.ymag = 0.4f;
-        stage.options.width = stage.options.height = kSide;
-        stage.options.samples = 8;
+        stage.settings.width = stage.settings.height = kSide;
+        stage.settings.samples = 8;
         return picture_of(stage);
     }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "maps/bumps.hpp"
+#include "maps/normal/bumps.hpp"
 #include "pictures.hpp"
 
 namespace burnish::test {

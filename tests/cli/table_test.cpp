@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/eval.hpp"
+#include "jobs/models/eval.hpp"
 #include "program.hpp"
 
 namespace burnish::test {

@@ -1,9 +1,10 @@
 // burnish render --tabulated and burnish info of a tabulated material as a person runs them.
 #include <gtest/gtest.h>
 
-#include "core/image_io.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
-#include "scene/tabulated_material.hpp"
+#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::test {
 namespace {

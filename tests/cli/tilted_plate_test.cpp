@@ -11,7 +11,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "pictures.hpp"
 #include "tests/scene/glb_writer.hpp"
 

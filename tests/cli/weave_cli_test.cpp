@@ -8,9 +8,9 @@
 #include <csignal>
 #include <thread>
 
-#include "core/image_io.hpp"
+#include "formats/wif/wif.hpp"
+#include "image/image_io.hpp"
 #include "program.hpp"
-#include "scene/wif.hpp"
 
 namespace burnish::test {
 namespace {

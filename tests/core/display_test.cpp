@@ -1,9 +1,9 @@
 // From radiance to display: fixed points and orders that the tone maps promise.
-#include "core/display.hpp"
+#include "image/display.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish {
 namespace {

@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "burnish/error.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "samples.hpp"
 
 namespace burnish::test {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "burnish/error.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "samples.hpp"
 
 namespace burnish::test {

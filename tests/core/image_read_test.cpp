@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "burnish/error.hpp"
-#include "core/image_format.hpp"
-#include "core/image_io.hpp"
+#include "image/image_format.hpp"
+#include "image/image_io.hpp"
 #include "samples.hpp"
 
 namespace burnish::test {

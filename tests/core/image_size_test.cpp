@@ -7,7 +7,7 @@
 #include <string>
 
 #include "burnish/error.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "samples.hpp"
 
 namespace burnish::test {

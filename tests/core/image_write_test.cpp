@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "burnish/error.hpp"
-#include "core/image_io.hpp"
-#include "core/sheet.hpp"
+#include "image/image_io.hpp"
+#include "plot/sheet.hpp"
 #include "samples.hpp"
 
 namespace burnish::test {

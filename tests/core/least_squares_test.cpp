@@ -1,5 +1,5 @@
 // Problems whose optimum is known.
-#include "core/least_squares.hpp"
+#include "fit/least_squares.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/sheet.hpp"
+#include "plot/sheet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "burnish/error.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "samples.hpp"
 
 namespace burnish::test {

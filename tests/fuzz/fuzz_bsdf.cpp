@@ -1,8 +1,8 @@
 // Measured materials: what is read must evaluate, sample and describe itself in finite numbers.
 #include <cmath>
 
+#include "formats/bsdf/rgl_brdf.hpp"
 #include "harness.hpp"
-#include "scene/rgl_brdf.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // The tables of `mdf eval` and `brdf eval`. The first byte says which, and in which precision.
 #include <filesystem>
 
-#include "app/eval.hpp"
 #include "harness.hpp"
+#include "jobs/models/eval.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using burnish::Precision;

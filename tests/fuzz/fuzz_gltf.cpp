@@ -4,8 +4,8 @@
 #include <cstring>
 #include <vector>
 
+#include "formats/gltf/gltf.hpp"
 #include "harness.hpp"
-#include "scene/load.hpp"
 #include "scene_check.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);

@@ -1,8 +1,8 @@
 // .obj with its .mtl: what follows the line "#mtl" is the material library `model.mtl`.
 #include <string_view>
 
+#include "formats/obj/obj.hpp"
 #include "harness.hpp"
-#include "scene/load.hpp"
 #include "scene_check.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 // it is written.
 #include <cmath>
 
-#include "capture/rig.hpp"
+#include "capture/rig/rig.hpp"
 #include "harness.hpp"
 
 namespace {

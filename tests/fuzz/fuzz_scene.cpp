@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "harness.hpp"
-#include "scene/load.hpp"
 #include "scene_check.hpp"
+#include "stage/scene_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

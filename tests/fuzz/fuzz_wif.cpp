@@ -1,6 +1,6 @@
 // Weaving drafts: what is read must hold, and come back the same when it is written.
+#include "formats/wif/wif.hpp"
 #include "harness.hpp"
-#include "scene/wif.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using burnish::fuzz::Bytes;

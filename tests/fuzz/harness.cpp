@@ -10,7 +10,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/image.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish::fuzz {
 namespace {

@@ -11,11 +11,11 @@
 #include <span>
 
 #include "../scene/bsdf_writer.hpp"
-#include "app/eval.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
-#include "shading/brdf_models.hpp"
+#include "jobs/models/eval.hpp"
+#include "models/brdf_models.hpp"
 
 namespace burnish::fuzz {
 namespace {

@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "core/files.hpp"
-#include "scene/tabulated_material.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
+#include "scene/material/tabulated_material.hpp"
 #include "seeds.hpp"
 
 namespace burnish::fuzz {

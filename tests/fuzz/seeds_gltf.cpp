@@ -6,7 +6,7 @@
 
 #include "../scene/glb_writer.hpp"
 #include "core/files.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "seeds.hpp"
 
 namespace burnish::fuzz {

@@ -11,8 +11,10 @@
 #include "burnish/f64.hpp"
 #include "flicker.hpp"
 #include "gpu_fixture.hpp"
-#include "maps/draft.hpp"
+#include "maps/weave/draft.hpp"
 #include "test_scene.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -43,7 +45,7 @@ TEST_F(ClothYarn, TheLobeRunsAlongTheYarn) {
     const Light light = directional({0.5f, 0.1f, 1.0f});
     scene.lights.push_back(light);
     const Camera camera = camera_on_z(3.0f);
-    gpu::RenderOptions o = small_picture(16, 16);
+    RenderSettings o = small_picture(16, 16);
     gpu::Renderer renderer(*context, scene, nullptr);
     const Image image = renderer.render(camera, o);
     const int ggx = static_cast<int>(Mdf::ggx), microfacet = static_cast<int>(Brdf::microfacet);
@@ -84,12 +86,12 @@ void PrintTo(const View& v, std::ostream* out) {
 class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
   protected:
     // Two yarns a millimetre on a square of two metres; 24 pixels of a third of a degree.
-    Image picture(gpu::ImageLight image_light, bool filtered, int samples) {
+    Image picture(ImageLight image_light, bool filtered, int samples) {
         const View& view = GetParam();
         Material m = cloth_of(view.draft);
         m.cloth->yarns = 4000.0f;
         Scene scene = one_object(unit_plane(), m);
-        const bool sky = image_light != gpu::ImageLight::off;
+        const bool sky = image_light != ImageLight::off;
         if (!sky) {
             scene.lights.push_back(directional({0.3f, 0.4f, 1.0f}, glm::vec3(2.0f)));
             scene.lights.push_back(directional({-0.8f, 0.1f, 0.6f}));
@@ -105,9 +107,9 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
         camera.position = camera.target + static_cast<float>(view.metres) *
                                               glm::vec3(std::sin(tilt), 0.0, std::cos(tilt));
         camera.yfov = static_cast<float>(8.0 * std::numbers::pi / 180);
-        gpu::RenderOptions o = small_picture(24, 24, samples);
+        RenderSettings o = small_picture(24, 24, samples);
         o.image_light = image_light;
-        o.image_light_samples = image_light == gpu::ImageLight::importance && filtered ? 64 : 1;
+        o.image_light_samples = image_light == ImageLight::importance && filtered ? 64 : 1;
         o.filter_cloth = filtered;
         gpu::Renderer renderer(*context, scene, sky ? &environment : nullptr);
         return renderer.render(camera, o);
@@ -122,12 +124,11 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
         return sum;
     }
 
-    void expect_same_mean(gpu::ImageLight image_light, double tolerance) {
+    void expect_same_mean(ImageLight image_light, double tolerance) {
         const auto seen = mean_of(picture(image_light, true, 1));
         // The truth does not approximate the light either.
-        const auto truth = mean_of(
-            picture(image_light == gpu::ImageLight::off ? image_light : gpu::ImageLight::importance,
-                    false, 1024));
+        const auto truth = mean_of(picture(
+            image_light == ImageLight::off ? image_light : ImageLight::importance, false, 1024));
         if (std::getenv("BURNISH_PRINT_CLOTH") != nullptr) {
             std::ostringstream view;
             PrintTo(GetParam(), &view);
@@ -140,16 +141,16 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
 };
 
 TEST_P(ClothFromAfar, MeanColourUnderLamps) {
-    expect_same_mean(gpu::ImageLight::off, 0.03);
+    expect_same_mean(ImageLight::off, 0.03);
 }
 
 TEST_P(ClothFromAfar, MeanColourUnderASky) {
-    expect_same_mean(gpu::ImageLight::importance, 0.03);
+    expect_same_mean(ImageLight::importance, 0.03);
 }
 
 TEST_P(ClothFromAfar, MeanColourUnderAPrefilteredSky) {
     // One look along the family's wide lobe: seen askance it is dimmer (docs/weave.md).
-    expect_same_mean(gpu::ImageLight::prefiltered, GetParam().tilt_deg > 0 ? 0.18 : 0.03);
+    expect_same_mean(ImageLight::prefiltered, GetParam().tilt_deg > 0 ? 0.18 : 0.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(Views, ClothFromAfar,
@@ -189,7 +190,7 @@ class ClothTurning : public GpuTest, public testing::WithParamInterface<Turn> {
         Scene scene = one_object(std::move(sphere), m);
         scene.lights.push_back(directional({0.3f, 0.4f, 1.0f}));
         return flicker_on_turntable(scene, [&](const Scene& s) {
-            gpu::RenderOptions o = small_picture(kSide * factor, kSide * factor, samples);
+            RenderSettings o = small_picture(kSide * factor, kSide * factor, samples);
             o.filter_cloth = filtered;
             gpu::Renderer renderer(*context, s, nullptr);
             return reduced(renderer.render(camera_on_z(4.0f, 1.1f), o), factor);

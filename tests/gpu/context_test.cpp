@@ -1,4 +1,4 @@
-#include "gpu/context.hpp"
+#include "gpu/device/context.hpp"
 
 #include <dirent.h>
 

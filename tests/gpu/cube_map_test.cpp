@@ -1,4 +1,4 @@
-#include "gpu/cube_map.hpp"
+#include "scene/light/cube_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,6 @@
 
 namespace burnish::test {
 namespace {
-
-using gpu::CubeMap;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -32,7 +30,7 @@ double cube_integral(const CubeMap& cube) {
         for (int row = 0; row < cube.size; ++row) {
             for (int column = 0; column < cube.size; ++column) {
                 sum += static_cast<double>(cube.at(face, row, column).x) *
-                       gpu::cube_texel_solid_angle(cube.size, row, column);
+                       cube_texel_solid_angle(cube.size, row, column);
             }
         }
     }
@@ -40,9 +38,8 @@ double cube_integral(const CubeMap& cube) {
 }
 
 TEST(CubeMap, TexelsCoverTheSphere) {
-    EXPECT_NEAR(
-        cube_integral(gpu::cube_from_latlong(constant_environment(glm::vec3(1)).radiance, 8)),
-        4 * kPi, 1e-5);
+    EXPECT_NEAR(cube_integral(cube_from_latlong(constant_environment(glm::vec3(1)).radiance, 8)),
+                4 * kPi, 1e-5);
 }
 
 TEST(CubeMap, DirectionsFollowOpenGl) {
@@ -54,9 +51,9 @@ TEST(CubeMap, DirectionsFollowOpenGl) {
     const glm::vec3 t_axis[6] = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1},
                                  {0, 0, -1}, {0, -1, 0}, {0, -1, 0}};
     for (int face = 0; face < 6; ++face) {
-        EXPECT_NEAR(glm::distance(gpu::cube_direction(face, 0.5, 0.5), middle[face]), 0, 1e-6);
-        EXPECT_GT(glm::dot(gpu::cube_direction(face, 0.9, 0.5), s_axis[face]), 0.5f);
-        EXPECT_GT(glm::dot(gpu::cube_direction(face, 0.5, 0.9), t_axis[face]), 0.5f);
+        EXPECT_NEAR(glm::distance(cube_direction(face, 0.5, 0.5), middle[face]), 0, 1e-6);
+        EXPECT_GT(glm::dot(cube_direction(face, 0.9, 0.5), s_axis[face]), 0.5f);
+        EXPECT_GT(glm::dot(cube_direction(face, 0.5, 0.9), t_axis[face]), 0.5f);
     }
 }
 
@@ -69,10 +66,10 @@ TEST(CubeMap, KeepsTheEnergyOfASmallSun) {
             const int y = static_cast<int>(height * map.height);
             const int x = static_cast<int>(0.643 * map.width);
             for (int c = 0; c < 3; ++c) map.at(x, y)[c] = 1e5f;
-            const CubeMap cube = gpu::cube_from_latlong(map, gpu::cube_size_for(width));
+            const CubeMap cube = cube_from_latlong(map, cube_size_for(width));
             const double wanted = latlong_integral(map);
             EXPECT_NEAR(cube_integral(cube) / wanted, 1.0, 0.005) << width << " at " << height;
-            for (const CubeMap& level : gpu::cube_mips(cube)) {
+            for (const CubeMap& level : cube_mips(cube)) {
                 EXPECT_NEAR(cube_integral(level) / wanted, 1.0, 0.005) << level.size;
             }
         }
@@ -88,7 +85,7 @@ TEST(CubeMap, LooksWhereTheLatLongLooks) {
             map.at(x, y)[1] = (static_cast<float>(y) + 0.5f) / 128;
         }
     }
-    const CubeMap cube = gpu::cube_from_latlong(map, 64);
+    const CubeMap cube = cube_from_latlong(map, 64);
     const auto at = [&](int face) { return cube.at(face, 32, 32); };
     EXPECT_NEAR(at(5).x, 0.5f, 0.02f);   // -z: the middle
     EXPECT_NEAR(at(0).x, 0.75f, 0.02f);  // columns run towards +x
@@ -103,14 +100,14 @@ TEST(CubeMap, WhatIsNoRadianceIsBlack) {
     map.pixels[0] = std::nanf("");
     map.pixels[1] = -5.0f;
     map.pixels[2] = HUGE_VALF;
-    for (const glm::vec3& v : gpu::cube_from_latlong(map, 16).texels) {
+    for (const glm::vec3& v : cube_from_latlong(map, 16).texels) {
         for (int c = 0; c < 3; ++c) EXPECT_TRUE(v[c] >= 0.0f && v[c] <= 1.0f);
     }
 }
 
 TEST(Irradiance, IsExactForConstantLight) {
-    const CubeMap cube = gpu::cube_irradiance(
-        gpu::cube_from_latlong(constant_environment({2, 1, 0.5f}).radiance, 16), 8);
+    const CubeMap cube =
+        cube_irradiance(cube_from_latlong(constant_environment({2, 1, 0.5f}).radiance, 16), 8);
     for (const glm::vec3& v : cube.texels) {
         EXPECT_NEAR(glm::distance(v, glm::vec3(2, 1, 0.5f)), 0, 1e-5);
     }
@@ -125,7 +122,7 @@ TEST(Irradiance, AgreesWithAClosedForm) {
             for (int c = 0; c < 3; ++c) map.at(x, y)[c] = cosine * cosine;
         }
     }
-    const CubeMap cube = gpu::cube_irradiance(gpu::cube_from_latlong(map, 32), 16);
+    const CubeMap cube = cube_irradiance(cube_from_latlong(map, 32), 16);
     // Four texels around the zenith, 0.09 rad off it: cos costs 0.4 %.
     EXPECT_NEAR(cube.at(2, 8, 8).x, 0.5f, 0.005f);
     EXPECT_NEAR(cube.at(3, 8, 8).x, 0.0f, 0.005f);

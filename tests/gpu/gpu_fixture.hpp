@@ -7,7 +7,9 @@
 #include <string>
 
 #include "burnish/error.hpp"
-#include "gpu/renderer.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::test {
 
@@ -32,12 +34,12 @@ inline Camera camera_on_z(float z = 4.0f, float half_height = 1.0f) {
     return camera;
 }
 
-inline gpu::RenderOptions small_picture(int width = 48, int height = 48, int samples = 1) {
-    gpu::RenderOptions options;
+inline RenderSettings small_picture(int width = 48, int height = 48, int samples = 1) {
+    RenderSettings options;
     options.width = width;
     options.height = height;
     options.samples = samples;
-    options.background = gpu::BackgroundKind::color;
+    options.background = BackgroundKind::color;
     options.background_color = glm::vec3(0.0f);
     return options;
 }

@@ -1,11 +1,13 @@
 // The ground's shadow against closed forms: rays through the plane, form factors of a disc.
-#include "gpu/ground.hpp"
+#include "gpu/draw/ground.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -37,7 +39,7 @@ TEST(SkyLights, GiveWhatTheUpperHalfGives) {
                 e.radiance.at(x, y)[c] = up > 0 ? (1 + 0.5f * up) * static_cast<float>(c + 1) : 99;
     }
     glm::vec3 sum(0.0f), mean(0.0f);
-    for (const gpu::SkyLight& light : gpu::sky_lights(e, 256)) {
+    for (const SkyLight& light : sky_lights(e, 256)) {
         EXPECT_NEAR(glm::length(light.direction), 1, 1e-5f);
         EXPECT_GT(light.direction.y, 0);
         sum += light.irradiance;
@@ -55,14 +57,14 @@ TEST(SkyLights, GiveWhatTheUpperHalfGives) {
 TEST(SkyLights, AreWhereTheEnvironmentIsBright) {
     Environment e = constant_environment(glm::vec3(0), 64);
     *e.radiance.at(16, 10) = 5;  // u = 1/4: towards -x
-    for (const gpu::SkyLight& light : gpu::sky_lights(e, 16)) {
+    for (const SkyLight& light : sky_lights(e, 16)) {
         EXPECT_LT(light.direction.x, -0.7f);
         EXPECT_NEAR(light.direction.z, 0, 0.1f);
     }
-    EXPECT_TRUE(gpu::sky_lights(constant_environment(glm::vec3(0)), 16).empty());
+    EXPECT_TRUE(sky_lights(constant_environment(glm::vec3(0)), 16).empty());
     e.radiance.at(3, 3)[0] = std::nanf("");
     e.radiance.at(4, 3)[1] = -7;
-    EXPECT_EQ(gpu::sky_lights(e, 16).size(), 16u);
+    EXPECT_EQ(sky_lights(e, 16).size(), 16u);
 }
 
 Mesh disc(float radius, float height) {
@@ -106,8 +108,8 @@ class GroundTest : public GpuTest {
         camera.position = point + glm::vec3(0.4f, eye_height, 0.3f);
         camera.target = point;
         camera.yfov = 0.02f;
-        gpu::RenderOptions options = small_picture(9, 9);
-        options.background = gpu::BackgroundKind::transparent;
+        RenderSettings options = small_picture(9, 9);
+        options.background = BackgroundKind::transparent;
         options.ground = true;
         const Image image = renderer.render(camera, options);
         for (int c = 0; c < 3; ++c) EXPECT_EQ(image.at(4, 4)[c], 0.0f);
@@ -164,7 +166,7 @@ TEST_F(GroundTest, MultipliesTheBackground) {
     Camera camera;
     camera.position = {0.2f, 0.5f, 3.0f};
     camera.target = {0, 0, 0};
-    gpu::RenderOptions options = small_picture(65, 49);
+    RenderSettings options = small_picture(65, 49);
     options.background_color = {0.8f, 0.4f, 0.2f};
     const Image without = renderer.render(camera, options);
     options.ground = true;

@@ -6,6 +6,8 @@
 #include "burnish/f64.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -47,7 +49,7 @@ Environment sky_environment(int width) {
 
 class ImageLighting : public GpuTest {
   protected:
-    Image render(const Scene& scene, const Environment& environment, const gpu::RenderOptions& o,
+    Image render(const Scene& scene, const Environment& environment, const RenderSettings& o,
                  const Camera& camera = camera_on_z()) {
         gpu::Renderer renderer(*context, scene, &environment);
         return renderer.render(camera, o);
@@ -62,7 +64,7 @@ TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
     scene.textures.push_back(bump_texture(64, 6, 0.4f));
     scene.materials[0].normal_texture.texture = 0;
     const Environment furnace = constant_environment(glm::vec3(1));
-    gpu::RenderOptions o = small_picture(32, 32, 8);
+    RenderSettings o = small_picture(32, 32, 8);
     o.background_color = glm::vec3(0);
     o.image_light_samples = 32;
     gpu::Renderer renderer(*context, scene, &furnace);
@@ -127,7 +129,7 @@ class TiltedPlate : public ImageLighting {
         Scene scene = one_object(unit_plane(), material);
         scene.textures.push_back(constant_texture(0.5f * kTilt + 0.5f));
         scene.materials[0].normal_texture.texture = 0;
-        gpu::RenderOptions o = small_picture(8, 8, 64);
+        RenderSettings o = small_picture(8, 8, 64);
         o.image_light_samples = 64;
         Camera camera = camera_on_z(4.0f, 0.02f);  // nearly one direction for all pixels
         camera.position = eye;
@@ -237,9 +239,8 @@ TEST_F(ImageLighting, DiffuseInConstantLightHasAClosedForm) {
     m.base_color = glm::vec4(0.5f, 0.5f, 0.5f, 1.0f);
     m.dielectric_f0 = 0.0f;
     const Scene scene = one_object(unit_plane(), m);
-    gpu::RenderOptions o = small_picture(9, 9);
-    o.image_light =
-        gpu::ImageLight::bent_normal;  // no noise; its specular is the same without F0 ...
+    RenderSettings o = small_picture(9, 9);
+    o.image_light = ImageLight::bent_normal;  // no noise; its specular is the same without F0 ...
     const Image image = render(scene, constant_environment(glm::vec3(3)), o, camera_on_z(4, 0.05f));
     // ... but for the split sum's edge term, below 0.05 facing the surface.
     EXPECT_NEAR(image.at(4, 4)[0], 3 * (0.5 * 20.0 / 21.0), 3 * 0.05);
@@ -251,8 +252,8 @@ TEST_F(ImageLighting, BackgroundLooksAlongTheRay) {
     Camera camera = camera_on_z(4.0f, 2.0f);
     camera.position = {10, 10, 10};
     camera.target = {20, 14, 16};  // away from the plane
-    gpu::RenderOptions o = small_picture(33, 17);
-    o.background = gpu::BackgroundKind::environment;
+    RenderSettings o = small_picture(33, 17);
+    o.background = BackgroundKind::environment;
     const Image image = render(scene, environment, o, camera);
     const vec3 forward = f64::normalize(vec3{10, 4, 6});
     EXPECT_NEAR(image.at(16, 8)[0], sky(forward), 0.02 * sky(forward));
@@ -269,8 +270,8 @@ TEST_F(ImageLighting, RotationTurnsTheEnvironmentCounterClockwise) {
     Camera camera;
     camera.position = {0, 0, -5};  // behind the plane, looking away along -z
     camera.target = {0, 0, -6};
-    gpu::RenderOptions o = small_picture(9, 9);
-    o.background = gpu::BackgroundKind::environment;
+    RenderSettings o = small_picture(9, 9);
+    o.background = BackgroundKind::environment;
     o.environment_rotation = 0.5f;
     const Image image = render(scene, environment, o, camera);
     // Turned about +y by 0.5, what was at R(-0.5) (0,0,-1) is now straight ahead.
@@ -295,8 +296,8 @@ TEST_F(ImageLighting, ASunBeyondHalfFloatsIsKept) {
     camera.position = {0, 0, -4};  // the sun is around -z
     Scene flipped = scene;
     flipped.materials[0].double_sided = true;
-    gpu::RenderOptions o = small_picture(5, 5);
-    o.image_light = gpu::ImageLight::bent_normal;
+    RenderSettings o = small_picture(5, 5);
+    o.image_light = ImageLight::bent_normal;
     o.image_light_samples = 1;
     const Image image = render(flipped, environment, o, camera);
     EXPECT_GT(image.at(2, 2)[0], 200.0f);  // E/pi is some 10^5.5 times 1e-3

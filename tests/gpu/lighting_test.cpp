@@ -6,6 +6,8 @@
 #include "burnish/f64.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -55,13 +57,13 @@ double expected(const Case& c, vec3 wi, vec3 wo, double irradiance, double f0) {
 class Lighting : public GpuTest {
   protected:
     // Where the ray of a pixel meets the plane z = 0.
-    static vec3 point_at(const Camera& camera, const gpu::RenderOptions& o, int x, int y) {
+    static vec3 point_at(const Camera& camera, const RenderSettings& o, int x, int y) {
         const double half = std::tan(0.5 * camera.yfov) * camera.position.z;
         return {half * ((x + 0.5) * 2 / o.width - 1) * o.width / o.height,
                 half * (1 - (y + 0.5) * 2 / o.height), 0};
     }
 
-    void check(const Case& c, const Light& light, gpu::SurfacePass pass) {
+    void check(const Case& c, const Light& light, SurfacePass pass) {
         Material m;
         m.base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
         m.mdf = c.mdf;
@@ -75,7 +77,7 @@ class Lighting : public GpuTest {
         scene.textures.push_back(constant_texture(0.5f * glm::normalize(c.n) + 0.5f));
         scene.lights.push_back(light);
         const Camera camera = camera_on_z(3.0f);
-        gpu::RenderOptions o = small_picture(16, 16);
+        RenderSettings o = small_picture(16, 16);
         o.surface_pass = pass;
         gpu::Renderer renderer(*context, scene, nullptr);
         const Image image = renderer.render(camera, o);
@@ -129,8 +131,8 @@ TEST_F(Lighting, EveryMethodGivesTheValueOfTheMaths) {
     for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
         const Case c{Mdf::ggx, Brdf::microfacet, static_cast<Method>(method), {0.4f, 0.15f}, kTilt};
         const Light light = directional({0.5f, -0.3f, 1.0f});
-        check(c, light, gpu::SurfacePass::forward);
-        check(c, light, gpu::SurfacePass::deferred);
+        check(c, light, SurfacePass::forward);
+        check(c, light, SurfacePass::deferred);
     }
 }
 
@@ -142,7 +144,7 @@ TEST_F(Lighting, EveryLobeGivesTheValueOfTheMaths) {
                          Method::follow_grain,
                          {0.2f, 0.5f},
                          kTilt};
-            check(c, directional({0.5f, -0.3f, 1.0f}), gpu::SurfacePass::forward);
+            check(c, directional({0.5f, -0.3f, 1.0f}), SurfacePass::forward);
         }
     }
 }
@@ -151,9 +153,9 @@ TEST_F(Lighting, CosineLobesGiveTheValueOfTheMaths) {
     for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
         for (int method = 0; method < static_cast<int>(Method::deform_linear); ++method) {
             Case c{Mdf::ward, brdf, static_cast<Method>(method), {0.3f, 0.2f}, kTilt};
-            check(c, directional({0.5f, -0.3f, 1.0f}), gpu::SurfacePass::forward);
+            check(c, directional({0.5f, -0.3f, 1.0f}), SurfacePass::forward);
             c.ks = 2.5f;
-            check(c, directional({0.5f, -0.3f, 1.0f}), gpu::SurfacePass::deferred);
+            check(c, directional({0.5f, -0.3f, 1.0f}), SurfacePass::deferred);
         }
     }
 }
@@ -165,14 +167,14 @@ TEST_F(Lighting, PointAndSpotLightsFallOffAsTheExtensionSays) {
     light.position = {0.6f, 0.4f, 1.2f};
     light.range = 2.0f;
     light.intensity = 5.0f;
-    check(c, light, gpu::SurfacePass::forward);
-    check(c, light, gpu::SurfacePass::deferred);
+    check(c, light, SurfacePass::forward);
+    check(c, light, SurfacePass::deferred);
     light.type = LightType::spot;
     light.direction = glm::normalize(glm::vec3(-0.3f, -0.4f, -1.0f));
     light.inner_cone = 0.2f;
     light.outer_cone = 0.6f;
-    check(c, light, gpu::SurfacePass::forward);
-    check(c, light, gpu::SurfacePass::deferred);
+    check(c, light, SurfacePass::forward);
+    check(c, light, SurfacePass::deferred);
 }
 
 TEST_F(Lighting, DiffuseIsWhatTheHeaderStates) {

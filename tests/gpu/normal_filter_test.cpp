@@ -6,8 +6,9 @@
 
 #include "flicker.hpp"
 #include "gpu_fixture.hpp"
-#include "maps/bumps.hpp"
+#include "maps/normal/bumps.hpp"
 #include "test_scene.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "burnish/f32.hpp"
-#include "gpu/handles.hpp"
-#include "gpu/program.hpp"
+#include "gpu/device/handles.hpp"
+#include "gpu/device/program.hpp"
 #include "gpu_fixture.hpp"
 
 namespace burnish::test {

@@ -5,13 +5,16 @@
 
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::test {
 namespace {
 
 class Picture : public GpuTest {
   protected:
-    Image render(const Scene& scene, const gpu::RenderOptions& o,
+    Image render(const Scene& scene, const RenderSettings& o,
                  const Camera& camera = camera_on_z(4.0f, 1.2f),
                  const Environment* environment = nullptr) {
         gpu::Renderer renderer(*context, scene, environment);
@@ -49,7 +52,7 @@ TEST_F(Picture, FlatNormalMapMakesAllMethodsOne) {
     scene.textures.push_back(constant_texture({0.5f, 0.5f, 1.0f}));
     scene.lights.push_back(directional({0.4f, 0.5f, 1.0f}));
     gpu::Renderer renderer(*context, scene, nullptr);
-    const gpu::RenderOptions o = small_picture(24, 24);
+    const RenderSettings o = small_picture(24, 24);
     scene.materials[0].method = Method::none;
     renderer.set_materials(scene.materials);
     const Image first = renderer.render(camera_on_z(), o);
@@ -66,7 +69,7 @@ TEST_F(Picture, NormalMapOnAnIsotropicMaterialIsTheRotatedLobe) {
     Scene scene = bumpy_sphere();
     const Environment environment = constant_environment({0.5f, 0.7f, 1.0f});
     gpu::Renderer renderer(*context, scene, &environment);
-    gpu::RenderOptions o = small_picture(48, 48, 2);
+    RenderSettings o = small_picture(48, 48, 2);
     o.image_light_samples = 8;
     const auto drawn = [&](Method method, glm::vec2 alpha) {
         scene.materials[0].method = method;
@@ -87,12 +90,12 @@ TEST_F(Picture, NormalMapOnAnIsotropicMaterialIsTheRotatedLobe) {
 TEST_F(Picture, TilesLeaveNoSeam) {
     Scene scene = bumpy_sphere();
     const Environment environment = constant_environment({0.5f, 0.7f, 1.0f});
-    gpu::RenderOptions o = small_picture(150, 100, 2);
-    o.background = gpu::BackgroundKind::environment;
+    RenderSettings o = small_picture(150, 100, 2);
+    o.background = BackgroundKind::environment;
     o.image_light_samples = 4;
     gpu::Renderer renderer(*context, scene, &environment);
     const Camera camera = camera_on_z(4.0f, 1.2f);
-    for (const gpu::SurfacePass pass : {gpu::SurfacePass::forward, gpu::SurfacePass::deferred}) {
+    for (const SurfacePass pass : {SurfacePass::forward, SurfacePass::deferred}) {
         o.surface_pass = pass;
         o.tile_size = 0;
         const Image whole = renderer.render(camera, o);
@@ -115,10 +118,10 @@ TEST_F(Picture, TilesLeaveNoSeam) {
 
 TEST_F(Picture, ForwardAndDeferredAreOnePicture) {
     const Scene scene = bumpy_sphere();
-    gpu::RenderOptions o = small_picture(64, 64);
-    o.surface_pass = gpu::SurfacePass::forward;
+    RenderSettings o = small_picture(64, 64);
+    o.surface_pass = SurfacePass::forward;
     const Image forward = render(scene, o);
-    o.surface_pass = gpu::SurfacePass::deferred;
+    o.surface_pass = SurfacePass::deferred;
     const Image deferred = render(scene, o);
     double sum = 0, difference = 0;
     for (std::size_t i = 0; i < forward.pixels.size(); ++i) {
@@ -139,10 +142,10 @@ TEST_F(Picture, ManyMaterialsAreShadedEachWhereItIsSeen) {
         instance.transform = glm::translate(glm::mat4(1.0f), glm::vec3(i - 2, 0.4f * float(i), -i));
         scene.instances.push_back(instance);
     }
-    gpu::RenderOptions o = small_picture(64, 64);
-    o.surface_pass = gpu::SurfacePass::forward;
+    RenderSettings o = small_picture(64, 64);
+    o.surface_pass = SurfacePass::forward;
     const Image forward = render(scene, o);
-    o.surface_pass = gpu::SurfacePass::deferred;
+    o.surface_pass = SurfacePass::deferred;
     const Image deferred = render(scene, o);
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
@@ -155,8 +158,8 @@ TEST_F(Picture, TransparentBackgroundHoldsCoverage) {
     Material m;
     m.emissive = glm::vec3(2.0f);
     const Scene scene = one_object(uv_sphere(128, 64), m);
-    gpu::RenderOptions o = small_picture(64, 64, 16);
-    o.background = gpu::BackgroundKind::transparent;
+    RenderSettings o = small_picture(64, 64, 16);
+    o.background = BackgroundKind::transparent;
     Camera camera;
     camera.orthographic = true;
     camera.ymag = 1.25f;
@@ -183,8 +186,8 @@ TEST_F(Picture, MirroredTransformGivesTheMirroredPicture) {
     const glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(0.2f, 0.1f, 0.0f)) *
                             glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(0.3f, 0.5f, 0.2f));
     const glm::mat4 mirror = glm::scale(glm::mat4(1.0f), glm::vec3(-1.0f, 1.0f, 1.0f));
-    for (const gpu::SurfacePass pass : {gpu::SurfacePass::forward, gpu::SurfacePass::deferred}) {
-        gpu::RenderOptions o = small_picture(48, 48);
+    for (const SurfacePass pass : {SurfacePass::forward, SurfacePass::deferred}) {
+        RenderSettings o = small_picture(48, 48);
         o.surface_pass = pass;
         scene.instances[0].transform = place;
         scene.lights[0] = directional({0.4f, 0.5f, 1.0f});
@@ -307,7 +310,7 @@ TEST_F(Picture, TextureTransformsAndSetsArePerUse) {
 TEST_F(Picture, EsDrawsThePictureOfTheDesktop) {
     const Scene scene = bumpy_sphere();
     const Environment environment = constant_environment({0.5f, 0.7f, 1.0f});
-    gpu::RenderOptions o = small_picture(32, 32, 2);
+    RenderSettings o = small_picture(32, 32, 2);
     const Image desktop = render(scene, o, camera_on_z(), &environment);
     try {
         gpu::Context es(-1, gpu::GlApi::es);

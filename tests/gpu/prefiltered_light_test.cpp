@@ -7,15 +7,16 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "gpu/albedo_table.hpp"
+#include "formats/environments.hpp"
+#include "gpu/upload/albedo_table.hpp"
 #include "gpu_fixture.hpp"
-#include "scene/load.hpp"
 #include "test_scene.hpp"
+#include "models/albedo_table.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
-
-using gpu::ImageLight;
 
 std::filesystem::path environment_folder() {
     const char* data = std::getenv("BURNISH_DATA");
@@ -38,7 +39,7 @@ void tilt(Material& m, float degrees) {
 }
 
 Image lit(gpu::Renderer& renderer, ImageLight light, int samples, int side = 40) {
-    gpu::RenderOptions o = small_picture(side, side);
+    RenderSettings o = small_picture(side, side);
     o.image_light = light;
     o.image_light_samples = samples;
     return renderer.render(camera_on_z(8.0f, 1.02f), o);
@@ -244,8 +245,8 @@ TEST_F(PrefilteredLight, HostileNormalsStayFiniteAndGainNothing) {
 
 // GGX facing the view along its normal: G2/G1 averaged over the lobe, by quadrature in the slope.
 TEST(AlbedoTable, AgreesWithQuadrature) {
-    const std::vector<float> table = gpu::albedo_table(Brdf::microfacet, Mdf::ggx);
-    const int n = gpu::kAlbedoAlphas;
+    const std::vector<float> table = albedo_table(Brdf::microfacet, Mdf::ggx);
+    const int n = kAlbedoAlphas;
     const int node = 10;
     const double alpha = std::pow(node / double{n - 1}, 2.0);
     double sum = 0;
@@ -258,7 +259,7 @@ TEST(AlbedoTable, AgreesWithQuadrature) {
         const double lambda = 0.5 * (std::sqrt(1 + alpha * alpha * tan_i * tan_i) - 1);
         sum += 1 / (1 + lambda);
     }
-    const std::size_t top = static_cast<std::size_t>(gpu::kAlbedoCosines - 1) * n * n;
+    const std::size_t top = static_cast<std::size_t>(kAlbedoCosines - 1) * n * n;
     EXPECT_NEAR(table[top + node * n + node], sum / kSteps, 0.003);
 }
 
@@ -286,7 +287,7 @@ TEST_F(PrefilteredLight, IrradianceOfASun) {
     }
     Scene scene = one_object(uv_sphere(96, 48), chalk());
     gpu::Renderer renderer(*context, scene, &sun);
-    gpu::RenderOptions o = small_picture(48, 48);
+    RenderSettings o = small_picture(48, 48);
     o.image_light = ImageLight::prefiltered;
     Camera camera = camera_on_z(40.0f, 1.0f);  // nearly parallel rays: the normal is the place
     const Image white = renderer.render(camera, o);
@@ -320,7 +321,7 @@ class Occlusion : public GpuTest {
     }
     double middle(const Scene& scene, const Environment* environment) {
         gpu::Renderer renderer(*context, scene, environment);
-        gpu::RenderOptions o = small_picture(9, 9);
+        RenderSettings o = small_picture(9, 9);
         o.image_light = ImageLight::prefiltered;
         return renderer.render(camera_on_z(4, 0.05f), o).at(4, 4)[0];
     }

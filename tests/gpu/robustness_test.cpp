@@ -4,6 +4,8 @@
 
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -15,9 +17,8 @@ class Robustness : public GpuTest {
     void expect_finite(const Scene& scene, const char* what) {
         const Environment environment = constant_environment({1, 2, 4});
         gpu::Renderer renderer(*context, scene, &environment);
-        for (const gpu::SurfacePass pass :
-             {gpu::SurfacePass::forward, gpu::SurfacePass::deferred}) {
-            gpu::RenderOptions o = small_picture(24, 24, 2);
+        for (const SurfacePass pass : {SurfacePass::forward, SurfacePass::deferred}) {
+            RenderSettings o = small_picture(24, 24, 2);
             o.image_light_samples = 4;
             o.surface_pass = pass;
             const Image image = renderer.render(camera_on_z(4.0f, 1.1f), o);
@@ -116,8 +117,8 @@ TEST_F(Robustness, CoverageStaysAShareOfThePixel) {
     texture.width = texture.height = 2;
     texture.channels = 4;
     gpu::Renderer renderer(*context, scene, nullptr);
-    gpu::RenderOptions o = small_picture(24, 24, 2);
-    o.background = gpu::BackgroundKind::transparent;
+    RenderSettings o = small_picture(24, 24, 2);
+    o.background = BackgroundKind::transparent;
     const Image image = renderer.render(camera_on_z(4.0f, 1.1f), o);
     double covered = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -192,7 +193,7 @@ TEST_F(Robustness, OptionsAndCamerasOutOfRangeAreRefusedInWords) {
 }
 
 TEST_F(Robustness, AnEmptySceneIsItsBackground) {
-    gpu::RenderOptions o = small_picture(4, 4);
+    RenderSettings o = small_picture(4, 4);
     o.background_color = glm::vec3(0.25f, 0.5f, 1.0f);
     gpu::Renderer renderer(*context, Scene{}, nullptr);
     const Image image = renderer.render(Camera{}, o);

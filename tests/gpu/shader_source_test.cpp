@@ -1,4 +1,4 @@
-#include "gpu/shader_source.hpp"
+#include "gpu/device/shader_source.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

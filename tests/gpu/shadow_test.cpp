@@ -5,6 +5,8 @@
 
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -28,13 +30,13 @@ constexpr int kSide = 128;
 class Shadows : public GpuTest {
   protected:
     Image render(const Scene& scene, bool shadows, int samples = 1,
-                 gpu::SurfacePass pass = gpu::SurfacePass::automatic) {
+                 SurfacePass pass = SurfacePass::automatic) {
         gpu::Renderer renderer(*context, scene, nullptr);
         Camera camera;
         camera.position = {0, 0, 5};
         camera.orthographic = true;
         camera.ymag = 2.0f;
-        gpu::RenderOptions o = small_picture(kSide, kSide, samples);
+        RenderSettings o = small_picture(kSide, kSide, samples);
         o.shadows = shadows;
         o.surface_pass = pass;
         return renderer.render(camera, o);
@@ -61,7 +63,7 @@ class Shadows : public GpuTest {
     void expect_shadow(Scene scene, const Light& light, glm::vec4 box) {
         scene.lights = {light};
         const Image lit = render(scene, false);
-        for (const auto pass : {gpu::SurfacePass::forward, gpu::SurfacePass::deferred}) {
+        for (const auto pass : {SurfacePass::forward, SurfacePass::deferred}) {
             const glm::vec4 found = darkened(lit, render(scene, true, 1, pass));
             // A pixel is 0.031 wide.
             for (int i = 0; i < 4; ++i) EXPECT_NEAR(found[i], box[i], 0.035) << i;

@@ -11,9 +11,9 @@
 
 #include "burnish/shading_names.hpp"
 #include "flicker.hpp"
-#include "gpu/handles.hpp"
-#include "gpu/program.hpp"
-#include "gpu/tabulated_maps.hpp"
+#include "gpu/device/handles.hpp"
+#include "gpu/device/program.hpp"
+#include "gpu/upload/tabulated_maps.hpp"
 #include "gpu_fixture.hpp"
 #include "tabulated_scenes.hpp"
 #include "test_scene.hpp"
@@ -38,6 +38,8 @@ constexpr char kStage[] = R"(
 #include "shading"
 struct Shading { vec3 specular; ivec2 table; ivec2 areas; float groove; int tap; };
 #include "shaders/lib/tabulated.glsl"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
 uniform sampler2D u_inputs;  // of look-ups: direction; of draws: xi
 uniform int u_tabulated_columns;
 uniform int u_tabulated_area_rows;
@@ -291,11 +293,11 @@ class TabulatedDeferred : public GpuTest {
         }
         Camera camera = camera_on_z(3.0f);
         camera.position = {1.2f, -1.5f, 2.4f};
-        gpu::RenderOptions o = small_picture(48, 48);
+        RenderSettings o = small_picture(48, 48);
         gpu::Renderer renderer(*context, scene, nullptr);
-        o.surface_pass = gpu::SurfacePass::forward;
+        o.surface_pass = SurfacePass::forward;
         const Image forward = renderer.render(camera, o);
-        o.surface_pass = gpu::SurfacePass::deferred;
+        o.surface_pass = SurfacePass::deferred;
         const Image deferred = renderer.render(camera, o);
         double sum = 0, level = 0;
         for (std::size_t i = 1; i < forward.pixels.size(); i += 4) {
@@ -349,7 +351,7 @@ class TabulatedGgx : public GpuTest {
             for (const glm::vec3 light : {glm::vec3(1, 1, 1), glm::vec3(-1, 0.2f, 0.4f)})
                 scene.lights.push_back(directional(light));
         gpu::Renderer renderer(*context, scene, environment);
-        gpu::RenderOptions o = small_picture(64, 64, samples);
+        RenderSettings o = small_picture(64, 64, samples);
         o.image_light_samples = 16;
         return renderer.render(camera_on_z(4.0f, 1.1f), o);
     }
@@ -399,13 +401,12 @@ TEST_F(TabulatedGgx, ShortcutsAreRefused) {
     const Environment sky = constant_environment(glm::vec3(1.0f));
     const Scene scene = sphere(true, Method::none, false);
     gpu::Renderer renderer(*context, scene, &sky);
-    gpu::RenderOptions o = small_picture();
-    for (const gpu::ImageLight light :
-         {gpu::ImageLight::prefiltered, gpu::ImageLight::bent_normal}) {
+    RenderSettings o = small_picture();
+    for (const ImageLight light : {ImageLight::prefiltered, ImageLight::bent_normal}) {
         o.image_light = light;
         EXPECT_THROW(renderer.render(camera_on_z(), o), Error);
     }
-    o.image_light = gpu::ImageLight::off;
+    o.image_light = ImageLight::off;
     EXPECT_NO_THROW(renderer.render(camera_on_z(), o));
 }
 

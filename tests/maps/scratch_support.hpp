@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "maps/scratch.hpp"
+#include "maps/scratch/scratch.hpp"
 
 namespace burnish {
 

@@ -1,5 +1,5 @@
 // Mips of slopes: means and variances against sums over the texels that each stands for.
-#include "maps/slope_mips.hpp"
+#include "maps/normal/slope_mips.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "maps/bumps.hpp"
+#include "maps/normal/bumps.hpp"
 
 namespace burnish::test {
 namespace {

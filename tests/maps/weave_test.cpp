@@ -6,7 +6,7 @@
 #include <string>
 
 #include "burnish/f64.hpp"
-#include "maps/weave_cells.hpp"
+#include "maps/weave/weave_cells.hpp"
 
 namespace burnish::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "burnish/error.hpp"
-#include "core/image_io.hpp"
+#include "image/image_io.hpp"
 #include "plot/panels.hpp"
 
 namespace burnish::plot {

@@ -1,6 +1,6 @@
 // The warp against its definition: areas under the bilinear density by quadrature, nothing of the
 // warp's own tables.
-#include "scene/bilinear_warp.hpp"
+#include "formats/bsdf/bilinear_warp.hpp"
 
 #include <gtest/gtest.h>
 

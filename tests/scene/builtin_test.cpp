@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-#include "scene/load.hpp"
+#include "scene/geometry/builtin_meshes.hpp"
 #include "support.hpp"
 
 namespace burnish {

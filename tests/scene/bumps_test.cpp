@@ -1,4 +1,4 @@
-#include "maps/bumps.hpp"
+#include "maps/normal/bumps.hpp"
 
 #include <gtest/gtest.h>
 

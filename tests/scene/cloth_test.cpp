@@ -5,10 +5,10 @@
 #include <string>
 
 #include "burnish/error.hpp"
-#include "maps/draft.hpp"
-#include "scene/cloth_material.hpp"
-#include "scene/load.hpp"
-#include "scene/material_parameters.hpp"
+#include "formats/load_model.hpp"
+#include "maps/weave/draft.hpp"
+#include "stage/cloth_material.hpp"
+#include "stage/material_parameters.hpp"
 
 namespace burnish {
 namespace {

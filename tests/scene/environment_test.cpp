@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "core/image_io.hpp"
-#include "scene/load.hpp"
-#include "scene/studio.hpp"
+#include "formats/environments.hpp"
+#include "image/image_io.hpp"
+#include "scene/light/studio.hpp"
 #include "support.hpp"
 
 namespace burnish {

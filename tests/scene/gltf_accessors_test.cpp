@@ -7,8 +7,8 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "formats/gltf/gltf_meshopt.hpp"
 #include "gltf_support.hpp"
-#include "scene/gltf_meshopt.hpp"
 
 namespace burnish {
 namespace {

@@ -9,8 +9,9 @@
 #include <random>
 
 #include "burnish/error.hpp"
+#include "formats/gltf/gltf.hpp"
+#include "formats/load_model.hpp"
 #include "glb_writer.hpp"
-#include "scene/load.hpp"
 #include "support.hpp"
 
 namespace burnish {

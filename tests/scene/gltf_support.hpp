@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "formats/gltf/gltf.hpp"
 #include "glb_writer.hpp"
-#include "scene/load.hpp"
 #include "support.hpp"
 
 namespace burnish::test {

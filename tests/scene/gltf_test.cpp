@@ -7,6 +7,8 @@
 
 #include "burnish/error.hpp"
 #include "gltf_support.hpp"
+#include "formats/gltf/gltf.hpp"
+#include "formats/load_model.hpp"
 
 namespace burnish {
 namespace {

@@ -2,7 +2,9 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "scene/load.hpp"
+#include "formats/load_model.hpp"
+#include "stage/material_parameters.hpp"
+#include "stage/normal_map_check.hpp"
 #include "support.hpp"
 
 namespace burnish {

@@ -6,7 +6,9 @@
 #include <random>
 
 #include "gltf_support.hpp"
-#include "scene/polygon.hpp"
+#include "scene/geometry/polygon.hpp"
+#include "formats/obj/obj.hpp"
+#include "formats/load_model.hpp"
 
 namespace burnish {
 namespace {

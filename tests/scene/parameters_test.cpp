@@ -6,9 +6,9 @@
 #include <set>
 
 #include "burnish/shading_names.hpp"
-#include "core/image_io.hpp"
-#include "scene/load.hpp"
-#include "shading/conductors.hpp"
+#include "image/image_io.hpp"
+#include "models/conductors.hpp"
+#include "stage/material_parameters.hpp"
 #include "support.hpp"
 
 namespace burnish {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "../shading/chi_square.hpp"
-#include "scene/rgl_brdf.hpp"
+#include "formats/bsdf/rgl_brdf.hpp"
 #include "support.hpp"
 
 namespace burnish::test {

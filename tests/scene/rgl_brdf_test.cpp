@@ -1,6 +1,6 @@
 // The reader of measured materials, on files whose values are known in closed form and on broken
 // ones.
-#include "scene/rgl_brdf.hpp"
+#include "formats/bsdf/rgl_brdf.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 
 #include "bsdf_writer.hpp"
-#include "scene/spectral_rgb.hpp"
+#include "formats/bsdf/spectral_rgb.hpp"
 #include "support.hpp"
 
 namespace burnish::test {

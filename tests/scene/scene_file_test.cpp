@@ -1,3 +1,5 @@
+#include "stage/scene_file.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,8 +9,7 @@
 #include <iterator>
 #include <random>
 
-#include "core/image_io.hpp"
-#include "scene/load.hpp"
+#include "image/image_io.hpp"
 #include "support.hpp"
 
 namespace burnish {

@@ -5,8 +5,11 @@
 #include <string>
 
 #include "bsdf_writer.hpp"
-#include "scene/load.hpp"
-#include "scene/tabulated_material.hpp"
+#include "formats/load_model.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
+#include "scene/material/tabulated_material.hpp"
+#include "stage/material_parameters.hpp"
+#include "stage/scene_file.hpp"
 #include "support.hpp"
 
 namespace burnish::test {

@@ -1,5 +1,5 @@
 // Files of tabulated materials: what is written comes back, and nothing broken or hostile gets in.
-#include "scene/tabulated_material.hpp"
+#include "scene/material/tabulated_material.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,10 @@
 #include "bsdf_writer.hpp"
 #include "burnish/f64.hpp"
 #include "core/files.hpp"
-#include "core/image_io.hpp"
-#include "core/image_parts.hpp"
+#include "formats/bsdf/rgl_material.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
+#include "image/image_io.hpp"
+#include "image/image_parts.hpp"
 #include "support.hpp"
 
 namespace burnish::test {

@@ -1,6 +1,6 @@
 // Tangents against closed forms, against a slow second implementation, and against assets that
 // store what MikkTSpace computed.
-#include "scene/tangents.hpp"
+#include "scene/geometry/tangents.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include <numeric>
 #include <random>
 
+#include "formats/gltf/gltf.hpp"
 #include "glb_writer.hpp"
-#include "scene/load.hpp"
 #include "support.hpp"
 
 namespace burnish {

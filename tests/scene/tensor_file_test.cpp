@@ -1,5 +1,5 @@
 // The container: what a sound file holds, and one line for each way in which one can be broken.
-#include "scene/tensor_file.hpp"
+#include "formats/bsdf/tensor_file.hpp"
 
 #include <gtest/gtest.h>
 

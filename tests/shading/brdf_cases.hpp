@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lobes_under_test.hpp"
-#include "shading/albedo.hpp"
-#include "shading/brdf_models.hpp"
+#include "models/albedo.hpp"
+#include "models/brdf_models.hpp"
 
 namespace burnish::test {
 

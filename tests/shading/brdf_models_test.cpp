@@ -5,9 +5,9 @@
 
 #include "brdf_cases.hpp"
 #include "chi_square.hpp"
+#include "models/he.hpp"
+#include "models/projected_area.hpp"
 #include "oracle/oracle.hpp"
-#include "shading/he.hpp"
-#include "shading/projected_area.hpp"
 
 namespace burnish::test {
 namespace {

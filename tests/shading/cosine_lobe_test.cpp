@@ -152,7 +152,10 @@ TEST(CosineLobe, UnitKsKeepsAllLightHeadOnAndGainsNone) {
                 // as its text says.
                 EXPECT_NEAR(
                     f64::cosine_lobe_albedo(lobe, perturbed(f64::kMethodNone, {0, 0, 1}), wo),
-                    albedo, n >= 5 ? 0.02 : n >= 1 ? 0.06 : 0.11)
+                    albedo,
+                    n >= 5   ? 0.02
+                    : n >= 1 ? 0.06
+                             : 0.11)
                     << lobe.brdf << " " << n << " " << theta;
             }
         }
@@ -170,10 +173,10 @@ TEST(CosineLobe, MeanDirectionIsThatOfTheLight) {
                 const vec3 wo = f64::frame_to_outer(p.frame, at_deg(theta, 25));
                 // Off the mirror direction nothing is left of a high power.
                 if (quadrature(lobe, p, wo) < 1e-12) continue;
-                const vec3 mean = f64::normalize(
-                    vec3{quadrature(lobe, p, wo, [](vec3 wi) { return wi.x; }),
-                         quadrature(lobe, p, wo, [](vec3 wi) { return wi.y; }),
-                         quadrature(lobe, p, wo, [](vec3 wi) { return wi.z; })});
+                const vec3 mean =
+                    f64::normalize(vec3{quadrature(lobe, p, wo, [](vec3 wi) { return wi.x; }),
+                                        quadrature(lobe, p, wo, [](vec3 wi) { return wi.y; }),
+                                        quadrature(lobe, p, wo, [](vec3 wi) { return wi.z; })});
                 const vec3 found = f64::cosine_lobe_mean(lobe, p, wo);
                 EXPECT_NEAR(f64::length(found), 1, 1e-12);
                 EXPECT_LT(f64::length(found - mean), 0.2 * width)

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "brdf_cases.hpp"
-#include "shading/brdf_models.hpp"
-#include "shading/mdf.hpp"
+#include "models/brdf_models.hpp"
+#include "models/mdf.hpp"
 
 namespace burnish {
 namespace {

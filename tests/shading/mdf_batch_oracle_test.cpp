@@ -8,7 +8,7 @@
 #include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
 #include "mdf_oracle_support.hpp"
-#include "shading/mdf_batch.hpp"
+#include "models/batch/mdf_batch.hpp"
 
 namespace burnish::test {
 namespace {

@@ -1,5 +1,5 @@
 // The batched distributions against the scalar ones: the same text, other elementary functions.
-#include "shading/mdf_batch.hpp"
+#include "models/batch/mdf_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "shading/mdf.hpp"
-#include "shading/mdf_batch_kernels.hpp"
+#include "models/batch/mdf_batch_kernels.hpp"
+#include "models/mdf.hpp"
 
 namespace burnish {
 namespace {

@@ -9,8 +9,11 @@
 #include <limits>
 
 #include "burnish/parameters.hpp"
-#include "maps/draft.hpp"
-#include "scene/load.hpp"
+#include "formats/environments.hpp"
+#include "maps/weave/draft.hpp"
+#include "scene/geometry/builtin_meshes.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/stage.hpp"
 
 namespace burnish::soak {
 namespace {
@@ -236,16 +239,16 @@ Stage random_stage(Random& random) {
 
 void change_models(Stage& stage, Random& random) {
     for (Material& material : stage.scene.materials) vary_models(material, random);
-    gpu::RenderOptions& options = stage.options;
-    options.image_light = static_cast<gpu::ImageLight>(below(random, 4));
-    options.background = static_cast<gpu::BackgroundKind>(below(random, 3));
-    options.surface_pass = static_cast<gpu::SurfacePass>(below(random, 3));
+    RenderSettings& options = stage.settings;
+    options.image_light = static_cast<ImageLight>(below(random, 4));
+    options.background = static_cast<BackgroundKind>(below(random, 3));
+    options.surface_pass = static_cast<SurfacePass>(below(random, 3));
 }
 
 void change_numbers(Stage& stage, Random& random) {
     for (Material& material : stage.scene.materials) vary_factors(material, random);
     vary(stage.camera, random);
-    gpu::RenderOptions& options = stage.options;
+    RenderSettings& options = stage.settings;
     options.environment_intensity = static_cast<float>(value_within(random, 0, 1e6));
     options.environment_rotation = static_cast<float>(between(random, -7, 7));
     options.background_blur = static_cast<float>(between(random, 0, 1));
@@ -280,13 +283,13 @@ std::string break_stage(Stage& stage, Random& random) {
             stage.scene.textures.back().texels.pop_back();
             return "a texel short";
         case 7:
-            stage.options.width = 0;
+            stage.settings.width = 0;
             return "no width";
         case 8:
             stage.camera.target = stage.camera.position;
             return "a camera that looks at itself";
         default:
-            stage.options.samples = 0;
+            stage.settings.samples = 0;
             return "no samples";
     }
 }

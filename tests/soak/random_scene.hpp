@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "app/stage.hpp"
+#include "stage/stage.hpp"
 
 namespace burnish::soak {
 

@@ -18,6 +18,8 @@
 #include "burnish/error.hpp"
 #include "memory_use.hpp"
 #include "random_scene.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "gpu/device/context.hpp"
 
 namespace burnish::soak {
 namespace {
@@ -87,7 +89,7 @@ void run_broken(gpu::Context& context, Random& random, Counts& counts) {
                    [&] { values.set(bad.name, bad.text, ""); });
     Stage stage = random_stage(random);
     const std::string way = break_stage(stage, random);
-    expect_refusal(way, [&] { renderer_of(context, stage).render(stage.camera, stage.options); });
+    expect_refusal(way, [&] { renderer_of(context, stage).render(stage.camera, stage.settings); });
     counts.refusals += 2;
 }
 
@@ -96,7 +98,7 @@ void run_stage(gpu::Context& context, Random& random, Counts& counts) {
     gpu::Renderer renderer = renderer_of(context, stage);
     for (int model = 0; model < kModelsOfAStage; ++model) {
         for (int picture = 0; picture < kPicturesOfAModel; ++picture) {
-            expect_finite(renderer.render(stage.camera, stage.options));
+            expect_finite(renderer.render(stage.camera, stage.settings));
             ++counts.pictures;
             change_numbers(stage, random);
             renderer.set_materials(stage.scene.materials);

@@ -1,0 +1,102 @@
+// burnish bench frame: what a frame costs, technique by technique (K11 Fig 11, K12 Table I and
+// Fig 7), on whatever runs the GL.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/frame/frame_bench.hpp"
+#include "bench/frame/timer_check.hpp"
+#include "burnish/progress.hpp"
+
+namespace burnish {
+
+struct FrameCostRequest {
+    std::vector<FrameCase> cases;       // one or more
+    std::vector<Technique> techniques;  // gouraud and normal-map are measured whatever is asked
+    int rounds = 15;                    // interleaved
+    double sample_s = 0.06;             // about the length of one sample
+    int gl_device = -1;                 // -1: the first hardware device, else software
+    std::filesystem::path output;       // OUT.json, with OUT.md and OUT.svg beside; empty: none
+    std::string command;                // for metadata
+};
+
+// The cases when none are asked for: five meshes at 1280x720, and 102 k triangles at 1920x1080 and
+// 3840x2160. Quick: 4 k and 102 k triangles at 1280x720.
+std::vector<FrameCase> default_frame_cases(bool quick);
+
+// All techniques on the default cases, with the rounds and samples that suit them. Quick: for a
+// first impression, less than a minute on two cores without a GPU.
+FrameCostRequest default_frame_request(bool quick);
+
+// One technique with what it is compared to, measured by turns: the bases first, itself last
+// (`normal-map` has one base, `gouraud` none and no samples).
+struct TechniqueCost {
+    Technique technique;
+    std::vector<Technique> subjects;  // those of `samples`, in its order
+    RoundSamples samples;
+
+    // Index in `subjects`; empty when it is not there.
+    std::optional<std::size_t> place_of(std::string_view name) const;
+    Estimated against(std::string_view base, Clock clock) const;
+    Estimated frame_s(Clock clock) const;
+};
+
+struct FrameCaseCost {
+    FrameCase asked;
+    std::size_t triangles = 0;
+    std::size_t covered_pixels = 0;
+    std::vector<TechniqueCost> costs;  // in the order of `techniques`
+    // K12 Fig 7: normal-map, rotate-approx, rotate-exact in turns, twice the rounds; no samples
+    // unless both rotations are asked for.
+    TechniqueCost rotation;
+
+    // As `cost` says; for gouraud itself 1, and the time that it took beside normal-map.
+    Estimated against_gouraud(const TechniqueCost& cost, Clock clock) const;
+    Estimated frame_s(const TechniqueCost& cost, Clock clock) const;
+};
+
+struct FrameCost {
+    std::string device, driver;  // GL_RENDERER, GL_VERSION
+    bool software = false;
+    TimerVerdict timer;
+    std::string processor;
+    unsigned threads = 0;
+    double load_before = 0, load_after = 0;  // averages of the last minute, negative: unknown
+    std::string date;                        // UTC, of the start
+    std::string command;
+    int rounds = 0;
+    double sample_s = 0;
+    std::vector<FrameCaseCost> cases;
+    std::vector<std::string> warnings;
+
+    // Where the timer passed its check and then gave no time for a sample: not usable, and why. A
+    // ratio by it would lack for some techniques and be there for others.
+    void distrust_silent_timer();
+
+    // What the ratios are of: the device's time where its timer can be believed, else the wall's.
+    Clock clock() const { return timer.usable ? Clock::device : Clock::wall; }
+};
+
+// Measures. Throws UsageError for a request that makes no sense, Error for what the device cannot
+// do, before anything is measured, and Interrupted. It makes a context of its own. Programs call
+// keep_freed_memory() (core/memory.hpp) first: else llvmpipe's page faults are measured as well.
+FrameCost measure_frame_cost(const FrameCostRequest& request, const Progress& progress = {});
+
+// Every sample, with medians and spreads.
+std::string frame_cost_json(const FrameCost& cost);
+// Tables beside the papers' figures.
+std::string frame_cost_markdown(const FrameCost& cost);
+// Bars, one panel a case; SVG 1.1, fonts by family only.
+std::string frame_cost_svg(const FrameCost& cost);
+
+// Measures and writes OUT.json, OUT.md and OUT.svg, all or none, and says which.
+struct FrameCostReport {
+    FrameCost cost;
+    std::vector<std::filesystem::path> written;  // none when there is no output
+};
+FrameCostReport bench_frame(const FrameCostRequest& request, const Progress& progress = {});
+
+}  // namespace burnish

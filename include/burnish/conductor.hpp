@@ -1,0 +1,14 @@
+// The optical constants of a metal.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace burnish {
+
+// Complex index of refraction eta + i k at R, G, B.
+struct Conductor {
+    glm::vec3 eta{1.0f};
+    glm::vec3 k{0.0f};
+};
+
+}  // namespace burnish

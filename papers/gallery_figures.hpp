@@ -1,0 +1,94 @@
+// The figures of the gallery, one function each. Private to app/gallery*.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/frame/frame_cost.hpp"
+#include "burnish/shading_names.hpp"
+#include "papers/gallery_page.hpp"
+#include "papers/gallery_studio.hpp"
+
+namespace burnish {
+
+// What figures are made with; shared by all of a run.
+struct GalleryTools {
+    GalleryStudio& studio;
+    const GalleryRequest& request;
+    Progress progress;  // of the figure at hand
+    std::vector<std::string>& warnings;
+    std::optional<FrameCost>& cost;  // measured by the first figure that asks
+
+    bool quick() const { return studio.quick(); }
+};
+
+struct GalleryFigure {
+    GalleryEntry entry;
+    // Empty: it cannot be made here, and a warning says why.
+    std::optional<GalleryPage> (*make)(GalleryTools& tools);
+};
+std::span<const GalleryFigure> gallery_figures();
+
+// K11 Eq 1 at the papers' exponents, Ward's distribution at K12 Fig 5's alphas.
+using ParameterList = std::vector<std::pair<std::string, std::string>>;
+ParameterList shirley_surface();
+ParameterList ward_surface();
+
+// A rendered panel; its command is added to the page's.
+plot::Panel rendered(GalleryPage& page, const Picture& picture, std::string title, double side);
+
+// Pictures of one surface by the method.
+struct MethodShots {
+    GalleryTools& tools;
+    const PictureSpec& spec;
+    double side;
+
+    Picture operator()(const char* method) const {
+        return tools.studio.picture(spec.with("method", method), side, tools.progress);
+    }
+};
+
+// ---- figures of distributions (gallery_lobes.cpp)
+// --------------------------------------------------
+std::optional<GalleryPage> k11_fig2(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig6(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig7(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig8(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig2(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig3(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig4(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig5(GalleryTools& tools);
+
+// ---- surfaces of K11 (gallery_k11.cpp), of K12 (gallery_k12.cpp)
+// -----------------------------------
+std::optional<GalleryPage> k11_fig1(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig3(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig4(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig5(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig9(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig10(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig12(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig13(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig14(GalleryTools& tools);
+std::optional<GalleryPage> k11_fig15(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig1(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig6(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig8(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig9(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig10(GalleryTools& tools);
+
+// ---- cost (gallery_cost.cpp)
+// -----------------------------------------------------------------------
+std::optional<GalleryPage> k11_fig11(GalleryTools& tools);
+std::optional<GalleryPage> k12_fig7(GalleryTools& tools);
+std::optional<GalleryPage> k12_table1(GalleryTools& tools);
+
+// ---- reflection models of B12's slide (gallery_models.cpp)
+// -----------------------------------------
+std::optional<GalleryPage> b12_models(GalleryTools& tools);
+std::optional<GalleryPage> b12_measured(GalleryTools& tools);
+
+}  // namespace burnish

@@ -1,0 +1,60 @@
+// Pictures for the gallery, made as `burnish render` makes them. Private to app/gallery*.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "burnish/image.hpp"
+#include "burnish/progress.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
+
+namespace burnish {
+
+// A picture in words of the command line.
+struct PictureSpec {
+    std::string input;
+    std::vector<std::pair<std::string, std::string>> parameters;  // of the parameter table
+    std::string environment = "builtin:studio";                   // "none": dark
+    std::vector<std::string> lights;
+
+    // A copy with one parameter set, or several.
+    PictureSpec with(std::string name, std::string value) const;
+    PictureSpec with(const std::vector<std::pair<std::string, std::string>>& more) const;
+};
+
+struct Picture {
+    Image linear;   // RGBA
+    Image display;  // RGB, sRGB-encoded
+    std::string command;
+};
+
+class GalleryStudio {
+  public:
+    GalleryStudio(bool quick, int gl_device);
+    ~GalleryStudio();
+
+    // `side`: pixels of the square on the page; the picture has twice as many.
+    Picture picture(const PictureSpec& spec, double side, const Progress& progress);
+    // Where the model is: its coverage, one channel, of the same size as `picture`.
+    Image mask(const PictureSpec& spec, double side, const Progress& progress);
+
+    // Seconds a frame of one sample takes, of the last picture's scene and size.
+    double frame_seconds();
+
+    bool quick() const { return quick_; }
+    const gpu::Context& context() const { return context_; }
+
+  private:
+    struct Set;  // a scene on the device
+    Set& set_for(const PictureSpec& spec, double side);
+
+    bool quick_;
+    gpu::Context context_;
+    std::unique_ptr<Set> set_;
+};
+
+}  // namespace burnish

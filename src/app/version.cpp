@@ -1,9 +1,0 @@
-#include "app/version.hpp"
-
-namespace burnish {
-
-std::string_view version() {
-    return BURNISH_VERSION;
-}
-
-}  // namespace burnish

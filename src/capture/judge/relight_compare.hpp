@@ -1,0 +1,57 @@
+// How far rendered pictures are from those of a stack: RMSE and PSNR, a light at a time, so that
+// neither stack is ever in memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "burnish/image.hpp"
+#include "capture/rig/rig.hpp"
+#include "scene/material/tabulated_material.hpp"
+
+namespace burnish {
+
+struct LightError {
+    std::size_t samples = 0;  // that count: within the mask and not clipped
+    double rmse = 0.0;        // 0 without samples
+    double psnr = 0.0;        // dB, infinite for an RMSE of 0; not a number without samples
+};
+
+struct StackError {
+    std::vector<LightError> lights;
+    std::size_t samples = 0;
+    double peak = 0.0;  // the brightest sample that counts: the 1 of PSNR
+    double rmse = 0.0;  // over all samples
+    double psnr_median = 0.0, psnr_mean = 0.0, psnr_worst = 0.0;  // of lights with samples
+    std::size_t worst = 0;                                        // light
+};
+
+class StackComparison {
+  public:
+    // `stack`: lights with pictures. Throws Error when one of them is of another size than the
+    // material or cannot be read.
+    StackComparison(const Rig& stack, const TabulatedMaterial& material);
+
+    // Reads the picture of the light and adds up.
+    void add(std::size_t light, const Image& rendered);
+
+    // After all lights. Throws Error when no sample counts or all are black.
+    StackError result() const;
+
+  private:
+    // Those at the light's largest value apart: only once all pictures are known can it be told
+    // whether they are clipped (image_stack.hpp).
+    struct Sums {
+        std::size_t samples = 0, at_top = 0;
+        double squares = 0.0, squares_at_top = 0.0;
+        double top = 0.0, next = 0.0;  // the largest value and the largest below
+    };
+    Rig stack_;
+    Image white_;
+    std::vector<std::uint8_t> counts_;  // a pixel each
+    std::vector<Sums> sums_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace burnish

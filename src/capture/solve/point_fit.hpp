@@ -1,0 +1,75 @@
+// What one point is, given an exemplar: the angle by which the exemplar is turned, diffuse and
+// specular strength, and a tilt of the normal, by least squares on the pictures' own values.
+//
+//   I_q = received_q (d / pi + s b_q),  b_q = F(i.h)/F(1) D(h) / (4 g(i) g(o))
+//
+// d and s are linear and solved for within every trial of the angle (variable projection).
+#pragma once
+
+#include <array>
+
+#include "capture/stack/light_geometry.hpp"
+
+namespace burnish {
+
+// An exemplar's tables, shared by all points: D normalised, areas on kAreaGrid.
+struct ExemplarTables {
+    NdfGrid grid;
+    const float* D = nullptr;
+    const float* areas = nullptr;
+};
+
+// Columns of the area grid for one column of the exemplar's.
+inline float area_shift(const NdfGrid& grid, float shift) {
+    return shift * static_cast<float>(kAreaGrid.azimuths) / static_cast<float>(grid.azimuths);
+}
+
+// b of one sample at a turn of `shift` columns. `fresnel` is F(c)/F(1).
+inline float specular_shape(const ExemplarTables& tables, const PointSamples& samples,
+                            std::size_t q, float shift, float fresnel, float area_out) {
+    const float d = lookup(tables.grid, tables.D, samples.half[q], shift);
+    const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2],
+                                  area_shift(tables.grid, shift));
+    return fresnel * d / (4.0f * area_in * area_out);
+}
+
+struct PointFit {
+    float shift = 0.0f;                     // columns of the exemplars' grid
+    float diffuse = 0.0f, specular = 0.0f;  // luminance
+    float error = 0.0f;  // weighted mean square of the residuals, 1: nothing explained
+};
+
+// The weight of a sample is 1 / (I + mean I)^2: relative where a highlight is bright, so that its
+// peak does not speak alone, absolute in the dark.
+class PointFitter {
+  public:
+    // eta: Fresnel's index, 0 for none. `samples` must outlive the fitter.
+    PointFitter(const PointSamples& samples, float eta);
+
+    // Diffuse and specular at a given turn, neither below 0.
+    PointFit at(const ExemplarTables& tables, float shift) const;
+    // The best turn near `shift` or half a turn from it, to about 0.02 columns, searched within
+    // `width` columns to each side: what one camera sees of a distribution is often much the same
+    // from behind.
+    // Gives up where the error is above `give_up` after the first step: not the best, then.
+    PointFit refined(const ExemplarTables& tables, float shift, float width,
+                     float give_up = 1e30f) const;
+    // The best turn within about 2 `width` of `shift`.
+    PointFit nearby(const ExemplarTables& tables, float shift, float width) const;
+    // Diffuse and specular of each channel at a turn.
+    void colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
+                 std::array<float, 3>& specular) const;
+
+    const std::vector<float>& weights() const { return weights_; }
+    const std::vector<float>& fresnel() const { return fresnel_; }
+
+  private:
+    PointFit descend(const ExemplarTables& tables, PointFit best, float width, float give_up) const;
+
+    const PointSamples* samples_;
+    std::vector<float> weights_, fresnel_;
+    std::vector<float> uv_, vv_, vy_;  // terms of the normal equations that no turn changes
+    double uu_ = 0.0, uy_ = 0.0, value_square_ = 0.0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,91 @@
+// The pictures of a capture, one light each, read into one flat file so that a band of pixels can
+// be had for all lights at once, however large the stack is.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "burnish/image.hpp"
+#include "burnish/progress.hpp"
+#include "capture/rig/rig.hpp"
+
+namespace burnish {
+
+struct LightImage {
+    Image rgb;  // linear, brackets merged, divided by the flat field; never negative
+    // Codes of integer pictures end somewhere: samples that every exposure shows at its last code.
+    std::vector<std::uint8_t> clipped;  // one a sample; empty: none
+    bool coded = false;                 // some exposure is of integers: `clipped` knows all
+};
+
+// `white`: empty, or the flat field (as read_flat_field gives it). Throws Error for pictures that
+// cannot be read or are of another size than width x height (0: any size).
+LightImage read_light_image(const Rig& rig, const RigLight& light, const Image& white, int width,
+                            int height);
+
+// The rig's flat field scaled to a mean of 1, its dark places held at 1 % of that; empty: none
+// given.
+Image read_flat_field(const Rig& rig);
+
+// The rig's mask, 1 where the sample is to be measured, a pixel each; 1 everywhere without one.
+std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
+
+// A float picture says nowhere where its sensor ended; values of the stack's largest that repeat at
+// least this often in one picture do.
+inline constexpr int kRepeatsOfClipping = 8;
+
+struct StackCensus {
+    double clipped_share = 0.0;  // of all samples within the mask
+    double black_share = 0.0;    // exactly 0
+    double brightest = 0.0;
+};
+
+// Consecutive pixels of the row-major picture, all lights, as the file holds them.
+struct StackBand {
+    std::size_t first = 0, pixels = 0;
+    std::vector<std::uint16_t> codes;  // lights x pixels x 3
+};
+
+class ImageStack {
+  public:
+    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same
+    // files by size and time of change). Throws Error.
+    ImageStack(const Rig& rig, const std::filesystem::path& cache, const Progress& progress);
+    ImageStack(const ImageStack&) = delete;
+    ImageStack& operator=(const ImageStack&) = delete;
+    ~ImageStack();
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    }
+    std::size_t lights() const { return scale_.size(); }
+    std::uint64_t identity() const { return identity_; }  // of the rig and its files
+    const StackCensus& census() const { return census_; }
+    const std::vector<std::uint8_t>& mask() const { return mask_; }  // 1: to be fitted
+
+    std::size_t bands() const { return (pixels() - 1) / band_pixels_ + 1; }
+    std::size_t band_pixels() const { return band_pixels_; }
+    StackBand load(std::size_t band) const;
+    // Samples of `count` pixels of the band from its pixel `from` on: out[pixel][light][channel].
+    // Clipped samples are +infinity.
+    void decode(const StackBand& band, std::size_t from, std::size_t count, float* out) const;
+
+  private:
+    bool open_cache(const std::filesystem::path& cache);
+    void make_cache(const Rig& rig, const std::filesystem::path& cache, const Progress& progress);
+
+    int width_ = 0, height_ = 0;
+    std::size_t band_pixels_ = 0;
+    std::uint64_t identity_ = 0;
+    StackCensus census_;
+    std::vector<float> scale_;  // of each light: a sample is scale (code / kMostCode)^2
+    std::vector<std::uint8_t> mask_;
+    int file_ = -1;
+    std::string name_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,137 @@
+// Where light comes from and goes to at a pixel, in the shape that fitting wants: one array a
+// quantity, single precision, places on polar grids worked out once.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "capture/rig/rig.hpp"
+#include "scene/material/ndf_grid.hpp"
+
+namespace burnish {
+
+using Vec3f = std::array<float, 3>;
+
+// Directions in sample space and what arrives along them, for one point.
+struct PointLights {
+    Vec3f to_eye{0.0f, 0.0f, 1.0f};
+    std::vector<float> x, y, z;                  // towards each light, unit
+    std::array<std::vector<float>, 3> received;  // L cos^m / r^2, rgb
+
+    std::size_t size() const { return x.size(); }
+};
+
+class LightGeometry {
+  public:
+    LightGeometry(const Rig& rig, int width, int height);
+    void at(std::size_t pixel, PointLights& out) const;
+    std::size_t lights() const { return rig_.lights.size(); }
+    bool all_far() const { return all_far_; }
+
+  private:
+    Rig rig_;
+    int width_, height_;
+    bool all_far_ = false;
+    PointLights far_;
+};
+
+// A place on a polar grid: between rings `ring` and `ring` + 1, at `column` (not whole, from 0 to
+// the azimuths).
+struct GridPlace {
+    int ring = 0;
+    float fraction = 0.0f;
+    float column = 0.0f;
+};
+// (x, y, z) of any length.
+GridPlace grid_place(const NdfGrid& grid, float x, float y, float z);
+
+// Likewise on the nodes that ndf_areas has its values at.
+GridPlace area_place(float x, float y, float z);
+
+// ndf_lookup at a place worked out before, the table turned by `shift` columns.
+inline float lookup(const NdfGrid& grid, const float* table, const GridPlace& place, float shift) {
+    const auto columns = static_cast<float>(grid.azimuths);
+    // The turn within one circle is the same for all places of a loop.
+    float turn = shift - columns * static_cast<float>(static_cast<int>(shift / columns));
+    if (turn < 0.0f) turn += columns;
+    float c = place.column - turn;
+    if (c < 0.0f) c += columns;
+    int c0 = static_cast<int>(c);
+    if (c0 >= grid.azimuths) c0 = 0;
+    const int c1 = c0 + 1 == grid.azimuths ? 0 : c0 + 1;
+    const float t = c - static_cast<float>(static_cast<int>(c));
+    const float* low = table + place.ring * grid.azimuths;
+    const float* high = place.ring + 1 < grid.rings ? low + grid.azimuths : low;
+    const float a = low[c0] + t * (low[c1] - low[c0]);
+    const float b = high[c0] + t * (high[c1] - high[c0]);
+    return a + place.fraction * (b - a);
+}
+
+// g of a direction with this z, from what ndf_areas made.
+inline float area_at(const float* areas, const GridPlace& place, float z, float shift) {
+    const float g = z + lookup(kAreaGrid, areas, place, shift);
+    return g > 1e-6f ? g : 1e-6f;  // as ndf_area_lookup
+}
+
+// Directions of sample space in a frame about a normal, which shading's shortest arc makes.
+class NormalFrame {
+  public:
+    explicit NormalFrame(const Vec3f& normal);
+    Vec3f operator()(float x, float y, float z) const {
+        return {t_[0] * x + t_[1] * y + t_[2] * z, b_[0] * x + b_[1] * y + b_[2] * z,
+                n_[0] * x + n_[1] * y + n_[2] * z};
+    }
+    Vec3f operator()(const Vec3d& v) const {
+        return (*this)(static_cast<float>(v[0]), static_cast<float>(v[1]),
+                       static_cast<float>(v[2]));
+    }
+
+  private:
+    Vec3f t_, b_, n_;
+};
+
+// What one point's samples look like to a distribution: only lights above the horizon of the normal
+// and samples that are not clipped.
+struct PointSamples {
+    std::vector<int> light;       // which light each sample is of
+    std::vector<GridPlace> half;  // of h, on the exemplars' grid
+    std::vector<GridPlace> in;    // of i, on the nodes of areas
+    GridPlace out;                // of o, likewise
+    std::vector<float> cosine_ih;
+    std::vector<float> weight_rgb[3];    // I = (rho) * this: n.i L cos^m / r^2
+    std::vector<float> value_rgb[3];     // I
+    std::vector<float> received, value;  // luminance of both
+    Vec3f to_eye{};                      // in the normal's frame
+    std::vector<Vec3f> to_light;         // likewise
+
+    std::size_t size() const { return light.size(); }
+    void resize(std::size_t count);
+};
+
+// Lights lower than this above the surface are left out: a small error of the normal would change
+// what they show by as much as they show.
+inline constexpr float kLeastLightCosine = 0.1f;
+
+// `values`: lights x 3, infinite where clipped. `keep`: lights to take part (empty: all).
+void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<const float> values,
+                    std::span<const std::uint8_t> keep, const NdfGrid& grid, PointSamples& out);
+
+// At most `most` of the samples: half of them the brightest, the others spread over the rest in the
+// order of lights.
+void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out);
+
+inline constexpr std::array<float, 3> kLuminance = {0.2126f, 0.7152f, 0.0722f};
+
+// F(c) / F(1) of a dielectric of index eta; 1 for eta = 0 (docs/capture.md).
+class RelativeFresnel {
+  public:
+    explicit RelativeFresnel(float eta);
+    float operator()(float cosine) const;
+    void of(const std::vector<float>& cosines, std::vector<float>& out) const;
+
+  private:
+    float eta_, by_;  // by_: 1 / F(1)
+};
+
+}  // namespace burnish

@@ -1,0 +1,86 @@
+// burnish capture directions: a rig from pictures of mirror balls.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "burnish/error.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/rig_flags.hpp"
+#include "cli/session.hpp"
+#include "jobs/capture/capture_directions.hpp"
+
+namespace burnish::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+PICTUREs show one or more mirror balls under one light each, all from the same camera. --ball is a ball's
+outline: its middle and radius in pixels, counted from the top left corner of the picture. Several balls
+give the mean of their directions. Printed for each light: the direction, its angle theta from the normal
+and phi, counter-clockwise from +x, and how far the highlight spreads about it. RIG is JSON of ours (.json)
+or an .lp file. Balls that lie beside the sample are to be cut off the pictures, or masked, before a fit:
+docs/rig.md says how, and how exact the directions are.
+
+Examples:
+  burnish capture directions ball/*.jpg --ball 412.5,388,160 --pictures sample/*.tif --width-mm 60 -o rig.json
+  burnish capture directions p*.png --ball 200,190,90 --ball 1800,1210,92 -o rig.lp)";
+
+struct Flags {
+    std::vector<std::string> balls, circles, pictures;
+    std::string output;
+    RigFlags rig;
+};
+
+ProbeCircle parse_circle(const std::string& text) {
+    ProbeCircle c;
+    char rest = 0;
+    const bool three =
+        std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &c.x, &c.y, &c.radius, &rest) == 3;
+    if (!three || !std::isfinite(c.x) || !std::isfinite(c.y))
+        throw UsageError("--ball", "", "X,Y,R in pixels", shown(text));
+    // Less is no ball to find a lamp on (light_probe.hpp).
+    if (!(c.radius >= 4.0) || !std::isfinite(c.radius))
+        throw UsageError("--ball", "", "a radius of at least 4 pixels", shown(text));
+    return c;
+}
+
+void run(const Flags& flags, const Session& session) {
+    DirectionsRequest request;
+    request.balls.assign(flags.balls.begin(), flags.balls.end());
+    request.pictures.assign(flags.pictures.begin(), flags.pictures.end());
+    for (const std::string& text : flags.circles) request.circles.push_back(parse_circle(text));
+    request.rig = flags.rig.overrides();
+    request.output = flags.output;
+    const DirectionsReport report = find_directions(request, session.progress());
+    print(report.text);
+    print_report(report.warnings, report.written);
+}
+
+}  // namespace
+
+void add_capture_directions_command(CLI::App& capture, Session& session) {
+    CLI::App* command = capture.add_subcommand(
+        "directions", "Find where lights stood from pictures of mirror balls");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("balls", flags->balls, "pictures of the balls, one a light, in order")
+        ->required()
+        ->type_name("PICTURE");
+    command->add_option("--ball", flags->circles, "outline of a ball in pixels; may be given again")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("X,Y,R");
+    command
+        ->add_option("--pictures", flags->pictures,
+                     "of the sample, in the same order (default: those of the balls)")
+        ->type_name("FILE");
+    command->add_option("-o,--output", flags->output, "the rig, .json or .lp")
+        ->required()
+        ->type_name("RIG");
+    flags->rig.add_to_new(*command);
+    command->footer(kFooter);
+    command->callback([flags, &session] { run(*flags, session); });
+}
+
+}  // namespace burnish::cli

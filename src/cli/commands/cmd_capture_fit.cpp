@@ -1,0 +1,134 @@
+// burnish capture fit: a material from a stack of pictures.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "burnish/error.hpp"
+#include "burnish/shading_names.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/integer_flag.hpp"
+#include "cli/rig_flags.hpp"
+#include "cli/session.hpp"
+#include "jobs/capture/capture_fit.hpp"
+
+namespace burnish::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+STACK is a rig file (JSON of ours, .lp or .dome) whose lights name pictures of one flat sample from one
+camera: docs/rig.md. MATERIAL (.exr) is a tabulated material: distributions of microfacet normals, and
+for each texel which it has, turned by how much, with diffuse and specular colour. It renders with
+`burnish render --tabulated`. An interrupted fit goes on where it was when it is called again.
+docs/capture.md says what is done, how well, and what a stack cannot support.
+
+Examples:
+  burnish capture simulate classes -o sample --noise 1
+  burnish capture fit sample/rig.json -o sample.exr --eta 1.5
+  burnish capture fit dome/lights.lp -o coin.exr --camera 0,-1,1 --width-mm 40 --hold-out 10)";
+
+struct Flags {
+    FitCaptureRequest request;
+    RigFlags rig;
+    std::string grid, until, output;
+    double eta = -1.0, f0 = -1.0;
+    int seed = 1;
+    bool no_models = false;
+};
+
+void set_grid(Flags& flags) {
+    if (flags.grid.empty()) return;
+    const std::size_t at = flags.grid.find('x');
+    NdfGrid& grid = flags.request.settings.grid;
+    grid.rings = whole_number(flags.grid.substr(0, at), {8, 128}, "--grid");
+    if (at == std::string::npos)
+        throw UsageError("--grid", "", "RINGSxAZIMUTHS", shown(flags.grid));
+    grid.azimuths = whole_number(flags.grid.substr(at + 1), {24, 384}, "--grid");
+    if (grid.azimuths % 24 != 0)
+        throw UsageError("--grid", "azimuths", "a multiple of 24", fmt::to_string(grid.azimuths));
+}
+
+void set_fresnel(Flags& flags) {
+    if (flags.eta >= 0.0 && flags.f0 >= 0.0)
+        throw UsageError("--eta and --f0 say the same thing in two ways: give one of them");
+    auto& eta = flags.request.settings.eta;
+    if (flags.eta >= 0.0) {
+        if (flags.eta != 0.0 && !(flags.eta >= 1.01 && flags.eta <= 100.0))
+            throw UsageError("--eta", "", "1.01 to 100, or 0 for none",
+                             fmt::format("{}", flags.eta));
+        eta = flags.eta;
+    } else if (flags.f0 >= 0.0) {
+        if (!(flags.f0 > 0.0 && flags.f0 <= 1.0))
+            throw UsageError("--f0", "", "above 0, at most 1", fmt::format("{}", flags.f0));
+        // F(1) = ((eta - 1) / (eta + 1))^2; metals near 1 hardly change with the angle.
+        const double root = std::sqrt(flags.f0);
+        eta = root > 0.98 ? 0.0 : (1.0 + root) / (1.0 - root);
+    }
+}
+
+void run(Flags& flags, const Session& session) {
+    FitCaptureRequest& request = flags.request;
+    request.overrides = flags.rig.overrides();
+    set_grid(flags);
+    set_fresnel(flags);
+    if (request.settings.hold_out == 1)  // nothing would be left to fit
+        throw UsageError("--hold-out", "", "0, or a whole number from 2 to 1000", "1");
+    if (!flags.until.empty())
+        request.until = static_cast<CaptureStage>(
+            index_of_name(capture_stage_names(), flags.until, "stage", "--until"));
+    request.settings.models = !flags.no_models;
+    request.settings.seed = static_cast<std::uint64_t>(flags.seed);
+    request.output = flags.output;
+    if (request.output.extension() != ".exr")
+        throw UsageError("-o", "", "a file name that ends in .exr", shown(flags.output));
+    request.command = session.command_line();
+    const FitCaptureReport report = fit_capture(request, session.progress());
+    print(report.text);
+    print_report(report.warnings, report.written);
+}
+
+}  // namespace
+
+void add_capture_fit_command(CLI::App& capture, Session& session) {
+    CLI::App* command = capture.add_subcommand("fit", "Fit a material to a stack of pictures");
+    const auto flags = std::make_shared<Flags>();
+    FitCaptureRequest& request = flags->request;
+    CaptureFitSettings& settings = request.settings;
+    command->add_option("stack", request.stack, "a rig file whose lights name pictures")
+        ->required()
+        ->type_name("STACK");
+    command->add_option("-o,--output", flags->output, "the material, .exr")
+        ->required()
+        ->type_name("MATERIAL");
+    command
+        ->add_option("--eta", flags->eta, "index of refraction; 0: no Fresnel (default: estimated)")
+        ->type_name("N");
+    command->add_option("--f0", flags->f0, "reflectance of a facet head on, in place of --eta")
+        ->type_name("F");
+    add_integer(*command, "--exemplars", settings.exemplars, {1, 6400}, "distributions at most");
+    command->add_option("--grid", flags->grid, "cells of a distribution (default 32x96)")
+        ->type_name("RINGSxAZIMUTHS");
+    add_integer(
+        *command, "--training-points", settings.training_points, {16, 1000000},
+        "pixels at most that exemplars are made from; default: 8192, and no more than have 4 "
+        "million samples");
+    command->add_flag("--normals", settings.normals,
+                      "fit each pixel's normal too; without, the sample is flat");
+    command->add_flag("--no-models", flags->no_models,
+                      "leave out the analytic models of every pixel");
+    add_integer(*command, "--hold-out", settings.hold_out, {0, 1000},
+                "every n-th light takes no part; 0: all do");
+    add_integer(*command, "--seed", flags->seed, {0, 1000000}, "of the clustering");
+    flags->rig.add_to(*command);
+    command
+        ->add_option("--until", flags->until,
+                     "stop after this stage: pictures, exemplars or texels")
+        ->type_name("STAGE");
+    command->add_flag("--keep-stages", request.keep_stages, "leave MATERIAL.stages for later runs");
+    command->footer(kFooter);
+    command->callback([flags, &session] { run(*flags, session); });
+}
+
+}  // namespace burnish::cli

@@ -1,0 +1,72 @@
+// burnish capture relight: a fitted material under the lights of a rig.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "cli/commands/commands.hpp"
+#include "cli/rig_flags.hpp"
+#include "cli/session.hpp"
+#include "jobs/capture/capture_relight.hpp"
+
+namespace burnish::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Writes into DIR: 0000.exr, 0001.exr ... (linear, in the units of the rig's intensities), rig.json, which
+names them; with --compare also compare.csv. A light of the rig that has a camera is seen from there.
+PSNR is relative to the brightest sample of the stack that is not clipped. --response, --camera, --flip-y
+and --width-mm as the fit had them, for both rigs. docs/relight-export.md says more.
+
+Examples:
+  burnish capture relight brass.exr --rig dome.json -o relit
+  burnish capture relight brass.exr --rig capture/rig.json --compare capture/rig.json -o relit)";
+
+struct Flags {
+    RelightRequest request;
+    std::string material, rig, compare, output;
+    RigFlags rig_flags;
+    bool each_light = false;
+};
+
+void run(Flags& flags, const Session& session) {
+    RelightRequest& request = flags.request;
+    request.material = flags.material;
+    request.rig = flags.rig;
+    if (!flags.compare.empty()) request.compare = flags.compare;
+    request.overrides = flags.rig_flags.overrides();
+    request.output = flags.output;
+    request.command = session.command_line();
+    RelightReport report = relight_material(request, session.progress());
+    // Hundreds of pictures: the rig names them.
+    std::erase_if(report.written, [](const auto& path) { return path.extension() == ".exr"; });
+    print_report(report.warnings, report.written);
+    if (report.error) print(describe_error(*report.error, flags.each_light));
+}
+
+}  // namespace
+
+void add_capture_relight_command(CLI::App& capture, Session& session) {
+    CLI::App* command =
+        capture.add_subcommand("relight", "Render a fitted material under the lights of a rig");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("material", flags->material, "of burnish capture fit")
+        ->required()
+        ->type_name("MATERIAL");
+    command->add_option("--rig", flags->rig, "lights and cameras; needs no pictures")
+        ->required()
+        ->type_name("RIG");
+    command->add_option("-o,--output", flags->output, "folder to write into; made when needed")
+        ->required()
+        ->type_name("DIR");
+    CLI::Option* compare = command->add_option(
+        "--compare", flags->compare,
+        "a rig with pictures, as many and as large: print PSNR and RMSE against them");
+    compare->type_name("STACK");
+    command->add_flag("--each-light", flags->each_light, "print the error of every light, too")
+        ->needs(compare);
+    flags->rig_flags.add_to(*command);
+    command->footer(kFooter);
+    command->callback([flags, &session] { run(*flags, session); });
+}
+
+}  // namespace burnish::cli

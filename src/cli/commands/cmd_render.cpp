@@ -1,0 +1,144 @@
+// burnish render: a picture, a comparison of methods, or a turntable.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/error.hpp"
+#include "burnish/parameters.hpp"
+#include "burnish/render.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/integer_flag.hpp"
+#include "cli/parameter_flags.hpp"
+#include "cli/session.hpp"
+
+namespace burnish::cli {
+namespace {
+
+constexpr const char* kExamples = R"(
+Examples:
+  burnish render model.glb --env sky.hdr -o picture.png
+  burnish render builtin:sphere --metal steel --alpha-x 0.08 --alpha-y 0.4 \
+      --normal-map builtin:bumps --compare none,normal-map,deform-smooth,follow-grain -o sheet.png
+  burnish render scene.json --turntable 24 --samples 4 --size 480x270 -o turn.png
+Without a GPU a picture of the default size and samples takes about a minute on two cores;
+--samples 8 is a preview.)";
+
+struct Flags {
+    RenderRequest request;
+    std::string output;
+    std::string size;
+    std::optional<std::string> compare;
+};
+
+std::string_view heading(ParameterGroup group) {
+    switch (group) {
+        case ParameterGroup::material:
+            return "Material (of every surface; default: the file's)";
+        case ParameterGroup::render:
+            return "Picture";
+        case ParameterGroup::camera:
+            return "Camera (default: the file's first, else framed)";
+        case ParameterGroup::environment:
+            return "Environment";
+        case ParameterGroup::mesh:
+            return "Built-in meshes";
+    }
+    return "";
+}
+
+// One flag a row of the parameter table.
+void add_parameter_flags(CLI::App& command, const std::shared_ptr<Flags>& flags) {
+    for (const Parameter& parameter : parameter_table())
+        add_parameter_flag(command, parameter.name, flags->request.stage.values)
+            ->group(std::string(heading(parameter.group)));
+}
+
+void set_size(ParameterValues& values, const std::string& size) {
+    const std::size_t x = size.find('x');
+    if (x == std::string::npos)
+        throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(size));
+    if (values.is_set("width") || values.is_set("height"))
+        throw UsageError("--size", "", "no --width or --height beside it", "both");
+    values.set("width", size.substr(0, x), "--size");
+    values.set("height", size.substr(x + 1), "--size");
+}
+
+std::vector<Method> parse_methods(const std::string& list) {
+    std::vector<Method> methods;
+    std::size_t start = 0;
+    while (start <= list.size()) {
+        const std::size_t comma = std::min(list.find(',', start), list.size());
+        methods.push_back(static_cast<Method>(index_of_name(
+            method_names(), list.substr(start, comma - start), "method", "--compare")));
+        start = comma + 1;
+    }
+    return methods;
+}
+
+void run(Flags& flags, const Session& session) {
+    RenderRequest& request = flags.request;
+    if (!flags.size.empty()) set_size(request.stage.values, flags.size);
+    if (flags.compare) request.compare = parse_methods(*flags.compare);
+    request.output = flags.output;
+    request.command = session.command_line();
+    const RenderReport report = render(request, session.progress());
+    print_report(report.warnings, report.written);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& parent, Session& session) {
+    CLI::App* command = parent.add_subcommand("render", "Render a model or a scene file");
+    const auto flags = std::make_shared<Flags>();
+    RenderRequest& request = flags->request;
+    command
+        ->add_option("input", request.stage.input,
+                     ".gltf, .glb, .obj, a scene .json, or builtin:sphere, plane, cylinder, "
+                     "torus, drape")
+        ->required()
+        ->type_name("MODEL|SCENE");
+    command
+        ->add_option(
+            "-o,--output", flags->output,
+            ".png, .jpg, .tif (tone mapped) or .exr (linear); with --turntable the "
+            "pictures are numbered: turn.exr is written as turn_0000.exr, turn_0001.exr ...")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--env", request.stage.environment,
+                     "lat-long .hdr or .exr; builtin:studio (default), builtin:white; "
+                     "builtin:black: dark, black behind the model; none: dark, "
+                     "--background-color behind it")
+        ->type_name("FILE");
+    command
+        ->add_option("--light", request.stage.lights,
+                     "AZIMUTH,ELEVATION[,INTENSITY] in degrees and lux, point:X,Y,Z[,INTENSITY], "
+                     "or none; may be repeated; instead of the file's lights")
+        ->type_name("LIGHT")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
+    command->add_option("--size", flags->size, "WIDTHxHEIGHT: --width and --height in one")
+        ->type_name("WxH");
+    command
+        ->add_option("--compare", flags->compare,
+                     "METHOD,METHOD,...: one labelled sheet with difference images; instead of "
+                     "--method")
+        ->type_name("LIST");
+    add_integer(*command, "--turntable", request.turntable, {1, 9999},
+                "pictures of a full turn, numbered from OUT_0000")
+        ->type_name("COUNT");
+    add_gl_device(*command, request.gl_device);
+    add_parameter_flags(*command, flags);
+    command->footer(kExamples);
+    command->callback([flags, &session] { run(*flags, session); });
+}
+
+}  // namespace burnish::cli

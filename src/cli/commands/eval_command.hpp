@@ -1,0 +1,23 @@
+// The flags that `mdf eval` and `brdf eval` have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "jobs/models/eval.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace burnish::cli {
+
+class Session;
+
+// Adds the subcommand `eval` to `parent`; `columns` is the part of its help on what it reads and
+// adds.
+void add_eval_command(CLI::App& parent, Session& session, const std::string& description,
+                      const std::string& columns,
+                      std::function<void(const EvalRequest&, const Progress&)> evaluate);
+
+}  // namespace burnish::cli

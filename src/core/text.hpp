@@ -1,0 +1,13 @@
+// Words for people.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace burnish {
+
+// "1 mesh", "2 meshes"
+std::string plural(std::size_t count, std::string_view word);
+
+}  // namespace burnish

@@ -1,0 +1,9 @@
+#include "core/version.hpp"
+
+namespace burnish {
+
+std::string_view version() {
+    return BURNISH_VERSION;
+}
+
+}  // namespace burnish

@@ -1,0 +1,14 @@
+// The distribution of an RGL .bsdf as a tabulated material.
+#pragma once
+
+#include <filesystem>
+
+#include "scene/material/tabulated_material.hpp"
+
+namespace burnish {
+
+// The microfacet distribution of an RGL .bsdf as a material of one texel (white, no diffuse).
+// Throws Error as RglBrdf::load, and for a distribution without normals above the horizon.
+TabulatedMaterial tabulated_from_bsdf(const std::filesystem::path& path);
+
+}  // namespace burnish

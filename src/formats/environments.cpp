@@ -1,0 +1,75 @@
+#include "formats/environments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "burnish/error.hpp"
+#include "burnish/shading_names.hpp"
+#include "image/image_io.hpp"
+#include "scene/geometry/builtin_meshes.hpp"
+#include "scene/light/studio.hpp"
+
+namespace burnish {
+
+namespace {
+
+constexpr std::string_view kPrefix = "builtin:";
+constexpr std::array<std::string_view, 3> kNames = {"studio", "white", "black"};
+constexpr int kLeastHeight = 2;
+// The sun's disk in cd/m^2 is 1.6e9. More is no radiance, and would overflow when it is summed.
+constexpr float kBrightest = 1e12f;
+
+Environment builtin_environment(std::string_view name) {
+    const int which = index_of_name(kNames, name, "built-in environment", "");
+    if (which == 0) return make_studio();
+    return {std::string(kPrefix) + std::string(name), Image(64, 32, 3, which == 1 ? 1.0f : 0.0f)};
+}
+
+Image as_rgb(const Image& image) {
+    Image out(image.width, image.height, 3);
+    const auto step = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i < out.pixels.size() / 3; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            out.pixels[3 * i + c] = image.pixels[step * i + (image.channels < 3 ? 0 : c)];
+    return out;
+}
+
+void check_shape(const std::string& path, const Image& image) {
+    const double ratio = static_cast<double>(image.width) / std::max(image.height, 1);
+    if (image.height < kLeastHeight || std::abs(ratio / 2.0 - 1.0) > 0.02)
+        throw Error(path, "size", "a lat-long map, twice as wide as high",
+                    fmt::format("{}x{}", image.width, image.height));
+}
+
+// Filters with negative lobes leave values a little below zero, which are black; what is far above
+// any light is a broken file.
+void check_values(const std::string& path, Image& image) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        float& value = image.pixels[i];
+        if (!std::isfinite(value) || value > kBrightest) {
+            const std::size_t texel = i / 3, width = static_cast<std::size_t>(image.width);
+            throw Error(path, fmt::format("pixel {},{}", texel % width, texel / width),
+                        fmt::format("a finite radiance up to {:g}", kBrightest),
+                        fmt::format("{}", value));
+        }
+        value = std::max(value, 0.0f);
+    }
+}
+
+}  // namespace
+
+Environment load_environment(const std::string& path_or_builtin) {
+    if (is_builtin(path_or_builtin))
+        return builtin_environment(std::string_view(path_or_builtin).substr(kPrefix.size()));
+    const Image image = read_image(path_or_builtin);
+    check_shape(path_or_builtin, image);
+    Environment environment{path_or_builtin, as_rgb(image)};
+    check_values(path_or_builtin, environment.radiance);
+    return environment;
+}
+
+}  // namespace burnish

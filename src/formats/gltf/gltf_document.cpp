@@ -1,0 +1,172 @@
+#include "formats/gltf/gltf_document.hpp"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "burnish/error.hpp"
+#include "formats/gltf/gltf_extensions.hpp"
+#include "formats/gltf/gltf_schema.hpp"
+
+namespace burnish {
+namespace {
+
+using nlohmann::json;
+
+// glTF needs about ten levels. The parsers behind us recurse, so the stack sets the limit.
+constexpr int kDeepest = 64;
+// Every value costs tens to hundreds of bytes once parsed. The largest real files (a hundred
+// thousand nodes with matrices) have two million.
+constexpr std::size_t kMostValues = 4'000'000;
+
+// Walks over the text once, before any parser sees it.
+void check_nesting(std::string_view text, const GltfReport& report) {
+    int depth = 0;
+    std::size_t values = 1;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                in_string = false;
+            continue;
+        }
+        if (c == '"') {
+            in_string = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > kDeepest)
+                report.fail("JSON", fmt::format("at most {} levels", kDeepest), "deeper nesting");
+            ++values;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        } else if (c == ',' && ++values > kMostValues) {
+            report.fail("JSON", fmt::format("at most {} values", kMostValues), "more");
+        }
+    }
+}
+
+json parse_json(std::string_view text, const GltfReport& report) {
+    check_nesting(text, report);
+    try {
+        return json::parse(text);
+    } catch (const json::exception& exception) {
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+        std::string_view reason = exception.what();
+        if (const auto end = reason.find("] "); end != std::string_view::npos)
+            reason.remove_prefix(end + 2);
+        std::string line;
+        for (const char c : reason.substr(0, 200)) {
+            const auto byte = static_cast<unsigned char>(c);
+            line.push_back(byte < 0x20 || byte >= 0x7F ? ' ' : c);
+        }
+        report.fail("JSON", "well-formed JSON", line);
+    }
+}
+
+// Drops what is never read and could be of any size. The depth is known to be small.
+void prune(json& value) {
+    if (value.is_object()) {
+        value.erase("extras");
+        if (const auto it = value.find("extensions"); it != value.end() && it->is_object()) {
+            for (auto extension = it->begin(); extension != it->end();)
+                extension = is_gltf_extension_read(extension.key()) ? std::next(extension)
+                                                                    : it->erase(extension);
+        }
+    }
+    if (value.is_structured())
+        for (json& item : value) prune(item);
+}
+
+void check_version(const json& root, const GltfReport& report) {
+    const auto& asset = root.at("asset");
+    const auto& version = asset.at("version").get_ref<const std::string&>();
+    if (!version.starts_with("2.")) report.fail("asset.version", "2.0", shown(version));
+    if (const auto it = asset.find("minVersion"); it != asset.end() && *it != "2.0")
+        report.fail("asset.minVersion", "2.0", shown(it->get_ref<const std::string&>()));
+}
+
+std::vector<std::string> texts(const json& root, const char* key) {
+    return root.value(key, std::vector<std::string>());
+}
+
+void take_buffers(json& root, GltfDocument& document) {
+    const auto it = root.find("buffers");
+    if (it == root.end()) return;
+    for (const json& entry : *it) {
+        GltfBuffer& buffer = document.buffers.emplace_back();
+        buffer.byte_length = entry.at("byteLength").get<std::uint64_t>();
+        buffer.has_uri = entry.contains("uri");
+        buffer.uri = entry.value("uri", "");
+        buffer.fallback =
+            entry.value("/extensions/EXT_meshopt_compression/fallback"_json_pointer, false);
+    }
+    root.erase(it);
+}
+
+void take_images(json& root, GltfDocument& document, const GltfReport& report) {
+    const auto it = root.find("images");
+    if (it == root.end()) return;
+    for (const json& entry : *it) {
+        GltfImage& image = document.images.emplace_back();
+        image.uri = entry.value("uri", "");
+        image.buffer_view = entry.value("bufferView", -1);
+        if (image.uri.empty() == (image.buffer_view < 0)) {
+            report.fail(fmt::format("images[{}]", document.images.size() - 1),
+                        "either uri or bufferView", image.uri.empty() ? "neither" : "both");
+        }
+    }
+    root.erase(it);
+}
+
+// Animation, skins and morph targets are not read at all.
+void drop_motion(json& root, GltfReport& report) {
+    if (root.erase("animations") > 0) report.warn("animations are not played");
+    if (root.erase("skins") > 0)
+        report.warn("skins are not applied: skinned meshes keep their stored shape");
+    const auto meshes = root.find("meshes");
+    if (meshes == root.end()) return;
+    for (json& mesh : *meshes) {
+        mesh.erase("weights");
+        for (json& primitive : mesh.at("primitives")) {
+            if (primitive.erase("targets") > 0)
+                report.warn("morph targets are not applied: meshes keep their base shape");
+        }
+    }
+}
+
+std::shared_ptr<tinygltf::Model> parse_model(const json& root, const GltfReport& report) {
+    const std::string text = root.dump();
+    if (text.size() > std::numeric_limits<unsigned>::max())
+        report.fail("JSON", "at most 4 GiB", fmt::format("{} bytes", text.size()));
+    auto model = std::make_shared<tinygltf::Model>();
+    tinygltf::TinyGLTF parser;
+    std::string errors;
+    std::string warnings;
+    const bool parsed = parser.LoadASCIIFromString(model.get(), &errors, &warnings, text.data(),
+                                                   static_cast<unsigned>(text.size()), "");
+    if (parsed && errors.empty()) return model;
+    report.fail("", "glTF 2.0", shown(errors.substr(0, errors.find('\n'))));
+}
+
+}  // namespace
+
+GltfDocument parse_gltf_document(std::string_view json_text, GltfReport& report) {
+    json root = parse_json(json_text, report);
+    if (!root.is_object()) report.fail("JSON", "an object", "something else");
+    prune(root);
+    check_gltf_schema(root, report);
+    check_version(root, report);
+    check_gltf_extensions(texts(root, "extensionsUsed"), texts(root, "extensionsRequired"), report);
+    GltfDocument document;
+    take_buffers(root, document);
+    take_images(root, document, report);
+    drop_motion(root, report);
+    document.model = parse_model(root, report);
+    return document;
+}
+
+}  // namespace burnish

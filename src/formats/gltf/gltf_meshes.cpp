@@ -1,0 +1,288 @@
+#include "formats/gltf/gltf_meshes.hpp"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/parallel.hpp"
+#include "formats/gltf/gltf_materials.hpp"
+#include "formats/gltf/gltf_triangles.hpp"
+#include "formats/model_limits.hpp"
+#include "scene/geometry/tangents.hpp"
+
+namespace burnish {
+namespace {
+
+int attribute(const tinygltf::Primitive& primitive, const char* name) {
+    const auto it = primitive.attributes.find(name);
+    return it == primitive.attributes.end() ? -1 : it->second;
+}
+
+// Everything the mesh of a primitive depends on.
+std::string fingerprint(const tinygltf::Primitive& primitive, bool second_texcoord) {
+    std::string text = fmt::format("{} {} {}", primitive.mode, primitive.indices, second_texcoord);
+    for (const auto& [name, accessor] : primitive.attributes)
+        text += fmt::format(" {} {}", name, accessor);
+    return text;
+}
+
+void check_positions(const std::vector<glm::vec3>& positions, const std::string& key,
+                     const GltfReport& report) {
+    const auto in_reach = [](float x) {
+        return std::abs(x) <= static_cast<float>(kFarthest);  // false for NaN
+    };
+    for (const glm::vec3& p : positions) {
+        if (in_reach(p.x) && in_reach(p.y) && in_reach(p.z)) continue;
+        report.fail(key + ".attributes.POSITION",
+                    fmt::format("finite numbers up to {:g}", kFarthest),
+                    fmt::format("({}, {}, {})", p.x, p.y, p.z));
+    }
+}
+
+// Coordinates and colours that are no numbers become 0; returns whether there were any.
+template <class Vec>
+bool clean(std::vector<Vec>& items, float low, float high) {
+    bool found = false;
+    for (Vec& item : items) {
+        for (int c = 0; c < Vec::length(); ++c) {
+            if (item[c] >= low && item[c] <= high) continue;
+            item[c] = 0.0f;
+            found = true;
+        }
+    }
+    return found;
+}
+
+// The set of texture coordinates that tangents belong to: the normal map's, else the grain's.
+int tangent_set(const Material& material) {
+    if (material.normal_texture) return material.normal_texture.texcoord;
+    if (material.anisotropy_texture) return material.anisotropy_texture.texcoord;
+    return 0;
+}
+
+// Reads the vertices first .. first + count of one primitive into a mesh.
+class VertexReader {
+  public:
+    VertexReader(const tinygltf::Primitive& primitive, GltfAccessors& accessors, GltfReport& report,
+                 const std::string& key, std::size_t first, std::size_t count)
+        : primitive_(primitive),
+          accessors_(accessors),
+          report_(report),
+          key_(key),
+          first_(first),
+          count_(count) {}
+
+    void read(Mesh& mesh) {
+        mesh.positions = accessors_.vec3s(checked("POSITION"), first_, count_, user("POSITION"));
+        check_positions(mesh.positions, key_, report_);
+        if (has("NORMAL"))
+            mesh.normals = accessors_.vec3s(checked("NORMAL"), first_, count_, user("NORMAL"));
+        if (has("TANGENT") && has("NORMAL"))
+            mesh.tangents = accessors_.vec4s(checked("TANGENT"), first_, count_, user("TANGENT"));
+        read_texcoords("TEXCOORD_0", mesh.texcoord0);
+        read_texcoords("TEXCOORD_1", mesh.texcoord1);
+        if (!has("COLOR_0")) return;
+        mesh.colors = accessors_.colors(checked("COLOR_0"), first_, count_, user("COLOR_0"));
+        // Half floats end at 65504; a vertex colour scales a reflectance.
+        if (clean(mesh.colors, 0.0f, 65504.0f))
+            report_.warn(user("COLOR_0") + ": values that are no colours are read as 0");
+    }
+
+  private:
+    bool has(const char* name) const { return attribute(primitive_, name) >= 0; }
+    std::string user(const char* name) const { return fmt::format("{}.attributes.{}", key_, name); }
+
+    // The accessor of an attribute, once it is known to have as many elements as POSITION.
+    int checked(const char* name) const {
+        const int accessor = attribute(primitive_, name);
+        const std::size_t expected =
+            accessors_.element_count(attribute(primitive_, "POSITION"), user("POSITION"));
+        const std::size_t found = accessors_.element_count(accessor, user(name));
+        if (found != expected)
+            report_.fail(user(name), fmt::format("{} elements, as POSITION has", expected),
+                         fmt::format("{}", found));
+        return accessor;
+    }
+
+    void read_texcoords(const char* name, std::vector<glm::vec2>& texcoords) {
+        if (!has(name)) return;
+        texcoords = accessors_.vec2s(checked(name), first_, count_, user(name));
+        if (clean(texcoords, -kLargestTexcoord, kLargestTexcoord))
+            report_.warn(user(name) + ": values that are no coordinates are read as 0");
+    }
+
+    const tinygltf::Primitive& primitive_;
+    GltfAccessors& accessors_;
+    GltfReport& report_;
+    const std::string& key_;
+    std::size_t first_;
+    std::size_t count_;
+};
+
+// Normals and tangents, in place; returns how many stored ones had to be replaced.
+std::size_t finish_mesh(Mesh& mesh, bool second_texcoord) {
+    if (mesh.normals.empty()) {
+        make_normals(mesh, true);  // what glTF 3.7.2.1 asks for
+        mesh.tangents.clear();
+    }
+    const std::size_t mended = repair_frames(mesh);
+    if (!mesh.tangents.empty()) return mended;
+    if (second_texcoord) std::swap(mesh.texcoord0, mesh.texcoord1);
+    make_tangents(mesh);
+    if (second_texcoord) std::swap(mesh.texcoord0, mesh.texcoord1);
+    return mended;
+}
+
+}  // namespace
+
+GltfMeshes::GltfMeshes(const tinygltf::Model& model, GltfAccessors& accessors, GltfReport& report,
+                       Scene& scene)
+    : model_(model),
+      accessors_(accessors),
+      report_(report),
+      scene_(scene),
+      parts_(model.meshes.size()),
+      has_parts_(model.meshes.size(), 0) {}
+
+const std::vector<GltfPart>& GltfMeshes::parts(int index, std::string_view user) {
+    const tinygltf::Mesh& mesh = item_at(model_.meshes, index, report_, user);
+    const auto slot = static_cast<std::size_t>(index);
+    if (has_parts_[slot]) return parts_[slot];
+    has_parts_[slot] = 1;
+    const std::string mesh_key = fmt::format("meshes[{}]", index);
+    const std::string name = mesh.name.empty() ? mesh_key : mesh.name;
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
+        read_part(mesh.primitives[i], name, fmt::format("{}.primitives[{}]", mesh_key, i),
+                  parts_[slot]);
+    return parts_[slot];
+}
+
+bool GltfMeshes::can_draw(const tinygltf::Primitive& primitive, const std::string& key) {
+    if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        report_.fail(key + ".mode", "0 to 6", fmt::format("{}", primitive.mode));
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+        report_.warn(key + ": points and lines are not drawn");
+        return false;
+    }
+    if (attribute(primitive, "POSITION") < 0) {
+        report_.warn(key + ": has no POSITION: it is not drawn");
+        return false;
+    }
+    return true;
+}
+
+void GltfMeshes::read_part(const tinygltf::Primitive& primitive, const std::string& name,
+                           const std::string& key, std::vector<GltfPart>& parts) {
+    if (!can_draw(primitive, key)) return;
+    int material = primitive.material;
+    if (material >= 0)
+        item_at(model_.materials, material, report_, key + ".material");
+    else
+        material = default_material();
+    const bool second = tangent_set(scene_.materials[static_cast<std::size_t>(material)]) == 1 &&
+                        attribute(primitive, "TEXCOORD_1") >= 0;
+    const auto [known, fresh] = known_meshes_.try_emplace(fingerprint(primitive, second), -1);
+    if (fresh) {
+        known->second = read_mesh(primitive, name, key);
+        if (known->second >= 0) tangents_from_texcoord1_.push_back(second);
+    }
+    if (known->second < 0) return;
+    const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(known->second)];
+    parts.push_back({known->second, resolve_material(material, mesh, key)});
+}
+
+int GltfMeshes::read_mesh(const tinygltf::Primitive& primitive, const std::string& name,
+                          const std::string& key) {
+    const std::string position_key = key + ".attributes.POSITION";
+    const std::size_t vertices =
+        accessors_.element_count(attribute(primitive, "POSITION"), position_key);
+    if (vertices >= std::numeric_limits<std::uint32_t>::max())
+        report_.fail(position_key, "fewer than 2^32 - 1 elements", fmt::format("{}", vertices));
+
+    // Meshes that share one large vertex buffer take only the part they use.
+    std::vector<std::uint32_t> indices;
+    std::size_t first = 0;
+    std::size_t count = vertices;
+    if (primitive.indices >= 0) {
+        indices = accessors_.indices(primitive.indices, vertices, key + ".indices");
+        const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
+        first = indices.empty() ? 0 : *low;
+        count = indices.empty() ? 0 : *high - first + 1;
+        for (std::uint32_t& index : indices) index -= static_cast<std::uint32_t>(first);
+    }
+    Mesh mesh;
+    mesh.name = name;
+    VertexReader(primitive, accessors_, report_, key, first, count).read(mesh);
+    if (primitive.indices < 0) {
+        report_.pay(count * sizeof(std::uint32_t), key);
+        indices.resize(count);
+        std::iota(indices.begin(), indices.end(), 0u);
+    }
+    // Corners are counted in 31 bits from here on, and a strip has three times its indices.
+    constexpr std::size_t kMostIndices = std::numeric_limits<std::int32_t>::max() / 3;
+    if (indices.size() > kMostIndices)
+        report_.fail(key, fmt::format("at most {} indices", kMostIndices),
+                     fmt::format("{}", indices.size()));
+    // A strip unfolds threefold, and meshes without normals into three vertices a triangle.
+    report_.pay(indices.size() * 3 * sizeof(std::uint32_t), key);
+    mesh.indices = triangle_list(std::move(indices), primitive.mode);
+    if (mesh.indices.empty()) {
+        report_.warn(key + ": has no triangles: it is not drawn");
+        return -1;
+    }
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+}
+
+int GltfMeshes::default_material() {
+    if (default_material_ < 0) {
+        default_material_ = static_cast<int>(scene_.materials.size());
+        scene_.materials.emplace_back().name = "default";
+    }
+    return default_material_;
+}
+
+int GltfMeshes::resolve_material(int index, const Mesh& mesh, const std::string& key) {
+    const bool missing[] = {mesh.texcoord0.empty(), mesh.texcoord1.empty()};
+    Material material = scene_.materials[static_cast<std::size_t>(index)];
+    std::string dropped[2];
+    for (const NamedTextureUse& named : kTextureUses) {
+        TextureUse& use = material.*named.use;
+        if (!use || !missing[use.texcoord]) continue;
+        std::string& names = dropped[use.texcoord];
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", named.name);
+        use = TextureUse();
+    }
+    if (dropped[0].empty() && dropped[1].empty()) return index;
+    for (int set = 0; set < 2; ++set) {
+        if (dropped[set].empty()) continue;
+        report_.warn(fmt::format("{} ({}): no TEXCOORD_{}: not used: {}", key, mesh.name, set,
+                                 dropped[set]));
+    }
+    const int mask = (missing[0] ? 1 : 0) + (missing[1] ? 2 : 0);
+    const auto [copy, fresh] = reduced_materials_.try_emplace({index, mask}, -1);
+    if (fresh) {
+        copy->second = static_cast<int>(scene_.materials.size());
+        scene_.materials.push_back(std::move(material));
+    }
+    return copy->second;
+}
+
+void GltfMeshes::finish() {
+    std::vector<std::size_t> mended(scene_.meshes.size(), 0);
+    parallel_for(mended.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            mended[i] = finish_mesh(scene_.meshes[i], tangents_from_texcoord1_[i] != 0);
+    });
+    for (std::size_t i = 0; i < mended.size(); ++i) {
+        if (mended[i] > 0)
+            report_.warn(fmt::format("{}: {} vertices had broken normals or tangents; replaced",
+                                     scene_.meshes[i].name, mended[i]));
+    }
+}
+
+}  // namespace burnish

@@ -1,0 +1,61 @@
+// Mesh primitives of a glTF file as meshes of the scene.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "burnish/scene.hpp"
+#include "formats/gltf/gltf_accessors.hpp"
+
+namespace tinygltf {
+class Model;
+struct Primitive;
+}  // namespace tinygltf
+
+namespace burnish {
+
+// A mesh and material of the scene.
+struct GltfPart {
+    int mesh = 0;
+    int material = 0;
+};
+
+class GltfMeshes {
+  public:
+    // `scene` holds the file's materials already; meshes, and copies of materials that must do
+    // without a texture, are added to it.
+    GltfMeshes(const tinygltf::Model& model, GltfAccessors& accessors, GltfReport& report,
+               Scene& scene);
+
+    // The triangles of one mesh of the file, read on first use. Primitives with the same data share
+    // a mesh. Points, lines and primitives without positions are left out with a warning. Throws
+    // Error for broken geometry.
+    const std::vector<GltfPart>& parts(int mesh, std::string_view user);
+
+    // Gives every mesh sound normals and tangents; call once, at the end.
+    void finish();
+
+  private:
+    void read_part(const tinygltf::Primitive& primitive, const std::string& name,
+                   const std::string& key, std::vector<GltfPart>& parts);
+    int read_mesh(const tinygltf::Primitive& primitive, const std::string& name,
+                  const std::string& key);
+    bool can_draw(const tinygltf::Primitive& primitive, const std::string& key);
+    int resolve_material(int material, const Mesh& mesh, const std::string& key);
+    int default_material();
+
+    const tinygltf::Model& model_;
+    GltfAccessors& accessors_;
+    GltfReport& report_;
+    Scene& scene_;
+    std::vector<std::vector<GltfPart>> parts_;
+    std::vector<char> has_parts_;
+    std::map<std::string, int> known_meshes_;               // by what they are made of
+    std::map<std::pair<int, int>, int> reduced_materials_;  // (material, missing sets) -> copy
+    std::vector<char> tangents_from_texcoord1_;             // a mesh of the scene each
+    int default_material_ = -1;
+};
+
+}  // namespace burnish

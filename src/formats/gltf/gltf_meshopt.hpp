@@ -1,0 +1,29 @@
+// EXT_meshopt_compression: one compressed buffer view.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/gltf/gltf_report.hpp"
+
+namespace burnish {
+
+inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression";
+
+struct MeshoptView {
+    std::span<const std::byte> bytes;
+    std::size_t count = 0;
+    std::size_t stride = 0;
+    std::string mode;             // ATTRIBUTES, TRIANGLES, INDICES
+    std::string filter = "NONE";  // OCTAHEDRAL, QUATERNION, EXPONENTIAL
+};
+
+// count x stride bytes. Throws Error for layouts the extension does not allow, for counts the
+// compressed bytes cannot hold, and for corrupt data.
+std::vector<std::byte> decode_meshopt_view(const MeshoptView& view, std::string_view key,
+                                           GltfReport& report);
+
+}  // namespace burnish

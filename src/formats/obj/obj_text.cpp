@@ -1,0 +1,117 @@
+#include "formats/obj/obj_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "burnish/error.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::size_t kMostCorners = 255;
+constexpr std::array<std::string_view, 5> kGeometry = {"v", "vn", "vt", "f", "s"};
+
+// One line, without its end; `rest` moves behind it.
+std::string_view take_line(std::string_view& rest) {
+    const std::size_t end = rest.find('\n');
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    return line;
+}
+
+std::size_t count_words(std::string_view text) {
+    std::size_t words = 0;
+    for (std::size_t i = text.find_first_not_of(kBlanks); i != std::string_view::npos; ++words) {
+        i = text.find_first_of(kBlanks, i);
+        i = text.find_first_not_of(kBlanks, i);
+    }
+    return words;
+}
+
+class LineSorter {
+  public:
+    LineSorter(ObjText& out, const std::string& file) : out_(out), file_(file) {}
+
+    void take(std::string_view line, std::size_t number) {
+        line = trimmed(line);
+        const std::size_t end = line.find_first_of(kBlanks);
+        if (line.empty() || line.front() == '#' || end == std::string_view::npos) return;
+        const std::string_view word = line.substr(0, end);
+        const std::string_view rest = trimmed(line.substr(end));
+        if (word == "mtllib") {
+            out_.libraries.emplace_back(rest);
+        } else if (word == "usemtl") {
+            use_material(std::string(rest));
+        } else if (std::find(kGeometry.begin(), kGeometry.end(), word) != kGeometry.end()) {
+            if (word == "f") check_face(rest, number);
+            out_.has_smoothing = out_.has_smoothing || word == "s";
+            out_.geometry.append(line).push_back('\n');
+        } else if (word == "l" || word == "p") {
+            warn("lines and points are not drawn");
+        } else if (word == "curv" || word == "curv2" || word == "surf") {
+            warn("curves and free-form surfaces are not drawn");
+        }
+    }
+
+  private:
+    void check_face(std::string_view rest, std::size_t number) const {
+        const std::size_t corners = count_words(rest);
+        if (corners > kMostCorners) {
+            throw Error(file_, fmt::format("line {}", number),
+                        fmt::format("a face of at most {} corners", kMostCorners),
+                        fmt::format("{}", corners));
+        }
+    }
+
+    // Names may hold blanks, which the parser would cut.
+    void use_material(std::string name) {
+        const auto [known, fresh] = numbers_.try_emplace(name, out_.materials.size());
+        if (fresh) out_.materials.push_back(std::move(name));
+        out_.geometry.append(fmt::format("usemtl {}\n", known->second));
+    }
+
+    void warn(const char* text) {
+        if (std::find(out_.warnings.begin(), out_.warnings.end(), text) == out_.warnings.end())
+            out_.warnings.emplace_back(text);
+    }
+
+    ObjText& out_;
+    std::map<std::string, std::size_t> numbers_;  // of material names
+    const std::string& file_;
+};
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+ObjText sort_obj_lines(std::string_view text, const std::string& file) {
+    ObjText out;
+    LineSorter sorter(out, file);
+    std::string joined;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        std::string_view line = trimmed(take_line(text));
+        // A backslash at the end continues the line.
+        if (line.ends_with('\\') && !text.empty()) {
+            line.remove_suffix(1);
+            joined.append(line).push_back(' ');
+            continue;
+        }
+        if (joined.empty()) {
+            sorter.take(line, number);
+        } else {
+            sorter.take(joined.append(line), number);
+            joined.clear();
+        }
+    }
+    return out;
+}
+
+}  // namespace burnish

@@ -1,0 +1,111 @@
+// Draft -> WIF 1.1.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "burnish/error.hpp"
+#include "formats/wif/wif.hpp"
+#include "image/image_io.hpp"
+
+namespace burnish {
+
+namespace {
+
+using Code = std::array<int, 3>;  // red, green, blue, 0..255
+
+Code code_of(const glm::vec3& colour) {
+    const auto code = [](float linear) {
+        return static_cast<int>(
+            std::lround(255.0f * std::clamp(srgb_from_linear(linear), 0.0f, 1.0f)));
+    };
+    return {code(colour.x), code(colour.y), code(colour.z)};
+}
+
+// Numbers from 1 in the order in which things come.
+template <typename Thing>
+class Numbering {
+  public:
+    int operator()(const Thing& thing) {
+        const auto [at, fresh] = numbers_.try_emplace(thing, static_cast<int>(numbers_.size()) + 1);
+        if (fresh) things_.push_back(thing);
+        return at->second;
+    }
+    const std::vector<Thing>& things() const { return things_; }
+
+  private:
+    std::map<Thing, int> numbers_;
+    std::vector<Thing> things_;
+};
+
+std::vector<int> numbers_of(const std::vector<glm::vec3>& colours, Numbering<Code>& table) {
+    std::vector<int> numbers;
+    for (const glm::vec3& colour : colours) numbers.push_back(table(code_of(colour)));
+    return numbers;
+}
+
+std::string section_of(std::string_view name, const std::vector<int>& numbers) {
+    if (numbers.empty()) return {};
+    std::string text = fmt::format("\n[{}]\n", name);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        text += fmt::format("{}={}\n", i + 1, numbers[i]);
+    return text;
+}
+
+std::string palette_text(const std::vector<Code>& codes) {
+    if (codes.empty()) return {};
+    std::string text = fmt::format(
+        "\n[COLOR PALETTE]\nEntries={}\nForm=RGB\nRange=0,255\n\n[COLOR TABLE]\n", codes.size());
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        text += fmt::format("{}={},{},{}\n", i + 1, codes[i][0], codes[i][1], codes[i][2]);
+    return text;
+}
+
+std::vector<bool> column(const Draft& draft, int end) {
+    std::vector<bool> ups;
+    for (int pick = 0; pick < draft.picks; ++pick) ups.push_back(draft.is_warp_up(end, pick));
+    return ups;
+}
+
+std::string liftplan_text(const Draft& draft, const std::vector<std::vector<bool>>& shafts) {
+    std::string text = "\n[LIFTPLAN]\n";
+    for (std::size_t pick = 0; pick < static_cast<std::size_t>(draft.picks); ++pick) {
+        std::vector<std::size_t> lifted;
+        for (std::size_t shaft = 0; shaft < shafts.size(); ++shaft)
+            if (shafts[shaft][pick]) lifted.push_back(shaft + 1);
+        text += fmt::format("{}={}\n", pick + 1, fmt::join(lifted, ","));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string wif_text(const Draft& draft) {
+    Numbering<std::vector<bool>> shafts;
+    std::vector<int> threading;
+    for (int end = 0; end < draft.ends; ++end) threading.push_back(shafts(column(draft, end)));
+    Numbering<Code> table;
+    const std::vector<int> warp = numbers_of(draft.warp_colours, table);
+    const std::vector<int> weft = numbers_of(draft.weft_colours, table);
+    std::string contents = "WEAVING=yes\nWARP=yes\nWEFT=yes\nTHREADING=yes\nLIFTPLAN=yes\n";
+    if (!table.things().empty()) contents += "COLOR PALETTE=yes\nCOLOR TABLE=yes\n";
+    if (!warp.empty()) contents += "WARP COLORS=yes\n";
+    if (!weft.empty()) contents += "WEFT COLORS=yes\n";
+    std::string text = fmt::format(
+        "[WIF]\nVersion=1.1\nDate=April 20, 1997\nDevelopers=\nSource Program=burnish\n\n"
+        "[CONTENTS]\n{}\n[TEXT]\nTitle={}\n\n"
+        "[WEAVING]\nShafts={}\nTreadles={}\nRising Shed=yes\n\n"
+        "[WARP]\nThreads={}\n\n[WEFT]\nThreads={}\n",
+        contents, one_line(draft.name), shafts.things().size(), shafts.things().size(), draft.ends,
+        draft.picks);
+    text += palette_text(table.things());
+    text += section_of("WARP COLORS", warp);
+    text += section_of("WEFT COLORS", weft);
+    text += section_of("THREADING", threading);
+    text += liftplan_text(draft, shafts.things());
+    return text;
+}
+
+}  // namespace burnish

@@ -1,0 +1,56 @@
+// What is drawn into: the frame in progress with its depth, the triangle seen at each pixel, and
+// the sum of frames.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gpu/device/context.hpp"
+#include "gpu/device/handles.hpp"
+#include "gpu/device/program.hpp"
+
+namespace burnish::gpu {
+
+// A renderable float format was found: RGBA32F, or RGBA16F on a device that has no other. Throws
+// Error on one that has neither.
+struct ColorFormat {
+    GLenum internal;
+    GLenum type;
+};
+ColorFormat probe_color_format(const Context& context);
+
+class Targets {
+  public:
+    Targets(const Context& context, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    void bind_frame() const;  // colour, depth and stencil
+    // The images of gbuffer.frag with the same depth and stencil; made when first asked for.
+    void bind_gbuffer(bool with_position, bool with_shape);
+    void bind_gbuffer_textures(Program& program) const;
+
+    void clear_sum();
+    // Adds the frame to the sum; `program` is accumulate.frag's. A viewport must be set.
+    void accumulate(Program& program, GLuint empty_vertex_array);
+    // RGBA of the lower left width x height pixels, bottom row first.
+    std::vector<float> read_sum(int width, int height) const;
+
+  private:
+    void add_to_gbuffer(std::optional<GlTexture>& image, GLenum place);
+
+    struct GBuffer {
+        GlTexture words;
+        std::optional<GlTexture> position, shape;
+        Framebuffer target;
+    };
+
+    int width_, height_;
+    GlTexture frame_, depth_, sum_[2];
+    Framebuffer frame_target_, sum_target_[2];
+    std::optional<GBuffer> gbuffer_;
+    int current_ = 0;
+};
+
+}  // namespace burnish::gpu

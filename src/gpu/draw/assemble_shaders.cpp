@@ -1,0 +1,156 @@
+// Build step: writes the assembled stages, in both dialects and in the variants that differ in
+// kind, into the folder argv[1] for glslang to check.
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "gpu/device/shader_source.hpp"
+#include "gpu/draw/surface_variant.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+SurfaceVariant with_everything() {
+    SurfaceVariant v;
+    v.method = Method::follow_grain;
+    v.lobe_from_texture = v.base_color_map = v.metallic_roughness_map = v.normal_map = true;
+    v.occlusion_map = v.emissive_map = v.anisotropy_map = v.turned = true;
+    v.lights = 16;
+    v.position = true;
+    v.image_light = 1;
+    v.shadow_maps = 24;
+    return v;
+}
+
+// Every method with one lobe, every lobe with one method, every switch at least once each way.
+std::vector<SurfaceVariant> variants() {
+    std::vector<SurfaceVariant> list;
+    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+        SurfaceVariant v;
+        v.method = static_cast<Method>(method);
+        v.normal_map = true;
+        v.normal_moments = method % 2 == 1;
+        v.conserve = method % 2 == 0;
+        v.lights = 1;
+        v.image_light = 1;
+        list.push_back(v);
+        v.image_light = 3;
+        list.push_back(v);
+    }
+    for (int brdf = 0; brdf <= static_cast<int>(Brdf::lafortune); ++brdf) {
+        for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
+            SurfaceVariant v;
+            v.brdf = static_cast<Brdf>(brdf);
+            v.mdf = static_cast<Mdf>(mdf);
+            v.image_light = mdf;
+            v.lights = mdf;
+            v.conductor = v.metal = mdf % 2 == 1;
+            list.push_back(v);
+        }
+    }
+    for (const Brdf brdf : {Brdf::microfacet, Brdf::ashikhmin_shirley, Brdf::lafortune}) {
+        for (int image_light = 0; image_light < 4; ++image_light) {
+            SurfaceVariant v;
+            v.brdf = brdf;
+            v.method = Method::follow_grain;
+            v.cloth = v.turned = true;
+            v.cloth_colors = v.metal = image_light % 2 == 1;
+            v.lights = image_light;
+            v.image_light = image_light;
+            list.push_back(v);
+        }
+    }
+    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+        SurfaceVariant v = method % 2 == 0 ? with_everything() : SurfaceVariant();
+        v.method = static_cast<Method>(method);
+        v.tabulated = v.turned = true;
+        v.lobe_from_texture = v.base_color_map = v.metallic_roughness_map = false;
+        v.anisotropy_map = false;
+        v.image_light = method % 2 == 0 ? 1 : 0;
+        v.lights = method;
+        v.uv_per_texture = method == 4;
+        list.push_back(v);
+    }
+    SurfaceVariant v = with_everything();
+    list.push_back(v);
+    for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
+        v.mdf = static_cast<Mdf>(mdf);
+        v.normal_moments = true;
+        list.push_back(v);
+    }
+    v.normal_moments = false;
+    v.uv_per_texture = v.vertex_color = v.normal_map_xy = true;
+    v.alpha_mode = AlphaMode::mask;
+    list.push_back(v);
+    v.alpha_mode = AlphaMode::blend;
+    v.image_light = 2;
+    list.push_back(v);
+    v.image_light = 3;
+    list.push_back(v);
+    return list;
+}
+
+class Writer {
+  public:
+    explicit Writer(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    void write(ShaderDialect dialect, const std::string& defines, const std::string& stage) {
+        const bool es = dialect == ShaderDialect::es300;
+        const std::filesystem::path file =
+            folder_ / ((es ? "es_" : "gl_") + std::to_string(count_++) + "_" + stage);
+        std::ofstream out(file, std::ios::binary);
+        out << assemble_stage(dialect, defines, "shaders/" + stage).text;
+        out.close();
+        if (!out) throw std::runtime_error("cannot write " + file.string());
+    }
+
+  private:
+    std::filesystem::path folder_;
+    int count_ = 0;
+};
+
+void write_all(Writer& writer) {
+    for (const ShaderDialect dialect : {ShaderDialect::gl330, ShaderDialect::es300}) {
+        for (const SurfaceVariant& v : variants()) {
+            writer.write(dialect, v.defines(), "surface.frag");
+            writer.write(dialect, v.defines(), "surface.vert");
+            if (v.can_resolve()) writer.write(dialect, v.defines(), "resolve.frag");
+        }
+        for (const char* stage : {"fullscreen.vert", "background.frag", "accumulate.frag",
+                                  "gouraud.frag", "prefilter.frag", "shadow.frag"}) {
+            writer.write(dialect, "", stage);
+        }
+        for (const char* stage : {"ground.vert", "ground.frag", "ground_add.frag"}) {
+            writer.write(dialect, "#define LIGHTS 0\n#define POSITION\n", stage);
+            writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", stage);
+        }
+        writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");
+        writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
+        writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", "gouraud.vert");
+        writer.write(dialect, "", "gbuffer.frag");
+        writer.write(dialect, "#define SHAPE\n", "gbuffer.frag");
+        writer.write(dialect, "#define POSITION\n#define SHAPE\n#define DOUBLE_SIDED\n",
+                     "gbuffer.frag");
+    }
+}
+
+}  // namespace
+}  // namespace burnish::gpu
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: assemble_shaders <folder>\n";
+        return 2;
+    }
+    try {
+        burnish::gpu::Writer writer{argv[1]};
+        burnish::gpu::write_all(writer);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,245 @@
+#include "gpu/draw/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "burnish/error.hpp"
+#include "gpu/device/texture_units.hpp"
+#include "scene/camera/view.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+constexpr int kSide = 1024;
+// A step of a shadow is 1/256 of what the sky gives, that of a display; as long as that many
+// drawings of the model take a few seconds in software.
+constexpr std::size_t kMostSkyLights = 256, kFewestSkyLights = 64;
+constexpr std::size_t kTriangles = 25'000'000;  // of all drawings
+
+int sky_light_count(std::size_t triangles) {
+    return static_cast<int>(std::clamp(kTriangles / std::max<std::size_t>(triangles, 1),
+                                       kFewestSkyLights, kMostSkyLights));
+}
+
+// Draws for a lamp: what is left of a texel's steps.
+constexpr int kLampDraws = 16;
+// Half the square's side: the model's own, and so many of its heights for shadows to run out.
+constexpr float kHeights = 1.5f;
+
+glm::vec3 turned(const glm::vec3& d, float rotation) {
+    const float c = std::cos(rotation), s = std::sin(rotation);
+    // The inverse of environment_direction() in shaders/lib/environment.glsl.
+    return {c * d.x + s * d.z, d.y, c * d.z - s * d.x};
+}
+
+float largest(const glm::vec3& v) {
+    return std::max({v.x, v.y, v.z});
+}
+
+void define(GLuint texture, GLint internal, GLenum layout, GLenum type) {
+    glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, internal, kSide, kSide, 0, layout, type, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void draw_fullscreen(GLuint empty_vertex_array, GLsizei vertices) {
+    glBindVertexArray(empty_vertex_array);
+    glDrawArrays(GL_TRIANGLES, 0, vertices);
+    glBindVertexArray(0);
+}
+
+// The part of the square that the box's shadow can reach, a texel wider for the shift.
+Tile reach_of(const Bounds& box, const glm::mat4& clip_from_world) {
+    constexpr float kMiddle = 0.5f * static_cast<float>(kSide);
+    glm::vec2 low(kSide), high(0.0f);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p((corner & 1) != 0 ? box.high.x : box.low.x,
+                          (corner & 2) != 0 ? box.high.y : box.low.y,
+                          (corner & 4) != 0 ? box.high.z : box.low.z);
+        const glm::vec4 clip = clip_from_world * glm::vec4(p, 1.0f);
+        // A corner no nearer to the plane than the lamp: its shadow has no end.
+        if (!(clip.w > 0.0f)) return {0, 0, kSide, kSide};
+        const glm::vec2 place = kMiddle + kMiddle * glm::vec2(clip) / clip.w;
+        low = glm::min(low, place - 2.0f);
+        high = glm::max(high, place + 2.0f);
+    }
+    const glm::ivec2 first(glm::clamp(low, 0.0f, static_cast<float>(kSide)));
+    const glm::ivec2 last(glm::clamp(high, 0.0f, static_cast<float>(kSide)));
+    return {first.x, first.y, std::max(last.x - first.x, 0), std::max(last.y - first.y, 0)};
+}
+
+std::string light_defines(const LightUniforms& lights) {
+    return "#define LIGHTS " + std::to_string(lights.count()) + "\n#define POSITION\n";
+}
+
+}  // namespace
+
+glm::mat4 flattened(const glm::vec4& light, float height) {
+    // (P.L) p - L (P.p) with the plane P = (0, 1, 0, -height).
+    const float above = light.y - height * light.w;
+    glm::mat4 m(above);
+    m[1] -= light;
+    m[3] += height * light;
+    return m;
+}
+
+Ground::Ground(const Bounds& model, std::size_t triangles, const Environment* environment)
+    : model_(model) {
+    const glm::vec3 size = model.high - model.low;
+    center_ = glm::vec3(model.center().x, model.low.y, model.center().z);
+    // 1e-6: a point has no extent.
+    half_ = std::max(0.5f * std::hypot(size.x, size.z) + kHeights * size.y, 1e-6f);
+    if (environment == nullptr || environment->radiance.empty()) return;
+    sky_lights_ = sky_lights(*environment, sky_light_count(triangles));
+    for (const SkyLight& light : sky_lights_) sky_irradiance_ += light.irradiance;
+}
+
+Bounds Ground::bounds() const {
+    const glm::vec3 reach(half_, 0.0f, half_);
+    return {center_ - reach, center_ + reach};
+}
+
+bool Ground::faces(const glm::vec4& eye) const {
+    return eye.y > center_.y * eye.w;
+}
+
+void Ground::make_device() {
+    device_.emplace();
+    define(device_->mask.get(), GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+    // Half floats, which every device filters and blends into; scale_ keeps values near 1.
+    define(device_->blocked.get(), GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
+    const GLuint sampler = device_->sampler.get();
+    for (const GLenum name :
+         std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glSamplerParameteri(sampler, name, GL_LINEAR);
+    for (const GLenum name : std::initializer_list<GLenum>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glSamplerParameteri(sampler, name, GL_CLAMP_TO_EDGE);
+    glBindFramebuffer(GL_FRAMEBUFFER, device_->mask_target.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, device_->mask.get(),
+                           0);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
+    glReadBuffer(GL_NONE);
+    glBindFramebuffer(GL_FRAMEBUFFER, device_->blocked_target.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           device_->blocked.get(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error("render", "ground", "a device that renders to half floats", "none");
+    check_gl("making the ground's shadow");
+}
+
+void Ground::set_place(Program& program, const LightUniforms& lights) const {
+    lights.set(program);
+    program.set("u_ground_center", center_);
+    program.set("u_ground_half", half_);
+    program.set("u_ground_scale", scale_);
+}
+
+void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
+                     const Sky& sky, const DrawCasters& draw_casters) {
+    if (made_for_ == sky) return;
+    if (!device_) make_device();
+    glm::vec3 brightest = sky_irradiance_ * sky.intensity;
+    for (int i = 0; i < lights.count(); ++i) brightest += lights.irradiance(i, center_);
+    scale_ = largest(brightest) > 0.0f ? 1.0f / largest(brightest) : 1.0f;
+    glBindFramebuffer(GL_FRAMEBUFFER, device_->blocked_target.get());
+    glDisable(GL_SCISSOR_TEST);
+    const float nothing[4] = {};
+    glClearBufferfv(GL_COLOR, 0, nothing);
+    glViewport(0, 0, kSide, kSide);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CULL_FACE);
+    for (int i = 0; i < lights.count(); ++i)
+        add(programs, empty_vertex_array, lights, i, {}, draw_casters);
+    if (sky.intensity > 0.0f) {
+        for (const SkyLight& light : sky_lights_)
+            add(programs, empty_vertex_array, lights, -1,
+                {turned(light.direction, sky.rotation), light.irradiance * sky.intensity},
+                draw_casters);
+    }
+    made_for_ = sky;
+    check_gl("drawing the ground's shadow");
+}
+
+void Ground::add(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
+                 int light, const SkyLight& sky, const DrawCasters& draw_casters) {
+    const glm::vec4 place = light < 0 ? glm::vec4(sky.direction, 0.0f) : lights.place(light);
+    if (!(place.y > center_.y * place.w)) return;  // below: the plane is dark with or without model
+    // From above: x to the right, z down; the depth of the plane is 0, that of nothing 1.
+    const float r = 1.0f / half_;
+    glm::mat4 square(0.0f);
+    square[0].x = r;
+    square[2].y = r;
+    square[3] = glm::vec4(-center_.x * r, -center_.z * r, 0.0f, 1.0f);
+    const glm::mat4 shadow = square * flattened(place, center_.y);
+    Program& program = programs.get("fullscreen.vert", "ground_add.frag", light_defines(lights));
+    const int draws = light < 0 ? 1 : kLampDraws;
+    const Tile reach = reach_of(model_, shadow);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(reach.x, reach.y, reach.width, reach.height);
+    for (int i = 0; i < draws; ++i) {
+        glm::mat4 shift(1.0f);
+        const glm::dvec2 offset = pixel_offset(i) * (2.0 / kSide);
+        shift[3] = glm::vec4(static_cast<float>(offset.x), static_cast<float>(offset.y), 0, 1);
+        glBindFramebuffer(GL_FRAMEBUFFER, device_->mask_target.get());
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LEQUAL);
+        glDepthMask(GL_TRUE);
+        glDisable(GL_BLEND);
+        const float deepest = 1.0f;
+        glClearBufferfv(GL_DEPTH, 0, &deepest);
+        draw_casters(shift * shadow);
+        glBindFramebuffer(GL_FRAMEBUFFER, device_->blocked_target.get());
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_CULL_FACE);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        program.use();
+        set_place(program, lights);
+        program.set("u_depth", 0.0f);
+        program.set("u_light", light);
+        program.set("u_sky", sky.irradiance);
+        program.set("u_share", 1.0f / static_cast<float>(draws));
+        program.set("u_mask", static_cast<int>(kScratchUnit));
+        glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+        glBindTexture(GL_TEXTURE_2D, device_->mask.get());
+        glBindSampler(kScratchUnit, 0);
+        draw_fullscreen(empty_vertex_array, 3);
+        glBindTexture(GL_TEXTURE_2D, 0);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void Ground::paint(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
+                   const glm::mat4& clip_from_world, bool transparent) const {
+    Program& program = programs.get("ground.vert", "ground.frag", light_defines(lights));
+    program.use();
+    set_place(program, lights);
+    program.set("u_clip_from_world", clip_from_world);
+    program.set("u_sky", sky_irradiance_ * made_for_->intensity);
+    program.set("u_transparent", transparent ? 1.0f : 0.0f);
+    program.set("u_blocked", static_cast<int>(kScratchUnit));
+    glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+    glBindTexture(GL_TEXTURE_2D, device_->blocked.get());
+    glBindSampler(kScratchUnit, device_->sampler.get());
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    // Over a background: times what is left. Over nothing: black that covers what is missing.
+    glBlendFunc(transparent ? GL_ONE : GL_ZERO,
+                transparent ? GL_ONE_MINUS_SRC_ALPHA : GL_SRC_COLOR);
+    glDepthMask(GL_FALSE);
+    draw_fullscreen(empty_vertex_array, 6);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindSampler(kScratchUnit, 0);
+}
+
+}  // namespace burnish::gpu

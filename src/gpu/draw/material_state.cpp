@@ -1,0 +1,150 @@
+#include "gpu/draw/material_state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "burnish/f32.hpp"
+#include "gpu/device/texture_units.hpp"
+#include "gpu/upload/cloth_maps.hpp"
+#include "scene/material/material_lobe.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+// In the order of the texture units.
+std::array<const TextureUse*, kMaterialTextures> uses_of(const Material& m) {
+    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+            &m.occlusion_texture,  &m.emissive_texture,           &m.anisotropy_texture};
+}
+
+constexpr std::array<const char*, kMaterialTextures> kSamplers = {
+    "u_base_color_map", "u_metallic_roughness_map", "u_normal_map",
+    "u_occlusion_map",  "u_emissive_map",           "u_anisotropy_map"};
+
+// The rows of (u', v', 1) = transform (u, v, 1) that matter.
+glm::vec3 row(const glm::mat3& m, int r) {
+    return {m[0][r], m[1][r], m[2][r]};
+}
+
+// A tabulated material is read where its normal map is, or would be.
+const TextureUse* first_use(const Material& material) {
+    if (material.tabulated) return &material.normal_texture;
+    for (const TextureUse* use : uses_of(material)) {
+        if (*use) return use;
+    }
+    return nullptr;
+}
+
+bool uses_differ(const Material& material) {
+    const TextureUse* first = first_use(material);
+    for (const TextureUse* use : uses_of(material)) {
+        if (!*use) continue;
+        if (use->texcoord != first->texcoord || use->transform != first->transform) return true;
+    }
+    return false;
+}
+
+void set_textures(Program& program, const Material& material, TextureStore& textures,
+                  float lod_bias) {
+    std::array<glm::vec3, kMaterialTextures> s{}, t{};
+    std::array<float, kMaterialTextures> set{}, lod{};
+    const auto uses = uses_of(material);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const bool texels = material.tabulated && uses[i] == &material.normal_texture;
+        if (!*uses[i] && !texels) continue;
+        s[i] = row(uses[i]->transform, 0);
+        t[i] = row(uses[i]->transform, 1);
+        set[i] = static_cast<float>(uses[i]->texcoord);
+        if (!*uses[i]) continue;
+        const bool slopes = uses[i] == &material.normal_texture && wants_slopes(material);
+        lod[i] = textures.log2_side(*uses[i], slopes) + lod_bias;
+        const GLuint unit = kMaterialUnits + static_cast<GLuint>(i);
+        textures.bind(unit, *uses[i], slopes);
+        program.set(kSamplers[i], static_cast<int>(unit));
+    }
+    program.set("u_uv_s", std::span<const glm::vec3>(s));
+    program.set("u_uv_t", std::span<const glm::vec3>(t));
+    program.set("u_uv_set", std::span<const float>(set));
+    program.set("u_map_lod", std::span<const float>(lod));
+    set_shared_uv(program, material);
+}
+
+}  // namespace
+
+void set_shared_uv(Program& program, const Material& material) {
+    const TextureUse none;
+    const TextureUse* one = first_use(material);
+    const TextureUse& shared = one == nullptr ? none : *one;
+    program.set("u_uv_row_s", row(shared.transform, 0));
+    program.set("u_uv_row_t", row(shared.transform, 1));
+    program.set("u_uv_from_set", static_cast<float>(shared.texcoord));
+}
+
+SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool vertex_color,
+                          bool with_normal_map) {
+    SurfaceVariant v;
+    v.mdf = m.mdf;
+    v.brdf = m.brdf;
+    v.conductor = m.conductor.has_value();
+    v.metal = v.conductor || (m.metallic >= 1.0f && !m.metallic_roughness_texture);
+    v.base_color_map = static_cast<bool>(m.base_color_texture);
+    v.metallic_roughness_map = static_cast<bool>(m.metallic_roughness_texture);
+    v.normal_map = with_normal_map && m.normal_texture;
+    v.normal_moments = v.normal_map && wants_slopes(m);
+    v.normal_map_xy = v.normal_map && !v.normal_moments && textures.channels(m.normal_texture) == 2;
+    v.occlusion_map = static_cast<bool>(m.occlusion_texture);
+    v.emissive_map = static_cast<bool>(m.emissive_texture);
+    v.anisotropy_map = static_cast<bool>(m.anisotropy_texture);
+    v.lobe_from_texture = !m.alpha && (v.metallic_roughness_map || v.anisotropy_map);
+    const f32::Lobe lobe = lobe_of(m);
+    v.grooves_along_x =
+        v.lobe_from_texture || f32::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);
+    v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map || m.cloth;
+    v.cloth = with_normal_map && m.cloth;
+    v.cloth_colors = v.cloth && has_yarn_colors(*m.cloth);
+    v.tabulated = static_cast<bool>(m.tabulated);
+    if (v.tabulated) {
+        v.turned = v.grooves_along_x = true;  // tabulated_texels.glsl turns the lobe to them
+        v.conductor = v.metal = v.lobe_from_texture = false;
+        v.brdf = Brdf::microfacet_separable;
+    }
+    v.uv_per_texture = uses_differ(m);
+    v.vertex_color = vertex_color;
+    v.alpha_mode = m.alpha_mode;
+    // Without a perturbed normal all methods are one.
+    v.method = v.normal_map || v.cloth || v.tabulated ? drawn_method(m) : Method::none;
+    v.conserve = m.conserve && v.method == Method::deform_smooth;
+    return v;
+}
+
+void set_material(Program& program, const Material& m, TextureStore& textures, float lod_bias) {
+    const f32::Lobe lobe = lobe_of(m);
+    const Conductor conductor = m.conductor.value_or(Conductor{});
+    // Yarns bring their own.
+    program.set("u_base_color",
+                m.cloth ? glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a) : m.base_color);
+    program.set("u_metallic", m.metallic);
+    program.set("u_roughness", m.roughness);
+    program.set("u_anisotropy", m.anisotropy_strength);
+    program.set("u_anisotropy_direction",
+                glm::vec2(std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation)));
+    program.set("u_emissive", m.emissive);
+    program.set("u_occlusion_strength", m.occlusion_strength);
+    program.set("u_normal_scale",
+                glm::vec2(m.normal_scale, m.flip_green ? -m.normal_scale : m.normal_scale));
+    program.set("u_lobe", glm::vec4(lobe.p0, lobe.p1, lobe.paper_norm, lobe.projected_norm));
+    program.set("u_eta", conductor.eta);
+    program.set("u_k", conductor.k);
+    program.set("u_dielectric_f0", m.dielectric_f0);
+    program.set("u_ks", m.ks.value_or(-1.0f));
+    program.set("u_lafortune_c", m.lafortune_c);
+    program.set("u_alpha_cutoff", m.alpha_cutoff);
+    program.set("u_lod_bias", lod_bias);
+    // Phong's exponent from the mean alpha, for the Gouraud variant.
+    const glm::vec2 alpha = alpha_of(m);
+    program.set("u_phong_exponent", std::max(2.0f / (alpha.x * alpha.y) - 2.0f, 1.0f));
+    set_textures(program, m, textures, lod_bias);
+}
+
+}  // namespace burnish::gpu

@@ -1,0 +1,169 @@
+#include "gpu/draw/shadow_maps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <initializer_list>
+
+#include "gpu/device/texture_units.hpp"
+#include "scene/camera/view.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+// 128 MB of 32-bit depths at most: 2048 for up to 8 maps, 1024 for up to 24.
+constexpr std::size_t kMostTexels = std::size_t{1} << 25;
+// A spot wider than this is seen through six faces: near 90 degrees one plane cannot hold it.
+constexpr float kWidestSpot = 1.3f;
+
+struct Axis {
+    glm::vec3 forward, up;
+};
+
+// In the order in which lights.glsl numbers the faces.
+constexpr std::array<Axis, 6> kFaces = {{{{1, 0, 0}, {0, 1, 0}},
+                                         {{-1, 0, 0}, {0, 1, 0}},
+                                         {{0, 1, 0}, {0, 0, 1}},
+                                         {{0, -1, 0}, {0, 0, 1}},
+                                         {{0, 0, 1}, {0, 1, 0}},
+                                         {{0, 0, -1}, {0, 1, 0}}}};
+
+glm::vec3 up_for(const glm::vec3& forward) {
+    return std::abs(forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+}
+
+bool usable(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+int largest_side(std::size_t maps) {
+    int side = 2048;
+    while (static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * maps > kMostTexels) {
+        side /= 2;
+    }
+    return side;
+}
+
+}  // namespace
+
+ShadowMaps::ShadowMaps(const std::vector<Light>& lights, const Bounds& bounds) {
+    for (const Light& light : lights) add_light(light, bounds);
+    current_.resize(maps_.size(), glm::mat4(1.0f));
+    if (maps_.empty()) return;
+    side_ = largest_side(maps_.size());
+    for (Map& map : maps_) map.texel /= static_cast<float>(side_);
+}
+
+void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
+    // 1e-6: a point has no extent to project.
+    const float radius = std::max(bounds.radius(), 1e-6f);
+    const glm::vec3 center = bounds.center();
+    const float travel_length = glm::length(light.direction);
+    const glm::vec3 travel = travel_length > 0.0f && std::isfinite(travel_length)
+                                 ? light.direction / travel_length
+                                 : glm::vec3(0, 0, -1);
+    const bool directional = light.type == LightType::directional;
+    const bool one =
+        directional || (light.type == LightType::spot && light.outer_cone < kWidestSpot);
+    const auto needed = static_cast<std::size_t>(one ? 1 : 6);
+    if (maps_.size() + needed > kMostShadowMaps || !usable(light.position)) {
+        of_light_.emplace_back(-1.0f, 0.0f);
+        return;
+    }
+    of_light_.emplace_back(static_cast<float>(maps_.size()), static_cast<float>(needed));
+    if (directional) {
+        const glm::mat4 view = glm::lookAt(center - 2.0f * radius * travel, center, up_for(travel));
+        const glm::mat4 clip =
+            glm::ortho(-radius, radius, -radius, radius, 0.9f * radius, 3.1f * radius);
+        maps_.push_back({clip * view, 2.0f * radius});
+        return;
+    }
+    const float distance = glm::length(light.position - center);
+    const float far_plane = distance + 1.01f * radius;
+    // Outside the scene nothing is nearer than its sphere; inside, a 500th keeps 15 bits of depth.
+    const float near_plane = std::max(distance - 1.01f * radius, far_plane / 500.0f);
+    if (one) {
+        const float half = std::max(light.outer_cone, 0.01f) * 1.02f;
+        maps_.push_back({glm::perspective(2.0f * half, 1.0f, near_plane, far_plane) *
+                             glm::lookAt(light.position, light.position + travel, up_for(travel)),
+                         2.0f * std::tan(half)});
+        return;
+    }
+    // The faces meet under 45 degrees: near planes of the cube must lie nearer.
+    const glm::mat4 clip = glm::perspective(1.5707963f, 1.0f, near_plane * 0.57f, far_plane);
+    for (const Axis& face : kFaces) {
+        maps_.push_back(
+            {clip * glm::lookAt(light.position, light.position + face.forward, face.up), 2.0f});
+    }
+}
+
+void ShadowMaps::make_device() {
+    device_.emplace();
+    glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, device_->texture.get());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, side_, side_, count(), 0,
+                 GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    const GLuint sampler = device_->sampler.get();
+    for (const GLenum name :
+         std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+        glSamplerParameteri(sampler, name, GL_LINEAR);
+    }
+    for (const GLenum name : std::initializer_list<GLenum>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+        glSamplerParameteri(sampler, name, GL_CLAMP_TO_EDGE);
+    }
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    check_gl("making shadow maps");
+}
+
+glm::mat4 ShadowMaps::begin(int index, int sample) {
+    if (!device_) make_device();
+    const auto i = static_cast<std::size_t>(index);
+    // pixel_offset: a triangle filter of half width 1, here in texels.
+    const glm::dvec2 shift = pixel_offset(sample) * (2.0 / side_);
+    glm::mat4 moved(1.0f);
+    moved[3] = glm::vec4(static_cast<float>(shift.x), static_cast<float>(shift.y), 0.0f, 1.0f);
+    current_[i] = moved * maps_[i].clip_from_world;
+    glBindFramebuffer(GL_FRAMEBUFFER, device_->target.get());
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, device_->texture.get(), 0,
+                              index);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
+    glReadBuffer(GL_NONE);
+    glViewport(0, 0, side_, side_);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_BLEND);
+    const float deepest = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &deepest);
+    // A surface slopes through a texel; the filter of the look-up reaches one and a half beside it.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(2.0f, 4.0f);
+    return current_[i];
+}
+
+void ShadowMaps::end() const {
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void ShadowMaps::bind(Program& program) const {
+    program.set("u_shadow_maps", static_cast<int>(kShadowUnit));
+    if (!device_) return;
+    glActiveTexture(GL_TEXTURE0 + kShadowUnit);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, device_->texture.get());
+    glBindSampler(kShadowUnit, device_->sampler.get());
+    std::vector<float> texels;
+    for (const Map& map : maps_) texels.push_back(map.texel);
+    program.set("u_shadow_clip", std::span<const glm::mat4>(current_));
+    program.set("u_shadow_texel", std::span<const float>(texels));
+    program.set("u_shadow_of_light", std::span<const glm::vec2>(of_light_));
+}
+
+}  // namespace burnish::gpu

@@ -1,0 +1,55 @@
+#include "gpu/draw/surface_variant.hpp"
+
+#include <utility>
+
+#include "burnish/f32.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+std::string define(const char* name, int value) {
+    return std::string("#define ") + name + " " + std::to_string(value) + "\n";
+}
+
+}  // namespace
+
+std::string SurfaceVariant::defines() const {
+    const int model = static_cast<int>(brdf);
+    std::string lines = define("METHOD", static_cast<int>(method));
+    lines += define("MDF", f32::brdf_mdf(model, static_cast<int>(mdf)));
+    lines += define("BRDF", model);
+    lines += conserve ? "#define CONSERVE true\n" : "#define CONSERVE false\n";
+    lines += grooves_along_x ? "#define GROOVES_ALONG_X true\n" : "#define GROOVES_ALONG_X false\n";
+    lines += define("LIGHTS", lights);
+    lines += define("SHADOW_MAPS", shadow_maps);
+    lines += define("IMAGE_LIGHT", image_light);
+    const std::pair<bool, const char*> switches[] = {
+        {conductor, "CONDUCTOR"},
+        {metal, "METAL"},
+        {!has_half_vectors(brdf), "COSINE_LOBE"},
+        {lobe_from_texture, "LOBE_FROM_TEXTURE"},
+        {turned, "TURNED"},
+        {base_color_map, "HAS_BASE_COLOR_MAP"},
+        {metallic_roughness_map, "HAS_METALLIC_ROUGHNESS_MAP"},
+        {normal_map, "HAS_NORMAL_MAP"},
+        {normal_map_xy, "NORMAL_MAP_XY"},
+        {normal_moments, "NORMAL_MOMENTS"},
+        {occlusion_map, "HAS_OCCLUSION_MAP"},
+        {emissive_map, "HAS_EMISSIVE_MAP"},
+        {anisotropy_map, "HAS_ANISOTROPY_MAP"},
+        {cloth, "CLOTH"},
+        {cloth_colors, "CLOTH_COLORS"},
+        {tabulated, "TABULATED"},
+        {uv_per_texture, "UV_PER_TEXTURE"},
+        {vertex_color, "VERTEX_COLOR"},
+        {position, "POSITION"},
+        {alpha_mode == AlphaMode::mask, "MASK"},
+        {alpha_mode == AlphaMode::blend, "BLEND"},
+    };
+    for (const auto& [on, name] : switches) {
+        if (on) lines += std::string("#define ") + name + "\n";
+    }
+    return lines;
+}
+
+}  // namespace burnish::gpu

@@ -1,0 +1,35 @@
+// An environment on the device: a cube map of radiance with all its mips, one of irradiance and,
+// when asked for, one of radiance blurred by lobes.
+#pragma once
+
+#include <optional>
+
+#include "burnish/scene.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/device/handles.hpp"
+#include "gpu/device/program.hpp"
+#include "gpu/upload/lobe_map.hpp"
+
+namespace burnish::gpu {
+
+class EnvironmentMaps {
+  public:
+    EnvironmentMaps(const Context& context, const Environment& environment);
+
+    // Makes the lobe map unless there is one. Changes framebuffer, viewport and raster state.
+    void require_lobes(ProgramCache& programs, GLuint empty_vertex_array);
+    // Binds all to their units and sets the uniforms of shaders/lib/environment.glsl.
+    void bind(Program& program, float intensity, float rotation) const;
+    float last_lod() const { return last_lod_; }
+
+  private:
+    GlTexture radiance_;
+    GlTexture irradiance_;
+    std::optional<LobeMap> lobes_;
+    Sampler sampler_;
+    float scale_ = 1.0f;  // stored values times this are radiance
+    float face_ = 1.0f;
+    float last_lod_ = 0.0f;
+};
+
+}  // namespace burnish::gpu

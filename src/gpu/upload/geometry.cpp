@@ -1,0 +1,191 @@
+#include "gpu/upload/geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <string>
+
+#include "burnish/error.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+std::string name_of_mesh(const Mesh& mesh) {
+    return mesh.name.empty() ? "mesh" : mesh.name;
+}
+
+// Attribute locations of shaders/surface.vert.
+enum Location : GLuint { position, normal, tangent, texcoord0, texcoord1, color };
+
+// Interleaves the attributes a mesh has.
+class Interleaver {
+  public:
+    template <typename Vector>
+    void add(Location location, const std::vector<Vector>& values) {
+        if (values.empty()) return;
+        parts_.push_back({location, &values[0][0], Vector::length(), stride_});
+        stride_ += static_cast<std::size_t>(Vector::length());
+        count_ = values.size();
+    }
+
+    void upload() const {
+        std::vector<float> data(stride_ * count_);
+        for (const Part& part : parts_) {
+            const auto n = static_cast<std::size_t>(part.components);
+            for (std::size_t i = 0; i < count_; ++i) {
+                std::copy_n(part.values + i * n, n, data.data() + i * stride_ + part.offset);
+            }
+        }
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)),
+                     data.data(), GL_STATIC_DRAW);
+        for (const Part& part : parts_) {
+            const std::size_t offset = part.offset * sizeof(float);
+            glEnableVertexAttribArray(part.location);
+            glVertexAttribPointer(part.location, part.components, GL_FLOAT, GL_FALSE,
+                                  static_cast<GLsizei>(stride_ * sizeof(float)),
+                                  reinterpret_cast<const void*>(offset));
+        }
+    }
+
+  private:
+    struct Part {
+        Location location;
+        const float* values;
+        int components;
+        std::size_t offset;
+    };
+    std::vector<Part> parts_;
+    std::size_t stride_ = 0;
+    std::size_t count_ = 0;
+};
+
+Bounds transformed(const Bounds& box, const glm::mat4& m) {
+    Bounds out;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 local((corner & 1) != 0 ? box.high.x : box.low.x,
+                              (corner & 2) != 0 ? box.high.y : box.low.y,
+                              (corner & 4) != 0 ? box.high.z : box.low.z);
+        const glm::vec3 p(m * glm::vec4(local, 1.0f));
+        out.low = corner == 0 ? p : glm::min(out.low, p);
+        out.high = corner == 0 ? p : glm::max(out.high, p);
+    }
+    return out;
+}
+
+bool finite(const glm::mat4& m) {
+    for (int c = 0; c < 4; ++c) {
+        for (int r = 0; r < 4; ++r) {
+            if (!std::isfinite(m[c][r])) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void require_sound(const Mesh& mesh) {
+    const std::size_t n = mesh.positions.size();
+    const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
+    if (!fits(mesh.normals.size()) || !fits(mesh.tangents.size()) || !fits(mesh.texcoord0.size()) ||
+        !fits(mesh.texcoord1.size()) || !fits(mesh.colors.size())) {
+        throw Error(name_of_mesh(mesh), "attributes", "as many values as positions",
+                    "another number");
+    }
+    if (mesh.normals.empty() && n > 0) {
+        throw Error(name_of_mesh(mesh), "normals", "one a vertex", "none");
+    }
+    if (mesh.indices.size() % 3 != 0 ||
+        mesh.indices.size() > static_cast<std::size_t>(std::numeric_limits<GLsizei>::max())) {
+        throw Error(name_of_mesh(mesh), "indices", "three a triangle, below 2^31",
+                    std::to_string(mesh.indices.size()));
+    }
+    const auto highest = std::ranges::max_element(mesh.indices);
+    if (highest != mesh.indices.end() && *highest >= n) {
+        throw Error(name_of_mesh(mesh), "indices", "below " + std::to_string(n),
+                    std::to_string(*highest));
+    }
+}
+
+MeshBuffers::MeshBuffers(const Mesh& mesh) {
+    require_sound(mesh);
+    index_count_ = static_cast<GLsizei>(mesh.indices.size());
+    has_color_ = !mesh.colors.empty();
+    if (mesh.positions.empty()) index_count_ = 0;
+    glBindVertexArray(array_.get());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+    Interleaver interleaver;
+    interleaver.add(Location::position, mesh.positions);
+    interleaver.add(Location::normal, mesh.normals);
+    interleaver.add(Location::tangent, mesh.tangents);
+    interleaver.add(Location::texcoord0, mesh.texcoord0);
+    interleaver.add(Location::texcoord1, mesh.texcoord1);
+    interleaver.add(Location::color, mesh.colors);
+    interleaver.upload();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+                 mesh.indices.data(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
+    check_gl(("uploading " + name_of_mesh(mesh)).c_str());
+}
+
+void MeshBuffers::draw() const {
+    if (index_count_ == 0) return;
+    // What a mesh does not have: a constant.
+    glVertexAttrib4f(Location::tangent, 0.0f, 0.0f, 0.0f, 1.0f);
+    glVertexAttrib4f(Location::texcoord0, 0.0f, 0.0f, 0.0f, 1.0f);
+    glVertexAttrib4f(Location::texcoord1, 0.0f, 0.0f, 0.0f, 1.0f);
+    glVertexAttrib4f(Location::color, 1.0f, 1.0f, 1.0f, 1.0f);
+    glBindVertexArray(array_.get());
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(0);
+}
+
+std::vector<DrawItem> draw_items(const Scene& scene) {
+    std::vector<DrawItem> items;
+    std::vector<Bounds> boxes;
+    for (const Mesh& mesh : scene.meshes) boxes.push_back(burnish::bounds_of(mesh));
+    for (const Instance& instance : scene.instances) {
+        const bool mesh =
+            instance.mesh >= 0 && static_cast<std::size_t>(instance.mesh) < scene.meshes.size();
+        const bool material = instance.material >= 0 &&
+                              static_cast<std::size_t>(instance.material) < scene.materials.size();
+        if (!mesh || !material || !finite(instance.transform)) {
+            throw Error(scene.name, "instance " + std::to_string(items.size()),
+                        "a mesh and a material of the scene and a finite transform",
+                        "something else");
+        }
+        DrawItem item;
+        item.mesh = instance.mesh;
+        item.material = instance.material;
+        item.world_from_local = instance.transform;
+        const glm::mat3 linear(instance.transform);
+        const float determinant = glm::determinant(linear);
+        item.mirrored = determinant < 0.0f;
+        // Cofactors: the inverse transpose times the determinant, which a flat scale has too.
+        const glm::mat3 cofactors(glm::cross(linear[1], linear[2]),
+                                  glm::cross(linear[2], linear[0]),
+                                  glm::cross(linear[0], linear[1]));
+        item.normal_from_local = item.mirrored ? -1.0f * cofactors : cofactors;
+        item.bounds =
+            transformed(boxes[static_cast<std::size_t>(instance.mesh)], instance.transform);
+        items.push_back(item);
+    }
+    return items;
+}
+
+Bounds bounds_of(const std::vector<DrawItem>& items) {
+    Bounds all{glm::vec3(-0.5f), glm::vec3(0.5f)};
+    bool first = true;
+    for (const DrawItem& item : items) {
+        if (!std::isfinite(item.bounds.radius())) continue;
+        all.low = first ? item.bounds.low : glm::min(all.low, item.bounds.low);
+        all.high = first ? item.bounds.high : glm::max(all.high, item.bounds.high);
+        first = false;
+    }
+    return all;
+}
+
+}  // namespace burnish::gpu

@@ -1,0 +1,50 @@
+// Meshes on the device: one interleaved vertex buffer and one index buffer each.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <vector>
+
+#include "burnish/scene.hpp"
+#include "gpu/device/handles.hpp"
+#include "gpu/device/program.hpp"
+
+namespace burnish::gpu {
+
+// Throws Error naming the mesh when attributes differ in length or an index points nowhere.
+void require_sound(const Mesh& mesh);
+
+class MeshBuffers {
+  public:
+    explicit MeshBuffers(const Mesh& mesh);
+
+    void draw() const;
+    bool has_color() const { return has_color_; }
+    std::size_t triangles() const { return static_cast<std::size_t>(index_count_) / 3; }
+
+  private:
+    VertexArray array_;
+    Buffer vertices_;
+    Buffer indices_;
+    GLsizei index_count_ = 0;
+    bool has_color_ = false;
+};
+
+// An instance with what is worked out of its transform once.
+struct DrawItem {
+    int mesh = 0;
+    int material = 0;
+    glm::mat4 world_from_local{1.0f};
+    glm::mat3 normal_from_local{1.0f};  // inverse transpose, up to a positive factor
+    bool mirrored = false;              // the transform turns space inside out
+    Bounds bounds;                      // world space
+};
+
+// Throws Error for an instance of a mesh or material that does not exist or a transform that is not
+// finite.
+std::vector<DrawItem> draw_items(const Scene& scene);
+
+// Box around all items; a unit box at the origin when there is none.
+Bounds bounds_of(const std::vector<DrawItem>& items);
+
+}  // namespace burnish::gpu

@@ -1,0 +1,152 @@
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "burnish/error.hpp"
+#include "core/files.hpp"
+#include "image/image_format.hpp"
+#include "image/image_io.hpp"
+#include "image/image_metadata.hpp"
+
+namespace burnish {
+namespace {
+
+struct Extension {
+    std::string_view text;
+    ImageFormat format;
+};
+
+constexpr std::array kExtensions = {
+    Extension{".png", ImageFormat::png},   Extension{".jpg", ImageFormat::jpeg},
+    Extension{".jpeg", ImageFormat::jpeg}, Extension{".tif", ImageFormat::tiff},
+    Extension{".tiff", ImageFormat::tiff}, Extension{".exr", ImageFormat::exr},
+};
+
+std::optional<ImageFormat> format_of_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const Extension& known : kExtensions) {
+        if (extension == known.text) return known.format;
+    }
+    return std::nullopt;
+}
+
+ImageFormat require_format(const std::filesystem::path& path) {
+    if (const auto format = format_of_extension(path)) return *format;
+    const std::string extension = path.extension().string();
+    throw UsageError(path.string(), "", "a name ending in .png, .jpg, .tif or .exr",
+                     extension.empty() ? "no ending" : shown(extension));
+}
+
+void check_image(const Image& image, const std::string& name) {
+    check_image_size(image.width, image.height, name);
+    const bool channels_fit = image.channels == 1 || image.channels == 3 || image.channels == 4;
+    const std::size_t values = static_cast<std::size_t>(image.width) *
+                               static_cast<std::size_t>(image.height) *
+                               static_cast<std::size_t>(std::max(image.channels, 0));
+    if (channels_fit && image.pixels.size() == values) return;
+    throw Error(name, "", "an image of 1, 3 or 4 full channels",
+                fmt::format("{} channels, {} values", image.channels, image.pixels.size()));
+}
+
+// 8-bit codes of display values; alpha is left out when `channels` is 3 and the image has 4.
+std::vector<std::uint8_t> codes_of(const Image& image, int channels) {
+    const auto from = static_cast<std::size_t>(image.channels);
+    const auto to = static_cast<std::size_t>(channels);
+    const std::size_t count = image.pixels.size() / from;
+    std::vector<std::uint8_t> codes(count * to);
+    for (std::size_t pixel = 0; pixel < count; ++pixel) {
+        for (std::size_t c = 0; c < to; ++c) {
+            const float value = image.pixels[pixel * from + c];
+            // Written so that NaN becomes 0.
+            const float clamped = value > 0.0f ? (value < 1.0f ? value : 1.0f) : 0.0f;
+            codes[pixel * to + c] = static_cast<std::uint8_t>(clamped * 255.0f + 0.5f);
+        }
+    }
+    return codes;
+}
+
+std::vector<float> premultiplied(const Image& image) {
+    std::vector<float> pixels = image.pixels;
+    if (image.channels != 4) return pixels;
+    for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c) pixels[i + c] *= pixels[i + 3];
+    }
+    return pixels;
+}
+
+OIIO::ImageSpec spec_for(ImageFormat format, const Image& image, const Metadata& metadata) {
+    const int channels = format == ImageFormat::jpeg ? std::min(image.channels, 3) : image.channels;
+    const bool linear = format == ImageFormat::exr;
+    OIIO::ImageSpec spec(image.width, image.height, channels,
+                         linear ? OIIO::TypeFloat : OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    if (!linear) spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (format == ImageFormat::jpeg) {
+        spec.attribute("Compression", "jpeg:95");
+        // Scratches are one pixel wide: colour is kept at full resolution.
+        spec.attribute("jpeg:subsampling", "4:4:4");
+    } else if (format == ImageFormat::png) {
+        // A third of the time of the default, 6, for files 8 % larger (measured on textures).
+        spec.attribute("png:compressionLevel", 4);
+    } else {
+        spec.attribute("Compression", "zip");
+    }
+    // OpenImageIO before 2.5.13 breaks a TIFF that has an Exif directory and is written to memory.
+    if (format == ImageFormat::tiff) spec.attribute("tiff:write_exif", 0);
+    put_metadata(spec, metadata, format == ImageFormat::png || format == ImageFormat::exr);
+    return spec;
+}
+
+// The bytes of the file, made in memory: the encoders do not all notice a full disk.
+void encode(ImageFormat format, const Image& image, const Metadata& metadata,
+            OIIO::Filesystem::IOVecOutput& target, const std::string& name) {
+    const std::unique_ptr<OIIO::ImageOutput> output =
+        OIIO::ImageOutput::create(oiio_format_name(format));
+    const auto fail = [&] {
+        throw Error(name, "", fmt::format("to encode a {} image", format_name(format)),
+                    one_line(output ? output->geterror() : OIIO::geterror()));
+    };
+    if (!output || !output->supports("ioproxy")) fail();
+    const OIIO::ImageSpec spec = spec_for(format, image, metadata);
+    output->set_ioproxy(&target);
+    if (!output->open(name, spec)) fail();
+    const bool written =
+        format == ImageFormat::exr
+            ? output->write_image(OIIO::TypeFloat, premultiplied(image).data())
+            : output->write_image(OIIO::TypeUInt8, codes_of(image, spec.nchannels).data());
+    if (!written || !output->close() || output->has_error()) fail();
+}
+
+}  // namespace
+
+void write_image(const std::filesystem::path& path, const Image& image,
+                 const std::map<std::string, std::string>& metadata) {
+    const ImageFormat format = require_format(path);
+    check_image(image, path.string());
+    OIIO::Filesystem::IOVecOutput target;
+    encode(format, image, metadata, target, path.string());
+    write_bytes(path, std::as_bytes(std::span(target.buffer())));
+}
+
+bool holds_linear(const std::filesystem::path& path) {
+    return format_of_extension(path) == ImageFormat::exr;
+}
+
+bool holds_alpha(const std::filesystem::path& path) {
+    return format_of_extension(path) != ImageFormat::jpeg;
+}
+
+void require_image_extension(const std::filesystem::path& path) {
+    require_format(path);
+}
+
+}  // namespace burnish

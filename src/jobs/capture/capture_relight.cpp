@@ -1,0 +1,156 @@
+#include "jobs/capture/capture_relight.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "burnish/error.hpp"
+#include "capture/judge/relight.hpp"
+#include "core/files.hpp"
+#include "core/version.hpp"
+#include "image/image_io.hpp"
+#include "jobs/map_folder.hpp"
+#include "stage/tabulated_apply.hpp"
+
+namespace burnish {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_mask(const TabulatedMaterial& m) {
+    return std::find(m.exemplar.begin(), m.exemplar.end(), TabulatedMaterial::kNoExemplar) !=
+           m.exemplar.end();
+}
+
+Image mask_of(const TabulatedMaterial& m) {
+    Image out(m.width, m.height, 1);
+    for (std::size_t i = 0; i < out.pixels.size(); ++i)
+        out.pixels[i] = m.exemplar[i] == TabulatedMaterial::kNoExemplar ? 0.0f : 1.0f;
+    return out;
+}
+
+// The rig of the pictures that are written: a stack.
+Rig rendered_rig(const Rig& rig, const TabulatedMaterial& m, const fs::path& folder) {
+    Rig out = rig;
+    out.response = RigResponse::linear;
+    out.white.reset();
+    out.mask.reset();
+    if (has_mask(m)) out.mask = folder / "mask.png";
+    for (std::size_t k = 0; k < out.lights.size(); ++k)
+        out.lights[k].images = {{folder / fmt::format("{:04}.exr", k), 1.0}};
+    return out;
+}
+
+std::string csv_of(const Rig& stack, const StackError& error) {
+    std::string out = "light,picture,samples,rmse,psnr\n";
+    for (std::size_t k = 0; k < error.lights.size(); ++k) {
+        const LightError& light = error.lights[k];
+        std::string name = stack.lights[k].images.front().image.filename().string();
+        for (std::size_t at = 0; (at = name.find('"', at)) != name.npos; at += 2)
+            name.insert(at, "\"");
+        out += fmt::format("{},\"{}\",{},{:.6g},{:.3f}\n", k, one_line(name), light.samples,
+                           light.rmse, light.psnr);
+    }
+    return out;
+}
+
+std::unique_ptr<StackComparison> comparison_of(const RelightRequest& request, const Rig& rig,
+                                               const TabulatedMaterial& m, Rig& stack,
+                                               std::vector<std::string>& warnings) {
+    if (!request.compare) return nullptr;
+    stack = read_rig(*request.compare, true, request.overrides);
+    if (*request.compare != request.rig)
+        warnings.insert(warnings.end(), stack.warnings.begin(), stack.warnings.end());
+    if (stack.lights.size() != rig.lights.size())
+        throw Error(request.compare->string(), "lights",
+                    fmt::format("{}, as {} has", rig.lights.size(), request.rig.string()),
+                    std::to_string(stack.lights.size()));
+    return std::make_unique<StackComparison>(stack, m);
+}
+
+}  // namespace
+
+void take_size_of(const TabulatedMaterial& m, Rig& rig, std::vector<std::string>& warnings) {
+    if (m.width_mm > 0.0 && m.height_mm > 0.0) {
+        const double ratio = rig.width_mm / m.width_mm;
+        if (rig.width_mm > 0.0 && std::abs(ratio - 1.0) > 0.01)
+            warnings.push_back(fmt::format(
+                "{}: sample: {:.4g} mm wide, but the material is {:.4g} mm wide, as which it is "
+                "rendered",
+                rig.file.string(), rig.width_mm, m.width_mm));
+        rig.width_mm = m.width_mm;
+        rig.height_mm = m.height_mm;
+        return;
+    }
+    if (rig.width_mm > 0.0 && rig.height_mm > 0.0) return;
+    rig.width_mm = m.width;
+    rig.height_mm = m.height;
+    warnings.push_back(fmt::format(
+        "{}: neither the rig nor the material says how large the sample is; taken as 1 mm a texel",
+        rig.file.string()));
+}
+
+RelightReport relight_material(const RelightRequest& request, const Progress& progress) {
+    RelightReport report;
+    const auto material = load_tabulated(request.material);
+    Rig rig = read_rig(request.rig, false, request.overrides);
+    report.warnings = rig.warnings;
+    take_size_of(*material, rig, report.warnings);
+    Rig stack;
+    const auto comparison = comparison_of(request, rig, *material, stack, report.warnings);
+    const OutputFolder folder(request.output);
+    const Relighter relighter(*material);
+    const Rig rendered = rendered_rig(rig, *material, request.output);
+    const std::map<std::string, std::string> metadata = {
+        {"burnish:version", std::string(version())}, {"burnish:command", request.command}};
+
+    // The first gets its name last: where rig.json is, all pictures are.
+    std::vector<FileToWrite> files;
+    files.push_back(
+        {request.output / "rig.json", [&](const fs::path& path) { write_rig(path, rendered); }});
+    if (rendered.mask)
+        files.push_back({*rendered.mask, [&](const fs::path& path) {
+                             write_image(path, mask_of(*material), metadata);
+                         }});
+    const auto count = rig.lights.size();
+    for (std::size_t k = 0; k < count; ++k)
+        files.push_back({rendered.lights[k].images.front().image, [&, k](const fs::path& path) {
+                             progress.step("relight",
+                                           static_cast<double>(k) / static_cast<double>(count));
+                             const Image picture = relighter.picture(rig, k);
+                             write_image(path, picture, metadata);
+                             if (comparison) comparison->add(k, picture);
+                         }});
+    // Written last: then all has been compared.
+    if (comparison)
+        files.push_back({request.output / "compare.csv", [&](const fs::path& path) {
+                             report.error = comparison->result();
+                             write_text_file(path, csv_of(stack, *report.error));
+                         }});
+    write_files_whole(files);
+    for (const FileToWrite& file : files) report.written.push_back(file.path);
+    return report;
+}
+
+std::string describe_error(const StackError& error, bool each_light) {
+    std::string out;
+    if (each_light) {
+        out += "light   samples        RMSE     PSNR\n";
+        for (std::size_t k = 0; k < error.lights.size(); ++k)
+            out += fmt::format("{:5} {:9} {:11.4g} {:5.1f} dB\n", k, error.lights[k].samples,
+                               error.lights[k].rmse, error.lights[k].psnr);
+    }
+    out += fmt::format(
+        "PSNR {:.1f} dB in the median of {} lights, {:.1f} in the mean, {:.1f} at "
+        "worst (light {})\n",
+        error.psnr_median, error.lights.size(), error.psnr_mean, error.psnr_worst, error.worst);
+    out += fmt::format("RMSE {:.4g} over {} samples, the brightest of which is {:.4g}\n",
+                       error.rmse, error.samples, error.peak);
+    return out;
+}
+
+}  // namespace burnish

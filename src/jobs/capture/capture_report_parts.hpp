@@ -1,0 +1,103 @@
+// What the page of a capture consists of. Private to capture_report*.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "capture/judge/held_out.hpp"
+#include "capture/rig/coverage.hpp"
+#include "capture/stack/image_stack.hpp"
+#include "fit/lobe_fit.hpp"
+#include "jobs/capture/capture_report.hpp"
+#include "plot/figure.hpp"
+#include "scene/material/tabulated_material.hpp"
+
+namespace burnish::report {
+
+// A file of the folder: display values.
+struct Picture {
+    std::string name;
+    Image image;
+};
+using Pictures = std::vector<Picture>;
+
+struct ExemplarEntry {
+    int index = 0;
+    double share = 0.0;  // of the texels that have an exemplar
+    LobeFit lobe;        // the nearest GGX
+    // Of the hemisphere's solid angle: extrapolated, completed, measured, as NdfOrigin.
+    std::array<double, 3> known{};
+    plot::Rgb color;  // in the map of exemplars
+    std::string picture;
+};
+
+struct MapEntry {
+    std::string title, text, picture;
+};
+
+// A light's picture, real or made: `psnr` and `difference` not of the real one.
+struct Shot {
+    std::string title, picture, difference;
+    double psnr = 0.0;
+};
+
+struct LightEntry {
+    std::size_t light = 0;
+    std::string rank, source;  // "brightest"; the name of its first picture
+    double elevation = 0.0, azimuth = 0.0;
+    double white = 0.0;  // what is shown as white
+    std::vector<Shot> shots;
+};
+
+struct Page {
+    const CaptureReportRequest* request = nullptr;
+    const TabulatedMaterial* material = nullptr;
+    StackCensus census;
+    std::size_t lights = 0;
+    std::string rig_text;  // of describe_rig
+    std::string coverage;  // picture
+    RigCoverage rig_coverage;
+    std::vector<ExemplarEntry> exemplars;  // most used first
+    std::vector<MapEntry> maps;
+    std::string held_out_text;  // which lights judge, and whether they took part
+    std::vector<HeldOutError> errors;
+    double peak = 0.0;  // of those lights: the 1 of PSNR
+    std::vector<LightEntry> compared;
+    std::vector<std::pair<std::string, std::string>> renderings;  // what, picture
+    std::string device;
+    std::vector<std::string> notes;  // what is missing, and warnings
+};
+
+// ---- capture_report_pictures.cpp
+
+// Whole steps larger where it is small, averaged where it is large: linear or display values.
+Image at_viewing_size(const Image& image);
+
+Picture coverage_picture(const RigCoverage& coverage, const std::vector<std::uint8_t>& keep);
+// Used exemplars, most used first, at most kMostExemplars of them with pictures.
+inline constexpr std::size_t kMostExemplars = 16;
+void add_exemplars(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, Page& page,
+                   Pictures& pictures);
+void add_maps(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, Page& page,
+              Pictures& pictures);
+
+// ---- capture_report_compare.cpp
+
+// Lights with keep 0 judge: three of them in pictures, all in numbers.
+void add_comparison(const ImageStack& stack, const Rig& rig, const TabulatedMaterial& m,
+                    const std::vector<std::uint8_t>& keep, Page& page, Pictures& pictures,
+                    const Progress& progress);
+
+// ---- capture_report_render.cpp
+
+void add_renderings(const CaptureReportRequest& request, Page& page, Pictures& pictures,
+                    const Progress& progress);
+
+// ---- capture_report_page.cpp
+
+std::string page_html(const Page& page);
+
+}  // namespace burnish::report

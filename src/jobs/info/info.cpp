@@ -1,0 +1,99 @@
+#include "jobs/info/info.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "capture/rig/rig.hpp"
+#include "core/text.hpp"
+#include "formats/bsdf/tensor_file.hpp"
+#include "formats/environments.hpp"
+#include "formats/load_model.hpp"
+#include "formats/tabulated/tabulated_file.hpp"
+#include "formats/wif/wif.hpp"
+#include "gpu/device/context.hpp"
+#include "image/image_io.hpp"
+#include "jobs/info/info_draft.hpp"
+#include "jobs/info/info_measured.hpp"
+#include "jobs/info/info_rig.hpp"
+#include "jobs/info/info_scene.hpp"
+#include "jobs/info/info_tabulated.hpp"
+#include "scene/geometry/builtin_meshes.hpp"
+#include "scene/material/tabulated_material.hpp"
+#include "stage/normal_map_check.hpp"
+#include "stage/scene_file.hpp"
+
+namespace burnish {
+
+namespace {
+
+// Radiance figures weighted by solid angle, for pictures that could be environments.
+std::string describe_radiance(const Image& image) {
+    double sum = 0, weights = 0, peak = 0;
+    for (int y = 0; y < image.height; ++y) {
+        const double weight = std::sin((y + 0.5) / image.height * 3.14159265358979);
+        for (int x = 0; x < image.width; ++x) {
+            const float* p = image.at(x, y);
+            const double luminance = image.channels < 3
+                                         ? static_cast<double>(p[0])
+                                         : 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+            sum += weight * luminance;
+            weights += weight;
+            peak = std::max(peak, luminance);
+        }
+    }
+    return fmt::format("  as an environment: mean radiance {:.4g}, brightest {:.4g}\n",
+                       sum / weights, peak);
+}
+
+// What OpenImageIO adds for itself, and the OpenEXR window that nobody set.
+bool is_of_the_library(std::string_view key) {
+    return key.starts_with("oiio:") || key.starts_with("screenWindow");
+}
+
+std::string describe_image(const std::string& path) {
+    const ImageInfo info = read_image_info(path);
+    std::string text =
+        fmt::format("{}: {} image, {}x{}, {}, {}\n", path, info.format, info.width, info.height,
+                    plural(static_cast<std::size_t>(info.channels), "channel"), info.pixel_type);
+    for (const auto& [key, value] : info.metadata)
+        if (!is_of_the_library(key)) text += fmt::format("  {}: {}\n", key, value);
+    if (info.width == 2 * info.height) text += describe_radiance(read_image(path));
+    return text;
+}
+
+}  // namespace
+
+std::string describe_file(const std::string& path) {
+    constexpr std::string_view kBuiltin = "builtin:";
+    const auto shapes = builtin_names();
+    const bool mesh =
+        path.starts_with(kBuiltin) &&
+        std::find(shapes.begin(), shapes.end(), path.substr(kBuiltin.size())) != shapes.end();
+    if (!mesh && path.starts_with(kBuiltin)) {
+        const Environment environment = load_environment(path);
+        return fmt::format("{}: environment, {}x{}\n{}", path, environment.radiance.width,
+                           environment.radiance.height, describe_radiance(environment.radiance));
+    }
+    if (!mesh && is_tensor_file(path)) return describe_measured(path);
+    if (!mesh && is_wif_file(path)) return describe_draft(path);
+    if (!mesh && is_tabulated_material(path)) return describe_tabulated(path);
+    if (!mesh && is_image_file(path)) return describe_image(path);
+    if (!mesh && is_rig_file(path)) return describe_rig(path);  // before scenes, which are JSON too
+    if (!mesh && is_scene_file(path)) return describe_scene_file(path);
+    Scene scene = load_model(path);
+    warn_of_odd_normal_maps(scene);
+    return describe_scene(path, scene);
+}
+
+std::string describe_devices() {
+    std::string text;
+    for (const gpu::DeviceInfo& device : gpu::list_devices())
+        text += fmt::format("device {}: {}{}\n", device.index, device.description,
+                            device.software ? " (software)" : "");
+    return text.empty() ? "no EGL device; Mesa's surfaceless software renderer is used\n" : text;
+}
+
+}  // namespace burnish

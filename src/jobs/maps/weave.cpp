@@ -1,0 +1,208 @@
+#include "jobs/maps/weave.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+
+#include "burnish/error.hpp"
+#include "core/files.hpp"
+#include "core/memory.hpp"
+#include "core/version.hpp"
+#include "formats/wif/wif.hpp"
+#include "image/image_io.hpp"
+#include "jobs/map_folder.hpp"
+#include "jobs/maps/weave_preview.hpp"
+#include "maps/weave/weave_maps.hpp"
+
+namespace burnish {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 6> kParameters = {
+    "weave_crimp", "weave_bulge", "weave_gap", "weave_twist", "warp_color", "weft_color"};
+constexpr int kUsualSide = 2048;
+constexpr int kUsualYarns = 16;
+
+// A name of ours, else a file: a word that is neither is taken for a misspelt name.
+Draft draft_of(const std::string& weave, std::vector<std::string>& warnings) {
+    const auto names = draft_names();
+    const bool known = std::find(names.begin(), names.end(), weave) != names.end();
+    std::error_code error;
+    const bool file = fs::exists(weave, error) || weave.find_first_of("./\\") != weave.npos;
+    if (known || !file) return builtin_draft(weave, "weave");
+    return load_wif(weave, warnings);
+}
+
+int usual_repeats(int yarns) {
+    return (kUsualYarns + yarns - 1) / yarns;
+}
+
+// Square texels where a side is left open.
+void set_size(const WeaveRequest& request, WeaveMapSettings& settings) {
+    const double aspect = static_cast<double>(settings.ends()) / settings.picks();
+    const auto rounded = [](double side) {
+        return static_cast<int>(std::lround(std::min(side, 1e9)));
+    };
+    settings.width =
+        request.width.value_or(request.height ? rounded(*request.height * aspect)
+                                              : rounded(kUsualSide * std::min(1.0, aspect)));
+    settings.height = request.height.value_or(rounded(settings.width / aspect));
+}
+
+// A colour that is asked for takes the place of the draft's.
+void dye(std::string_view parameter, const ParameterValues& values, glm::vec3& colour,
+         std::vector<glm::vec3>& of_yarns) {
+    if (!values.is_set(parameter)) return;
+    colour = values.vec3(parameter);
+    of_yarns.clear();
+}
+
+WeaveMapSettings settings_of(const WeaveRequest& request, std::vector<std::string>& warnings) {
+    WeaveMapSettings settings;
+    settings.draft = draft_of(request.weave, warnings);
+    settings.repeats_u = request.repeats_u.value_or(usual_repeats(settings.draft.ends));
+    settings.repeats_v = request.repeats_v.value_or(usual_repeats(settings.draft.picks));
+    settings.yarn_mm = request.yarn_mm;
+    const ParameterValues& values = request.values;
+    const auto real = [&](std::string_view name) { return static_cast<float>(values.real(name)); };
+    const float twist = real("weave_twist") * std::numbers::pi_v<float> / 180.0f;
+    settings.shape.crimp = real("weave_crimp");
+    settings.shape.bulge = real("weave_bulge");
+    settings.shape.gap = real("weave_gap");
+    settings.shape.twist = {std::cos(twist), std::sin(twist)};
+    dye("warp_color", values, settings.warp_colour, settings.draft.warp_colours);
+    dye("weft_color", values, settings.weft_colour, settings.draft.weft_colours);
+    set_size(request, settings);
+    check_weave_map_settings(settings, request.weave);
+    return settings;
+}
+
+std::vector<NamedPicture> pictures_of(const WeaveMaps& maps, const WeaveMapSettings& settings,
+                                      const WeaveReport& report) {
+    const auto low = static_cast<float>(report.low_mm);
+    const auto range = static_cast<float>(report.high_mm - report.low_mm);
+    const float scale = range > 0.0f ? 1.0f / range : 0.0f;
+    const auto heights = [&maps](int begin, int end, float* to, const auto& value) {
+        const float* from = maps.heights.at(0, begin);
+        std::transform(from, from + static_cast<std::ptrdiff_t>(end - begin) * maps.width, to,
+                       value);
+    };
+    const auto rgb = [&maps](DataFormat format, auto rows) {
+        return picture_of_rows(format, kRgb, maps.width, maps.height, std::move(rows));
+    };
+    const auto grey = [&maps](DataFormat format, auto rows) {
+        return picture_of_rows(format, {"Y"}, maps.width, maps.height, std::move(rows));
+    };
+    std::vector<NamedPicture> all;
+    all.push_back({"height.exr", grey(DataFormat::exr, [=](int begin, int end, float* to) {
+                       heights(begin, end, to, [](float h) { return h; });
+                   })});
+    all.push_back({"height.png", grey(DataFormat::png16, [=](int begin, int end, float* to) {
+                       heights(begin, end, to, [=](float h) { return (h - low) * scale; });
+                   })});
+    all.push_back({"normal.png", rgb(DataFormat::png16, [&maps](int begin, int end, float* to) {
+                       weave_normal_rows(maps, begin, end, to);
+                   })});
+    all.push_back({"direction.png", rgb(DataFormat::png16, [&maps](int begin, int end, float* to) {
+                       weave_direction_rows(maps, begin, end, to);
+                   })});
+    all.push_back(
+        {"color.png", rgb(DataFormat::png8_srgb, [&maps, &settings](int begin, int end, float* to) {
+             weave_colour_rows(maps, settings, begin, end, to);
+         })});
+    all.push_back(
+        {"id.png", rgb(DataFormat::png16, [&maps, &settings](int begin, int end, float* to) {
+             weave_id_rows(maps, settings, begin, end, to);
+         })});
+    return all;
+}
+
+using Metadata = std::map<std::string, std::string>;
+
+Metadata metadata_of(const WeaveRequest& request, const WeaveMapSettings& settings,
+                     const WeaveReport& report) {
+    return {{"burnish:version", std::string(version())},
+            {"burnish:command", request.command},
+            {"burnish:weave", one_line(settings.draft.name)},
+            {"burnish:width_mm", fmt::format("{}", settings.width_mm())},
+            {"burnish:height_mm", fmt::format("{}", settings.height_mm())},
+            {"burnish:height_black_mm", fmt::format("{}", report.low_mm)},
+            {"burnish:height_white_mm", fmt::format("{}", report.high_mm)}};
+}
+
+// What the maps are of, for people and programs.
+std::string summary_of(const WeaveRequest& request, const WeaveMapSettings& settings,
+                       const WeaveReport& report) {
+    nlohmann::ordered_json out;
+    out["format"] = "burnish-weave";
+    out["version"] = 1;
+    out["weave"] = settings.draft.name;
+    out["draft"] = "draft.wif";
+    out["size"] = {settings.width, settings.height};
+    out["repeats"] = {settings.repeats_u, settings.repeats_v};
+    out["yarns"] = {settings.ends(), settings.picks()};
+    out["yarn_mm"] = settings.yarn_mm;
+    out["tile_mm"] = {settings.width_mm(), settings.height_mm()};
+    for (const std::string_view name : kParameters) {
+        if (!request.values.has_value(name)) continue;
+        auto& value = out["parameters"][std::string(name)];
+        if (find_parameter(name)->kind == ParameterKind::color) {
+            const glm::vec3 c = request.values.vec3(name);
+            value = {c.x, c.y, c.z};
+        } else {
+            value = request.values.real(name);
+        }
+    }
+    out["made"] = {{"version", version()},
+                   {"command", request.command},
+                   {"height_png_black_mm", report.low_mm},
+                   {"height_png_white_mm", report.high_mm}};
+    // Titles of drafts need not be UTF-8.
+    return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::span<const std::string_view> weave_map_parameters() {
+    return kParameters;
+}
+
+WeaveReport make_weave_maps(const WeaveRequest& request, const Progress& progress) {
+    WeaveReport report;
+    const WeaveMapSettings settings = settings_of(request, report.warnings);
+    report.memory = weave_map_memory(settings);
+    const OutputFolder folder(request.output);
+    const WeaveMaps maps = bake_weave(settings, available_memory(), progress);
+    const auto [low, high] =
+        std::minmax_element(maps.heights.pixels.begin(), maps.heights.pixels.end());
+    report.low_mm = static_cast<double>(*low);
+    report.high_mm = static_cast<double>(*high);
+
+    const Metadata metadata = metadata_of(request, settings, report);
+    std::vector<FileToWrite> others;
+    others.push_back({request.output / "weave.json", [&](const fs::path& path) {
+                          write_text_file(path, summary_of(request, settings, report));
+                      }});
+    others.push_back({request.output / "draft.wif", [&](const fs::path& path) {
+                          write_text_file(path, wif_text(settings.draft));
+                      }});
+    others.push_back({request.output / "preview.png", [&](const fs::path& path) {
+                          const Sheet sheet = weave_preview(maps, settings);
+                          if (!sheet.warning.empty()) report.warnings.push_back(sheet.warning);
+                          write_image(path, sheet.image, metadata);
+                      }});
+    report.written = write_map_folder(request.output, std::move(others),
+                                      pictures_of(maps, settings, report), metadata, progress);
+    return report;
+}
+
+}  // namespace burnish

@@ -1,0 +1,174 @@
+#include "jobs/models/brdf_fit_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "burnish/error.hpp"
+#include "core/files.hpp"
+#include "core/version.hpp"
+
+namespace burnish {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string_view metric_name(FitMetric metric) {
+    return fit_metric_names()[static_cast<std::size_t>(metric)];
+}
+
+const BrdfModel& model_of(const BrdfFit& fit) {
+    return *std::find_if(brdf_models().begin(), brdf_models().end(),
+                         [&](const BrdfModel& model) { return model.name == fit.model; });
+}
+
+// "alpha_x 0.12, F0 0.04": without the ks that is in the scale, and without a twin of the number
+// before.
+std::string shape_text(const BrdfFit& fit) {
+    const auto parameters = model_of(fit).parameters;
+    std::string text;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name == "ks") continue;
+        text +=
+            fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", parameters[i].name, fit.lobe[i]);
+    }
+    return text;
+}
+
+std::string rgb_text(const FitRgb& rgb) {
+    return fmt::format("{:.3g} {:.3g} {:.3g}", rgb[0], rgb[1], rgb[2]);
+}
+
+ordered_json fit_entry(const BrdfFit& fit, const MeasuredFit& of) {
+    ordered_json entry;
+    entry["model"] = fit.model;
+    entry["rms"] = fit.rms;
+    entry["relative_rms"] = of.of_black.rms > 0 ? fit.rms / of.of_black.rms : 0.0;
+    entry["log"] = fit.log_rms;
+    entry["kd"] = fit.kd;
+    entry["ks"] = fit.ks;
+    const auto parameters = model_of(fit).parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        if (parameters[i].name != "ks")
+            entry["shape"][std::string(parameters[i].name)] = fit.lobe[i];
+    entry["start"] = fit.start;
+    entry["iterations"] = fit.iterations;
+    entry["converged"] = fit.converged;
+    return entry;
+}
+
+ordered_json curve_entry(const PlaneCurve& curve, const MeasuredFit& of) {
+    ordered_json entry;
+    entry["theta_o_deg"] = curve.theta_o_deg;
+    entry["theta_i_deg"] = curve.theta_deg;
+    entry["measured"] = curve.measured;
+    for (std::size_t m = 0; m < of.fits.size(); ++m)
+        entry["fitted"][of.fits[m].model] = curve.fitted[m];
+    return entry;
+}
+
+}  // namespace
+
+std::string fit_lines(const MeasuredFit& fit) {
+    std::string text = fmt::format(
+        "{}: {}\n  {} samples within {:g} degrees, {}; root mean square of f cos {:.4g}\n",
+        fit.file, fit.description, fit.samples, fit.most_deg,
+        fit.isotropic ? "isotropic" : "anisotropic", fit.of_black.rms);
+    text += fmt::format("  {:<18} {:>10} {:>9} {:>10}  {:<19} {:<19} {}\n", "model", "rms",
+                        "relative", "log", "kd (r g b)", "ks (r g b)", "shape");
+    for (const BrdfFit& one : fit.fits) {
+        text +=
+            fmt::format("  {:<18} {:>10.4g} {:>8.1f}% {:>10.4g}  {:<19} {:<19} {}{}\n", one.model,
+                        one.rms, fit.of_black.rms > 0 ? 100 * one.rms / fit.of_black.rms : 0.0,
+                        one.log_rms, rgb_text(one.kd), rgb_text(one.ks), shape_text(one),
+                        one.converged ? "" : " (still moving)");
+    }
+    return text;
+}
+
+std::string fit_csv(std::span<const MeasuredFit> fits, const std::string& command) {
+    std::string text = fmt::format("# burnish {}: {}\n", version(), one_line(command));
+    text +=
+        "# f = kd / pi + ks lobe(p0..p4) per steradian without the cosine; p0..p4 as in brdf eval\n"
+        "file,metric,rank,brdf,rms,relative_rms,log,kd_r,kd_g,kd_b,ks_r,ks_g,ks_b,p0,p1,p2,p3,p4\n";
+    const auto add = [&](double value) { text += fmt::format(",{}", value); };
+    for (const MeasuredFit& fit : fits) {
+        // Quotes are doubled inside a quoted field.
+        std::string name;
+        for (const char c : one_line(fit.file))
+            name += c == '"' ? std::string("\"\"") : std::string(1, c);
+        for (std::size_t rank = 0; rank < fit.fits.size(); ++rank) {
+            const BrdfFit& one = fit.fits[rank];
+            text +=
+                fmt::format("\"{}\",{},{},{}", name, metric_name(fit.metric), rank + 1, one.model);
+            add(one.rms);
+            add(fit.of_black.rms > 0 ? one.rms / fit.of_black.rms : 0.0);
+            add(one.log_rms);
+            for (const double value : one.kd) add(value);
+            for (const double value : one.ks) add(value);
+            for (std::size_t i = 0; i < kMostBrdfParameters; ++i)
+                text += i < one.lobe_size ? fmt::format(",{}", one.lobe[i]) : ",";
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string fit_json(std::span<const MeasuredFit> fits, const std::string& command) {
+    ordered_json out;
+    out["format"] = "burnish-fit";
+    out["version"] = 1;
+    out["made"] = {{"version", version()}, {"command", command}};
+    out["brdf"] = "kd / pi + ks lobe(shape), per steradian without the cosine";
+    for (const MeasuredFit& fit : fits) {
+        ordered_json entry;
+        entry["file"] = fit.file;
+        entry["description"] = fit.description;
+        entry["isotropic"] = fit.isotropic;
+        entry["metric"] = metric_name(fit.metric);
+        entry["samples"] = fit.samples;
+        entry["most_deg"] = fit.most_deg;
+        entry["measured_rms"] = fit.of_black.rms;
+        for (const BrdfFit& one : fit.fits) entry["fits"].push_back(fit_entry(one, fit));
+        for (const PlaneCurve& curve : fit.curves)
+            entry["curves"].push_back(curve_entry(curve, fit));
+        out["materials"].push_back(std::move(entry));
+    }
+    // Names of files need not be UTF-8.
+    return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+namespace {
+
+enum class Output { none, csv, json };
+
+Output output_kind(const std::string& path) {
+    if (path.empty()) return Output::none;
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension == ".csv") return Output::csv;
+    if (extension == ".json") return Output::json;
+    throw UsageError("--output", "", "a name that ends in .csv or .json", shown(path));
+}
+
+}  // namespace
+
+std::string fit_measured_files(const MeasuredFitRequest& request, const Progress& progress) {
+    const Output kind = output_kind(request.output);
+    if (kind != Output::none) require_writable(request.output);
+    std::vector<MeasuredFit> fits;
+    std::string text;
+    for (std::size_t i = 0; i < request.inputs.size(); ++i) {
+        const Progress part([&](std::string_view stage, double done) {
+            progress.step(stage, (static_cast<double>(i) + done) /
+                                     static_cast<double>(request.inputs.size()));
+        });
+        fits.push_back(fit_measured(request.inputs[i], request.models, part, request.options));
+        text += fit_lines(fits.back());
+    }
+    if (kind == Output::csv) write_text_file(request.output, fit_csv(fits, request.command));
+    if (kind == Output::json) write_text_file(request.output, fit_json(fits, request.command));
+    return text;
+}
+
+}  // namespace burnish

@@ -1,0 +1,184 @@
+#include "jobs/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+#include <map>
+
+#include "burnish/error.hpp"
+#include "burnish/render.hpp"
+#include "core/files.hpp"
+#include "core/version.hpp"
+#include "image/image_io.hpp"
+#include "plot/sheet.hpp"
+#include "stage/material_parameters.hpp"
+#include "stage/stage.hpp"
+#include "burnish/render_settings.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "gpu/device/context.hpp"
+
+namespace burnish {
+
+namespace {
+
+using Metadata = std::map<std::string, std::string>;
+
+Metadata metadata_of(const RenderRequest& request, const Stage& stage,
+                     const gpu::Context& context) {
+    std::string parameters;
+    for (const auto& [name, value] : stage.values.set_values())
+        parameters += fmt::format("{}{}={}", parameters.empty() ? "" : "; ", name, value);
+    return {{"burnish:version", std::string(version())},
+            {"burnish:command", request.command},
+            {"burnish:parameters", parameters},
+            {"burnish:environment", stage.environment.name},
+            {"burnish:device", context.renderer()}};
+}
+
+void check(const RenderRequest& request) {
+    require_image_extension(request.output);
+    const bool sheet = !request.compare.empty();
+    if (sheet && request.compare.size() < 2)
+        throw UsageError("--compare", "", "two or more methods", "one");
+    if (sheet && request.turntable > 0)
+        throw UsageError("--compare", "", "no --turntable beside it", "both");
+    if (sheet && request.stage.values.is_set("method"))
+        throw UsageError("--compare", "", "no --method beside it", "both");
+    for (const Method method : request.compare)
+        if (std::count(request.compare.begin(), request.compare.end(), method) > 1)
+            throw UsageError("--compare", "", "each method once",
+                             fmt::format("{} again", name_of(method)));
+    if (sheet && holds_linear(request.output))
+        throw UsageError(request.output.string(), "", "a .png, .jpg or .tif for a labelled sheet",
+                         request.output.extension().string());
+}
+
+// What the output cannot hold of what was asked for; empty: nothing.
+std::string warning_of_lost_transparency(const RenderRequest& request, const Stage& stage) {
+    if (stage.settings.background != BackgroundKind::transparent) return "";
+    if (!request.compare.empty()) return "--background transparent: a comparison sheet is opaque";
+    if (holds_alpha(request.output)) return "";
+    return fmt::format(
+        "--background transparent: {} keeps no transparency (.png, .tif and .exr do)",
+        request.output.extension().string());
+}
+
+// Part `index` of `count` equal parts of a longer work.
+Progress part_of(const Progress& whole, std::size_t index, std::size_t count) {
+    return Progress([=](std::string_view stage, double done) {
+        whole.step(stage, (static_cast<double>(index) + done) / static_cast<double>(count));
+    });
+}
+
+void write_result(const std::filesystem::path& path, const Image& linear, const Stage& stage,
+                  const Metadata& metadata) {
+    const bool keep = holds_linear(path);
+    write_image(path, keep ? linear : to_display(linear, stage.exposure_ev, stage.tone_map),
+                metadata);
+}
+
+// Before the first picture of a sheet, not after some of them.
+void require_drawable(const std::vector<Material>& materials, const std::vector<Method>& methods) {
+    for (const Method method : methods)
+        for (const Material& material : materials) require_drawable(material.brdf, method);
+}
+
+void set_method(std::vector<Material>& materials, Method method) {
+    for (Material& material : materials) material.method = method;
+}
+
+// Row 1: the pictures. Row 2: what each changes against the reference, `follow-grain` when it is
+// among them, else the last.
+Sheet comparison_sheet(const std::vector<Method>& methods, const std::vector<Image>& pictures) {
+    const auto grain = std::find(methods.begin(), methods.end(), Method::follow_grain);
+    const std::size_t reference = grain == methods.end()
+                                      ? methods.size() - 1
+                                      : static_cast<std::size_t>(grain - methods.begin());
+    const std::string reference_name(name_of(methods[reference]));
+    const float gain = difference_gain(pictures[reference], pictures);
+    std::vector<std::vector<SheetCell>> rows(2);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        const std::string name(name_of(methods[i]));
+        rows[0].push_back({pictures[i], name});
+        if (i == reference) {
+            rows[1].push_back({Image{}, "differences are against this"});
+            continue;
+        }
+        rows[1].push_back(
+            {difference_image(pictures[reference], pictures[i], gain),
+             fmt::format("{} minus {}, shown x{:g}; RMSE {:.4f}", name, reference_name, gain,
+                         rmse(pictures[i], pictures[reference]))});
+    }
+    return compose_sheet(rows);
+}
+
+void render_comparison(const RenderRequest& request, Stage& stage, gpu::Renderer& renderer,
+                       const Metadata& metadata, const Progress& progress,
+                       std::vector<std::string>& warnings) {
+    std::vector<Image> pictures;
+    for (std::size_t i = 0; i < request.compare.size(); ++i) {
+        set_method(stage.scene.materials, request.compare[i]);
+        renderer.set_materials(stage.scene.materials);
+        const Image linear = renderer.render(stage.camera, stage.settings,
+                                             part_of(progress, i, request.compare.size()));
+        pictures.push_back(to_display(linear, stage.exposure_ev, stage.tone_map));
+    }
+    const Sheet sheet = comparison_sheet(request.compare, pictures);
+    if (!sheet.warning.empty()) warnings.push_back(sheet.warning);
+    write_image(request.output, sheet.image, metadata);
+}
+
+std::vector<std::filesystem::path> render_turntable(const RenderRequest& request,
+                                                    const Stage& stage, gpu::Renderer& renderer,
+                                                    const Metadata& metadata,
+                                                    const Progress& progress) {
+    std::vector<std::filesystem::path> written;
+    const auto frames = static_cast<std::size_t>(request.turntable);
+    for (std::size_t i = 0; i < frames; ++i) {
+        const double angle =
+            glm::two_pi<double>() * static_cast<double>(i) / static_cast<double>(frames);
+        const Image linear = renderer.render(turned(stage.camera, angle), stage.settings,
+                                             part_of(progress, i, frames));
+        written.push_back(numbered(request.output, static_cast<int>(i)));
+        write_result(written.back(), linear, stage, metadata);
+    }
+    return written;
+}
+
+}  // namespace
+
+std::filesystem::path numbered(const std::filesystem::path& path, int number) {
+    return path.parent_path() /
+           fmt::format("{}_{:04d}{}", path.stem().string(), number, path.extension().string());
+}
+
+RenderReport render(const RenderRequest& request, const Progress& progress) {
+    check(request);
+    require_writable(request.output);
+    progress.step("load", 0);
+    Stage stage = set_stage(request.stage, request.turntable > 0);
+    require_drawable(stage.scene.materials, request.compare);
+
+    gpu::Context context(request.gl_device);
+    const bool lit = !stage.environment.radiance.empty();
+    gpu::Renderer renderer(context, stage.scene, lit ? &stage.environment : nullptr);
+    const Metadata metadata = metadata_of(request, stage, context);
+
+    RenderReport report{{}, stage.scene.warnings, context.renderer()};
+    const std::string lost = warning_of_lost_transparency(request, stage);
+    if (!lost.empty()) report.warnings.push_back(lost);
+    if (!request.compare.empty()) {
+        render_comparison(request, stage, renderer, metadata, progress, report.warnings);
+        report.written = {request.output};
+    } else if (request.turntable > 0) {
+        report.written = render_turntable(request, stage, renderer, metadata, progress);
+    } else {
+        write_result(request.output, renderer.render(stage.camera, stage.settings, progress), stage,
+                     metadata);
+        report.written = {request.output};
+    }
+    return report;
+}
+
+}  // namespace burnish

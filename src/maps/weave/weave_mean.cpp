@@ -1,0 +1,131 @@
+#include "maps/weave/weave_mean.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+
+namespace burnish {
+namespace {
+
+using f32::vec2;
+using f32::vec3;
+
+vec3 turned(vec3 w, vec2 by) {
+    return {w.x * by.x - w.y * by.y, w.y * by.x + w.x * by.y, w.z};
+}
+
+vec2 opposite(vec2 turn) {
+    return {turn.x, -turn.y};
+}
+
+// What the mean at one half vector is made of.
+struct Facet {
+    f32::Perturbation p;  // in the fibres' axes
+    vec3 n;               // of cosines, in the yarn's
+    float weight;
+};
+
+std::vector<Facet> facets_of(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe) {
+    const bool along_x = f32::lobe_grooves_along_x(lobe.lobe.mdf, lobe.lobe.p0, lobe.lobe.p1);
+    std::vector<Facet> facets;
+    facets.reserve(slopes.size());
+    for (const WeaveSlope& s : slopes) {
+        const vec3 n = turned(f32::normal_of_slopes(s.along, s.across), opposite(lobe.twist));
+        Facet f;
+        f.p = f32::perturb_make(lobe.method, n, along_x, lobe.conserve);
+        f.n = turned(f.p.n, lobe.twist);
+        f.weight = s.weight;
+        facets.push_back(f);
+    }
+    return facets;
+}
+
+void set_moments(std::span<const Facet> facets, WeaveMean& mean) {
+    double xx = 0, yy = 0, z = 0, along = 0, across = 0, sum = 0;
+    for (const Facet& f : facets) {
+        const double w = f.weight, nx = f.n.x, ny = f.n.y, nz = f.n.z;
+        xx += w * nx * nx;
+        yy += w * ny * ny;
+        z += w * nz;
+        along += w * (nx / nz) * (nx / nz);
+        across += w * (ny / nz) * (ny / nz);
+        sum += w;
+    }
+    if (!(sum > 0)) return;
+    mean.node = {std::sqrt(xx / sum), std::sqrt(yy / sum), z / sum};
+    mean.variance = {along / sum, across / sum};
+}
+
+// Standard deviations of slopes as the table is laid out by: those of the lobe, alpha^2/2, turned
+// by the twist, and of the surface.
+glm::vec2 widths_of(const WeaveLobe& lobe, glm::vec2 variance) {
+    const float ax = f32::lobe_alpha_x(lobe.lobe), ay = f32::lobe_alpha_y(lobe.lobe);
+    const float c2 = lobe.twist.x * lobe.twist.x, s2 = lobe.twist.y * lobe.twist.y;
+    return {std::sqrt(0.5f * (ax * ax * c2 + ay * ay * s2) + variance.x),
+            std::sqrt(0.5f * (ax * ax * s2 + ay * ay * c2) + variance.y)};
+}
+
+std::array<float, 4> texel_at(std::span<const Facet> facets, const WeaveLobe& lobe, vec3 h,
+                              float peak) {
+    const vec3 in_fibres = turned(h, opposite(lobe.twist));
+    double sum = 0, nx = 0, ny = 0;
+    for (const Facet& f : facets) {
+        const f32::LobePoint q = f32::perturb_point(f.p, in_fibres);
+        const auto value =
+            static_cast<double>(f.weight * f32::brdf_lobe_factor(lobe.brdf, lobe.lobe, q));
+        sum += value;
+        nx += value * static_cast<double>(f.n.x);
+        ny += value * static_cast<double>(f.n.y);
+    }
+    if (!(sum > 0)) return {0.0f, 0.0f, 0.0f, 0.0f};
+    return {static_cast<float>(sum) / peak, static_cast<float>(nx / sum),
+            static_cast<float>(ny / sum), 0.0f};
+}
+
+}  // namespace
+
+WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe) {
+    const std::vector<Facet> facets = facets_of(slopes, lobe);
+    WeaveMean mean;
+    set_moments(facets, mean);
+    mean.width = widths_of(lobe, mean.variance);
+    mean.peak = 1.0f / (2.0f * f32::kPi * mean.width.x * mean.width.y);
+    constexpr auto kSide = static_cast<std::size_t>(kWeaveTableSide);
+    mean.table.resize(kSide * kSide);
+    const auto slope = [](std::size_t i, float width) {
+        const float c = static_cast<float>(2 * i + 1) / static_cast<float>(kSide) - 1.0f;
+        return f32::weave_table_slope(c, width);
+    };
+    // h and -h have the same mean, with the opposite normal: slopes come in pairs.
+    parallel_for(kSide * kSide / 2, kSide, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const vec3 h = f32::normalize(
+                vec3(slope(i % kSide, mean.width.x), slope(i / kSide, mean.width.y), 1.0f));
+            const std::array<float, 4> texel = texel_at(facets, lobe, h, mean.peak);
+            mean.table[i] = texel;
+            mean.table[kSide * kSide - 1 - i] = {texel[0], -texel[1], -texel[2], texel[3]};
+        }
+    });
+    return mean;
+}
+
+WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape,
+                     const WeaveLobe& lobe) {
+    const float ax = f32::lobe_alpha_x(lobe.lobe), ay = f32::lobe_alpha_y(lobe.lobe);
+    const float least = std::min(ax, ay);  // the twist may turn either way
+    const float across = 2 * shape.bulge / std::sqrt(1 - shape.bulge * shape.bulge);
+    const float along = 2 * f32::kPi * shape.crimp;
+    // Two to an alpha; the most is what half a second on two cores allows.
+    const auto steps = [&](float range, int most) {
+        return std::clamp(static_cast<int>(std::ceil(2 * range / least)), 4, most);
+    };
+    const int n = steps(across, 32), m = steps(along, 24);
+    // Narrower lobes than the steps are widened by them, or each step would show.
+    const float da = across / static_cast<float>(n), db = along / static_cast<float>(2 * m);
+    WeaveLobe wide = lobe;
+    wide.lobe = f32::widen_lobe(lobe.lobe, db * db / 12, da * da / 12);
+    return weave_mean(weave_slopes(family, shape, n, m), wide);
+}
+
+}  // namespace burnish

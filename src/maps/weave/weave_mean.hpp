@@ -1,0 +1,47 @@
+// What the yarns of one family reflect together, seen from so far that none is told from another:
+// the mean of the lobe over the surface's normals as seen (docs/weave.md).
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "burnish/f32.hpp"
+#include "maps/weave/weave_cells.hpp"
+
+namespace burnish {
+
+inline constexpr int kWeaveTableSide = 96;
+
+// The lobe on every point of the surface, its x axis along the fibres.
+struct WeaveLobe {
+    int brdf = 0;
+    f32::Lobe lobe{};
+    int method = 0;
+    bool conserve = false;
+    f32::vec2 twist{1.0f, 0.0f};  // (cos, sin) of the angle from the yarn to the fibres
+};
+
+// In the yarn's axes: x along it, y across.
+struct WeaveMean {
+    // Of half vectors h, side x side texels over h.x/h.z and h.y/h.z by weave_table_coordinate with
+    // `width`, texel i at coordinate (2 i + 1)/side - 1: the mean over the surface of
+    // brdf_lobe_factor over `peak`, and x, y of the mean normal of what it comes from.
+    std::vector<std::array<float, 4>> table;
+    glm::vec2 width{1.0f};
+    float peak = 1.0f;
+    // Normals of cosines: root mean squares along and across, and the mean of z.
+    glm::vec3 node{0.0f, 0.0f, 1.0f};
+    glm::vec2 variance{0.0f};  // of the slopes
+};
+
+// An empty `slopes` gives a table of zeros. The same on any number of threads.
+WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe);
+
+// The same with as many slopes as the lobe's width asks for.
+WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape,
+                     const WeaveLobe& lobe);
+
+}  // namespace burnish

@@ -1,0 +1,49 @@
+// From a camera, a tile of the picture and a sub-pixel offset to what shaders need.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "burnish/mesh.hpp"
+#include "burnish/scene.hpp"
+
+namespace burnish {
+
+// A rectangle of the picture; y counts upwards from the bottom, as in OpenGL.
+struct Tile {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+// Tiles of at most `side` pixels a side, row by row from the bottom.
+std::vector<Tile> tiles_of(int width, int height, int side);
+
+struct View {
+    glm::mat4 clip_from_world{1.0f};
+    glm::vec4 eye{0.0f};  // position, 1; orthographic: direction to the viewer, 0
+    glm::vec3 ray_center{
+        0.0f};  // of the middle of the tile, and what half its width and height add
+    glm::vec3 ray_x{0.0f};
+    glm::vec3 ray_y{0.0f};
+};
+
+// `offset_px`: where in the pixel to look, (0, 0) its middle. `bounds`: what near and far planes of
+// 0 are chosen from. Throws Error for a camera that has no view (target = position, no field of
+// view).
+View make_view(const Camera& camera, const Bounds& bounds, int width, int height, const Tile& tile,
+               glm::dvec2 offset_px);
+
+// The part of the tile, in its own pixels, that the box can cover: all of it for a box behind the
+// eye.
+Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile);
+
+// Offset of sample `index` under the pixel filter, a triangle of half width 1 pixel: as many
+// samples fall on a place as the filter weighs it. Sample 0 is the middle.
+glm::dvec2 pixel_offset(int index);
+
+}  // namespace burnish

@@ -1,4 +1,0 @@
-// Compiled with -mavx2 -mfma (CMakeLists.txt); called only where the processor has both.
-#define BURNISH_SIMD simd_avx2
-#define BURNISH_KERNELS kMdfKernelsAvx2
-#include "shading/mdf_batch_kernels.inc"

@@ -1,0 +1,262 @@
+#include "stage/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "burnish/error.hpp"
+#include "formats/environments.hpp"
+#include "formats/load_model.hpp"
+#include "scene/geometry/builtin_meshes.hpp"
+#include "stage/material_parameters.hpp"
+#include "stage/normal_map_check.hpp"
+#include "stage/scene_file.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/stage.hpp"
+
+namespace burnish {
+
+namespace {
+
+constexpr double kDefaultLightIntensity = 3.14159265;  // lights a white plate head-on to 1
+
+// +y up; azimuth 0 is +z, 90 degrees is +x (docs/conventions.md).
+glm::vec3 direction_at(double azimuth_deg, double elevation_deg) {
+    const double azimuth = glm::radians(azimuth_deg);
+    const double elevation = glm::radians(elevation_deg);
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+            std::cos(azimuth) * std::cos(elevation)};
+}
+
+std::vector<double> parse_numbers(std::string_view text, std::string_view whole) {
+    std::vector<double> numbers;
+    while (true) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const std::string_view part = text.substr(0, comma);
+        double value = 0;
+        const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
+        if (status != std::errc{} || end != part.data() + part.size() || !std::isfinite(value)) {
+            throw UsageError("--light", "",
+                             "AZIMUTH,ELEVATION[,INTENSITY] or "
+                             "point:X,Y,Z[,INTENSITY]",
+                             shown(whole));
+        }
+        numbers.push_back(value);
+        if (comma == text.size()) return numbers;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+double light_intensity(const std::vector<double>& numbers, std::size_t place) {
+    if (numbers.size() <= place) return kDefaultLightIntensity;
+    const double intensity = numbers[place];
+    if (intensity < 0 || intensity > 1e6)
+        throw UsageError("--light", "intensity", "a number from 0 to 1000000",
+                         fmt::format("{}", intensity));
+    return intensity;
+}
+
+void require_count(const std::vector<double>& numbers, std::size_t least, std::string_view word) {
+    if (numbers.size() == least || numbers.size() == least + 1) return;
+    throw UsageError("--light", "", fmt::format("{} or {} numbers", least, least + 1), shown(word));
+}
+
+bool any_set(const ParameterValues& values, std::initializer_list<std::string_view> names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return values.is_set(name); });
+}
+
+// The least distance from `target` towards `away` (unit) at which every vertex lies within the
+// view, with a little air around it.
+double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, double yfov,
+                        double aspect) {
+    const glm::vec3 up_hint = std::abs(away.y) < 0.999f ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
+    const glm::vec3 right = glm::normalize(glm::cross(up_hint, away));
+    const glm::vec3 up = glm::cross(away, right);
+    constexpr double kAir = 1.06;
+    const double tan_y = std::tan(yfov / 2) / kAir;
+    const double tan_x = tan_y * aspect;
+    double distance = 0;
+    for (const Instance& instance : scene.instances) {
+        for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+            const glm::vec3 v = glm::vec3(instance.transform * glm::vec4(p, 1.0f)) - target;
+            const double depth = glm::dot(v, away);
+            const double reach =
+                std::max(std::abs(glm::dot(v, right)) / tan_x, std::abs(glm::dot(v, up)) / tan_y);
+            distance = std::max(distance, depth + reach);
+        }
+    }
+    return std::max(distance, 1e-6);  // a single point still needs a camera somewhere else
+}
+
+RenderSettings render_settings(const ParameterValues& values) {
+    RenderSettings settings;
+    settings.width = values.integer("width");
+    settings.height = values.integer("height");
+    settings.samples = values.integer("samples");
+    settings.image_light = static_cast<ImageLight>(values.choice("image_light"));
+    settings.image_light_samples = values.integer("image_light_samples");
+    settings.shadows = values.boolean("shadows");
+    settings.ground = values.boolean("ground");
+    settings.environment_intensity = static_cast<float>(values.real("environment_intensity"));
+    settings.environment_rotation =
+        static_cast<float>(glm::radians(values.real("environment_rotation")));
+    settings.background = static_cast<BackgroundKind>(values.choice("background"));
+    settings.background_color = values.vec3("background_color");
+    settings.background_blur = static_cast<float>(values.real("background_blur"));
+    settings.seed = static_cast<unsigned>(values.integer("seed"));
+    return settings;
+}
+
+// Values that others, or the lack of them, keep from mattering.
+void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
+                         std::vector<std::string>& warnings) {
+    const bool shows_environment =
+        values.choice("background") == static_cast<int>(BackgroundKind::environment) &&
+        !environment.radiance.pixels.empty();
+    if (values.is_set("background_color") && shows_environment)
+        warnings.push_back(
+            "background_color: the environment stands before it: nothing changes "
+            "(--background color)");
+    if (values.is_set("camera_position") &&
+        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
+        warnings.push_back(
+            "camera_position: it holds; azimuth, elevation and distance change nothing");
+    if (values.is_set("scratch_direction") && !values.is_set("scratch"))
+        warnings.push_back("scratch_direction: there is no scratch map: nothing changes");
+}
+
+Environment load_environment_of(const StageRequest& request, const std::string& of_file) {
+    const std::string& name = request.environment.empty() ? of_file : request.environment;
+    if (name == "none") return {};
+    if (name.empty()) return load_environment(std::string(kDefaultEnvironment));
+    if (!request.environment.empty()) return load_environment(name);
+    try {
+        return load_environment(name);
+    } catch (const Error& error) {
+        throw Error(request.input + ": environment: " + error.what());
+    }
+}
+
+}  // namespace
+
+Light parse_light(std::string_view word) {
+    constexpr std::string_view kPoint = "point:";
+    Light light;
+    if (word.starts_with(kPoint)) {
+        const std::vector<double> n = parse_numbers(word.substr(kPoint.size()), word);
+        require_count(n, 3, word);
+        light.type = LightType::point;
+        light.position = {n[0], n[1], n[2]};
+        light.intensity = static_cast<float>(light_intensity(n, 3));
+    } else {
+        const std::vector<double> n = parse_numbers(word, word);
+        require_count(n, 2, word);
+        if (std::abs(n[1]) > 90.0)
+            throw UsageError("--light", "elevation", "a number from -90 to 90",
+                             fmt::format("{:g}", n[1]));
+        light.type = LightType::directional;
+        light.direction = -direction_at(n[0], n[1]);
+        light.intensity = static_cast<float>(light_intensity(n, 2));
+    }
+    return light;
+}
+
+Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect,
+                    bool all_around) {
+    if (values.is_set("camera_index")) {
+        const int index = values.integer("camera_index");
+        const std::size_t count = scene.cameras.size();
+        if (count == 0) throw UsageError("--camera-index: the file has no cameras");
+        if (index >= static_cast<int>(count))
+            throw UsageError("--camera-index", "", fmt::format("at most {}", count - 1),
+                             std::to_string(index));
+        return scene.cameras[static_cast<std::size_t>(index)];
+    }
+    const bool asked = any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance",
+                                        "camera_fov", "camera_position", "camera_target"});
+    if (!asked && !scene.cameras.empty()) return scene.cameras.front();
+
+    Camera camera;
+    const Bounds bounds = bounds_of(scene);
+    camera.yfov = static_cast<float>(glm::radians(values.real("camera_fov")));
+    camera.target = values.is_set("camera_target") ? values.vec3("camera_target") : bounds.center();
+    if (values.is_set("camera_position")) {
+        camera.position = values.vec3("camera_position");
+    } else {
+        const double azimuth = values.real("camera_azimuth");
+        const double elevation = values.real("camera_elevation");
+        const glm::vec3 away = direction_at(azimuth, elevation);
+        double distance = 0;
+        if (values.is_set("camera_distance")) {
+            distance = values.real("camera_distance");
+        } else {
+            const int views = all_around ? 24 : 1;
+            for (int i = 0; i < views; ++i) {
+                const glm::vec3 from = direction_at(azimuth + 360.0 * i / views, elevation);
+                distance = std::max(
+                    distance, framing_distance(scene, camera.target, from, camera.yfov, aspect));
+            }
+        }
+        camera.position = camera.target + static_cast<float>(distance) * away;
+    }
+    const glm::vec3 view = camera.target - camera.position;
+    if (glm::dot(view, view) == 0.0f)
+        throw UsageError("--camera-position", "", "a place other than the target", "the target");
+    // Looking straight up or down, +y is no up: -z is, as on a map.
+    if (glm::length(glm::cross(glm::normalize(view), camera.up)) < 1e-4f)
+        camera.up = {0.0f, 0.0f, view.y > 0 ? 1.0f : -1.0f};
+    return camera;
+}
+
+Camera turned(const Camera& camera, double angle_rad) {
+    const auto c = static_cast<float>(std::cos(angle_rad));
+    const auto s = static_cast<float>(std::sin(angle_rad));
+    const auto turn = [&](glm::vec3 v) {
+        return glm::vec3{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+    };
+    Camera result = camera;
+    result.position = camera.target + turn(camera.position - camera.target);
+    result.up = turn(camera.up);
+    return result;
+}
+
+Stage set_stage(const StageRequest& request, bool all_around) {
+    require_one_roughness(request.values, true);
+    Stage stage;
+    std::string environment;
+    if (!is_builtin(request.input) && is_scene_file(request.input)) {
+        SceneFile file = load_scene_file(request.input);
+        stage.scene = std::move(file.scene);
+        stage.values = std::move(file.values);
+        environment = file.environment;
+        stage.values.merge(request.values);
+    } else {
+        stage.values = request.values;
+        stage.scene = load_model(request.input, stage.values.integer("triangles"));
+    }
+    apply_material_parameters(stage.scene, stage.values);
+    warn_of_odd_normal_maps(stage.scene);
+    if (stage.scene.instances.empty())
+        throw Error(request.input, "", "something to draw", "no triangles");
+    if (!request.lights.empty()) {
+        stage.scene.lights.clear();
+        for (const std::string& word : request.lights)
+            if (word != "none") stage.scene.lights.push_back(parse_light(word));
+    }
+    stage.environment = load_environment_of(request, environment);
+    stage.settings = render_settings(stage.values);
+    warn_of_idle_values(stage.values, stage.environment, stage.scene.warnings);
+    stage.camera =
+        place_camera(stage.scene, stage.values,
+                     static_cast<double>(stage.settings.width) / stage.settings.height, all_around);
+    stage.exposure_ev = stage.values.real("exposure");
+    stage.tone_map = static_cast<ToneMap>(stage.values.choice("tone_map"));
+    return stage;
+}
+
+}  // namespace burnish

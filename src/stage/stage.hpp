@@ -1,0 +1,41 @@
+// Setting the stage: from what a person asked for (a file, parameters, lights) to a scene, an
+// environment, a camera and render settings that renderers can take.
+#pragma once
+
+#include <string_view>
+
+#include "burnish/parameters.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/scene.hpp"
+#include "burnish/stage.hpp"
+#include "image/display.hpp"
+
+namespace burnish {
+
+inline constexpr std::string_view kDefaultEnvironment = "builtin:studio";
+
+struct Stage {
+    Scene scene;
+    Environment environment;  // empty radiance: none
+    ParameterValues values;   // everything that was set, for metadata
+    Camera camera;
+    RenderSettings settings;
+    double exposure_ev = 0;
+    ToneMap tone_map = ToneMap::khronos_neutral;
+};
+
+// `all_around`: a framed camera keeps its distance for a full turn.
+Stage set_stage(const StageRequest& request, bool all_around = false);
+
+// A light in one word: "AZIMUTH,ELEVATION[,INTENSITY]" (degrees, as the camera's; a directional
+// light of that many lux) or "point:X,Y,Z[,INTENSITY]" (metres, candela). Throws UsageError.
+Light parse_light(std::string_view word);
+
+// The camera that the parameters ask for, or one that frames the scene.
+Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect,
+                    bool all_around = false);
+
+// `camera` turned about the vertical axis through its target.
+Camera turned(const Camera& camera, double angle_rad);
+
+}  // namespace burnish
