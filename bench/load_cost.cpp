@@ -8,7 +8,7 @@
 
 #include "formats/gltf/gltf.hpp"
 #include "report.hpp"
-#include "scene/glb_writer.hpp"
+#include "support/glb_writer.hpp"
 
 namespace burnish::bench {
 

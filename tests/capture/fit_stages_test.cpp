@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
-#include "../cli/program.hpp"
 #include "burnish/error.hpp"
 #include "capture/solve/capture_fit.hpp"
+#include "support/program.hpp"
 #include "truth_metrics.hpp"
 
 namespace burnish::test {

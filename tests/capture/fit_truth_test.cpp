@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <numbers>
 
-#include "../cli/program.hpp"
 #include "capture/model/parametric_fit.hpp"
 #include "capture/solve/capture_fit.hpp"
+#include "support/program.hpp"
 #include "truth_metrics.hpp"
 
 namespace burnish::test {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "../scene/support.hpp"
 #include "ball_support.hpp"
 #include "image/image_io.hpp"
+#include "support/test_folder.hpp"
 
 namespace burnish {
 namespace {

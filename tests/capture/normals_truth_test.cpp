@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "../cli/program.hpp"
 #include "capture/judge/held_out.hpp"
 #include "capture/solve/capture_fit.hpp"
 #include "capture/solve/peak_normal.hpp"
+#include "support/program.hpp"
 #include "truth_metrics.hpp"
 
 namespace burnish::test {

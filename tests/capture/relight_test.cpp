@@ -9,9 +9,9 @@
 #include <limits>
 #include <numbers>
 
-#include "../cli/program.hpp"
 #include "capture/judge/relight_compare.hpp"
 #include "image/image_io.hpp"
+#include "support/program.hpp"
 #include "tabulate_sample.hpp"
 #include "truth_metrics.hpp"
 

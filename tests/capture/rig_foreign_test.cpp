@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "../scene/support.hpp"
 #include "capture/rig/rig.hpp"
 #include "image/image_io.hpp"
+#include "support/test_folder.hpp"
 
 namespace burnish {
 namespace {

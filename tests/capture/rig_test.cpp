@@ -6,8 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "../scene/support.hpp"
 #include "image/image_io.hpp"
+#include "support/paths.hpp"
+#include "support/test_folder.hpp"
 
 namespace burnish {
 namespace {
@@ -62,7 +63,7 @@ void draw(const ScratchFolder& folder, std::string_view name, int width = 4, int
 }
 
 TEST(RigJson, ManualsExampleReads) {
-    std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/rig.md");
+    std::ifstream file(test::source_folder() / "docs/rig.md");
     const std::string manual(std::istreambuf_iterator<char>(file), {});
     const std::size_t start = manual.find("```json\n") + 8;
     const Rig rig = read(manual.substr(start, manual.find("```", start) - start));

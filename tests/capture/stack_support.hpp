@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "../scene/support.hpp"
 #include "capture/stack/image_stack.hpp"
 #include "image/image_io.hpp"
+#include "support/test_folder.hpp"
 #include "table_support.hpp"
 
 namespace burnish::test {

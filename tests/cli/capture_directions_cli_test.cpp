@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <regex>
 
-#include "../capture/ball_support.hpp"
+#include "capture/ball_support.hpp"
 #include "capture/rig/rig.hpp"
 #include "image/image_io.hpp"
 #include "jobs/capture/capture_directions.hpp"
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -9,11 +9,11 @@
 #include <numbers>
 #include <sstream>
 
-#include "../capture/tabulate_sample.hpp"
 #include "capture/judge/relight.hpp"
-#include "image/image_io.hpp"
-#include "program.hpp"
+#include "capture/tabulate_sample.hpp"
 #include "formats/tabulated/tabulated_file.hpp"
+#include "image/image_io.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "formats/tabulated/tabulated_file.hpp"
-#include "program.hpp"
 #include "scene/material/tabulated_material.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "jobs/models/eval.hpp"
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "make_cases.hpp"
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

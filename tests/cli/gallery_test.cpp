@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "image/image_io.hpp"
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "../scene/bsdf_writer.hpp"
-#include "program.hpp"
+#include "support/bsdf_writer.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

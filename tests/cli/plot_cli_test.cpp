@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "image/image_io.hpp"
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "image/image_io.hpp"
-#include "program.hpp"
+#include "support/paths.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {
@@ -82,8 +83,7 @@ TEST(RenderCommand, TurnsTheTable) {
 
 TEST(RenderCommand, RendersTheExampleScenes) {
     const Folder folder;
-    for (const auto& entry :
-         fs::directory_iterator(fs::path(BURNISH_SOURCE_DIR) / "examples/scenes")) {
+    for (const auto& entry : fs::directory_iterator(test::source_folder() / "examples/scenes")) {
         const std::string out = folder.path(entry.path().stem().string() + ".png");
         const Outcome outcome = run_burnish(render({entry.path().string()}, out));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
@@ -267,7 +267,7 @@ TEST(InfoCommand, SaysWhatThereIs) {
 
 TEST(InfoCommand, SaysWhatASceneFileSays) {
     const Outcome cup = run_burnish(
-        {"info", (fs::path(BURNISH_SOURCE_DIR) / "examples/scenes/brushed_cup.json").string()});
+        {"info", (test::source_folder() / "examples/scenes/brushed_cup.json").string()});
     EXPECT_EQ(cup.exit_code, 0);
     for (const char* part : {"material turned copper: metal copper, alpha (0.08, 0.35)",
                              "environment: builtin:studio", "camera of the picture: at ("})

@@ -5,7 +5,7 @@
 
 #include "image/image_io.hpp"
 #include "jobs/maps/scratch.hpp"
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

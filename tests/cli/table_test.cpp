@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jobs/models/eval.hpp"
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "formats/tabulated/tabulated_file.hpp"
 #include "image/image_io.hpp"
-#include "program.hpp"
 #include "scene/material/tabulated_material.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

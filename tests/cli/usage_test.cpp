@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {

@@ -10,7 +10,8 @@
 
 #include "formats/wif/wif.hpp"
 #include "image/image_io.hpp"
-#include "program.hpp"
+#include "support/paths.hpp"
+#include "support/program.hpp"
 
 namespace burnish::test {
 namespace {
@@ -19,7 +20,7 @@ const std::vector<std::string> kFiles = {"color.png",  "direction.png", "draft.w
                                          "height.exr", "height.png",    "id.png",
                                          "normal.png", "preview.png",   "weave.json"};
 
-const std::string kExamples = BURNISH_SOURCE_DIR "/examples/weaves/";
+const std::string kExamples = test::source_folder().string() + "/examples/weaves/";
 
 Outcome weave(std::vector<std::string> arguments, const Surroundings& around = {}) {
     arguments.insert(arguments.begin(), "weave");

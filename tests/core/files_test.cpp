@@ -11,7 +11,7 @@
 
 #include "burnish/error.hpp"
 #include "image/image_io.hpp"
-#include "samples.hpp"
+#include "support/samples.hpp"
 
 namespace burnish::test {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <span>
 
-#include "../scene/glb_writer.hpp"
 #include "core/files.hpp"
 #include "image/image_io.hpp"
 #include "seeds.hpp"
+#include "support/glb_writer.hpp"
 
 namespace burnish::fuzz {
 namespace {

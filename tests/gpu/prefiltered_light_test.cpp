@@ -7,22 +7,20 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "burnish/render_settings.hpp"
 #include "formats/environments.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "gpu/upload/albedo_table.hpp"
 #include "gpu_fixture.hpp"
-#include "test_scene.hpp"
 #include "models/albedo_table.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "support/paths.hpp"
+#include "test_scene.hpp"
 
 namespace burnish::test {
 namespace {
 
 std::filesystem::path environment_folder() {
-    const char* data = std::getenv("BURNISH_DATA");
-    const std::filesystem::path root =
-        data != nullptr ? data : BURNISH_SOURCE_DIR "/../shared/data";
-    return root / "environments";
+    return data_folder() / "environments";
 }
 
 // A white metal under a normal map of one texel, 45 degrees along (0.8, 0.6): normal_scale tilts.

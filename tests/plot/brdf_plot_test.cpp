@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "plot/surface_mesh.hpp"
+#include "support/paths.hpp"
 
 namespace burnish::plot {
 namespace {
@@ -89,7 +90,7 @@ TEST(BrdfPlot, TheDrawnLineLiesAtF) {
 // docs/correctness.md: "| ward-gmd (1, 0.15, 0.4) | x, y | ..." at these angles.
 TEST(BrdfPlot, AlbedoCurvesAreTheTabulatedNumbers) {
     const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 80, 85};
-    std::ifstream file(std::string(BURNISH_SOURCE_DIR) + "/docs/correctness.md");
+    std::ifstream file(test::source_folder() / "docs/correctness.md");
     std::string line;
     while (std::getline(file, line) && line.find("### Albedo over the angle") == line.npos) {
     }

@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "scene/geometry/builtin_meshes.hpp"
-#include "support.hpp"
+#include "support/test_folder.hpp"
 
 namespace burnish {
 namespace {

@@ -15,8 +15,8 @@
 #include <random>
 
 #include "formats/gltf/gltf.hpp"
-#include "glb_writer.hpp"
-#include "support.hpp"
+#include "support/glb_writer.hpp"
+#include "support/test_folder.hpp"
 
 namespace burnish {
 namespace {

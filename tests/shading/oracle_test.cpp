@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lobes_under_test.hpp"
-#include "mdf_oracle_support.hpp"
+#include "models/mdf_oracle_support.hpp"
 #include "oracle/make_cases.hpp"
 
 namespace burnish::test {

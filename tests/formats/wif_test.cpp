@@ -1,0 +1,393 @@
+// WIF files against drafts worked out by hand, back and forth, and what is refused.
+#include "formats/wif/wif.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "core/files.hpp"
+#include "support/paths.hpp"
+#include "support/test_folder.hpp"
+
+namespace burnish {
+namespace {
+
+using test::error_line;
+using test::ScratchFolder;
+
+// Sections by name; a test changes one and leaves the others.
+using Sections = std::map<std::string, std::string>;
+
+// Three ends on three shafts, three picks, by treadles.
+Sections small() {
+    return {
+        {"WIF", "Version=1.1\n"},         {"WEAVING", "Shafts=3\nTreadles=3\nRising Shed=yes\n"},
+        {"WARP", "Threads=3\n"},          {"WEFT", "Threads=3\n"},
+        {"THREADING", "1=1\n2=2\n3=3\n"}, {"TIEUP", "1=1,2\n2=3\n3=1,3\n"},
+        {"TREADLING", "1=1\n2=2\n3=3\n"}};
+}
+
+std::string text_of(const Sections& sections) {
+    std::string text = "[WIF]\n" + sections.at("WIF");
+    for (const auto& [name, lines] : sections)
+        if (name != "WIF") text += "\n[" + name + "]\n" + lines;
+    return text;
+}
+
+WifFile read(const std::string& text) {
+    const ScratchFolder folder;
+    return read_wif(folder.write("cloth.wif", text));
+}
+
+std::string complaint(const std::string& text) {
+    const ScratchFolder folder;
+    const auto path = folder.write("cloth.wif", text);
+    std::string line = error_line([&] { read_wif(path); });
+    EXPECT_EQ(line.find(path.string()), 0u) << line;  // names the file first
+    return line.substr(std::min(line.size(), path.string().size()));
+}
+
+// Rows from the bottom, as the picks come: "#.." is an end up and two down.
+std::string drawn(const Draft& draft) {
+    std::string text;
+    for (int pick = 0; pick < draft.picks; ++pick) {
+        for (int end = 0; end < draft.ends; ++end) text += draft.is_warp_up(end, pick) ? '#' : '.';
+        text += ' ';
+    }
+    return text;
+}
+
+bool has(const std::vector<std::string>& warnings, const std::string& part) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+        return warning.find(part) != std::string::npos;
+    });
+}
+
+TEST(Wif, TreadlesMoveTheShaftsTheyAreTiedTo) {
+    // By hand: pick 1 lifts shafts 1 2, pick 2 shaft 3, pick 3 shafts 1 3; end n is on shaft n.
+    const WifFile file = read(text_of(small()));
+    EXPECT_EQ(drawn(file.draft), "##. ..# #.# ");
+    EXPECT_EQ(file.draft.name, "cloth");
+    EXPECT_EQ(file.shafts, 3);
+    EXPECT_EQ(file.treadles, 3);
+    EXPECT_FALSE(file.has_liftplan);
+    EXPECT_TRUE(file.draft.warp_colours.empty());
+    EXPECT_TRUE(file.warnings.empty()) << file.warnings.front();
+}
+
+TEST(Wif, ASinkingShedShowsTheOtherFace) {
+    Sections sections = small();
+    sections["WEAVING"] = "Shafts=3\nTreadles=3\nRising Shed=off\n";
+    EXPECT_EQ(drawn(read(text_of(sections)).draft), "..# ##. .#. ");
+    sections["WEAVING"] = "Shafts=3\nTreadles=3\n";
+    const WifFile silent = read(text_of(sections));
+    EXPECT_EQ(drawn(silent.draft), "##. ..# #.# ");
+    EXPECT_TRUE(has(silent.warnings, "Rising Shed"));
+}
+
+TEST(Wif, SeveralTreadlesSeveralShaftsAndNone) {
+    Sections sections = small();
+    sections["THREADING"] = "3=3\n1=1,2\n";      // end 2 on no shaft, end 1 on two; any order
+    sections["TREADLING"] = "1=2,1\n2=0\n3=\n";  // both; none; none
+    const WifFile file = read(text_of(sections));
+    EXPECT_EQ(drawn(file.draft), "#.# ... ... ");
+    EXPECT_TRUE(has(file.warnings, "1 warp threads are on no shaft"));
+    EXPECT_TRUE(has(file.warnings, "2 picks move no shaft"));
+    EXPECT_TRUE(has(file.warnings, "nothing holds 1 of the ends and 2 of the picks"));
+}
+
+TEST(Wif, ALiftPlanNamesTheShaftsItself) {
+    Sections sections = small();
+    sections.erase("TIEUP");
+    sections.erase("TREADLING");
+    sections["LIFTPLAN"] = "1=1\n2=2,3\n3=1,2,3\n";
+    const WifFile file = read(text_of(sections));
+    EXPECT_EQ(drawn(file.draft), "#.. .## ### ");
+    EXPECT_TRUE(file.has_liftplan);
+    // Beside a treadling it must say the same.
+    sections = small();
+    sections["LIFTPLAN"] = "1=1,2\n2=3\n3=1,3\n";
+    EXPECT_EQ(drawn(read(text_of(sections)).draft), "##. ..# #.# ");
+    sections["LIFTPLAN"] = "1=1,2\n2=2\n3=1,3\n";
+    EXPECT_EQ(
+        complaint(text_of(sections)),
+        ": pick 2: expected [LIFTPLAN] and [TREADLING] to move the same shafts, found others");
+}
+
+TEST(Wif, LettersLineEndsCommentsAndOtherSectionsDoNotMatter) {
+    const std::string text =
+        "\xEF\xBB\xBF; made by hand\r\n  [ wif ] ; first\r\nversion=1.1\r\n"
+        "[Private Loom Stuff]\r\nno key here\r\n1=1\r\n"
+        "[weaving]\rshafts = 3 ; on the loom\rTREADLES=3\rrising shed=TRUE;\r"
+        "[warp]\nthreads=3\n\n[weft]\nThreads=\t3\n[Threading]\n;1=3\n1=1\n2=2\n3=3 ; last\n"
+        "[TieUp]\n1= 1 , 2\n2=3\n3=1,3\n[treadling]\n1=1\n2=2\n3=3\n[text]\n"
+        "Title=A cloth; mine\n\x1A";
+    const WifFile file = read(text);
+    EXPECT_EQ(drawn(file.draft), "##. ..# #.# ");
+    EXPECT_EQ(file.draft.name, "A cloth; mine");  // words keep their semicolons
+}
+
+// Values are as free in case as keys, and may have a comment behind them.
+TEST(Wif, WordsMayBeInAnyCaseAndCommented) {
+    Sections sections = small();
+    sections["WIF"] = "Version=1.1 ; of 1997\n";
+    sections["CONTENTS"] = "WEFT COLORS=Yes ; announced, not there\n";
+    sections["COLOR PALETTE"] = "Entries=1\nForm=rgb ; screen\nRange=0,255\n";
+    sections["COLOR TABLE"] = "1=255,0,0\n";
+    sections["WARP"] = "Threads=3\nColor=1\nUnits=INCHES ; the same spacing\nSpacing=0.1\n";
+    sections["WEFT"] = "Threads=3\nUnits=centimeters;\nSpacing=0.254\n";
+    const WifFile file = read(text_of(sections));
+    ASSERT_EQ(file.warnings.size(), 1u) << file.warnings.back();
+    EXPECT_EQ(file.warnings[0], "[CONTENTS] announces [WEFT COLORS], which is not there");
+    ASSERT_EQ(file.draft.warp_colours.size(), 3u);
+    EXPECT_EQ(file.draft.warp_colours[0], glm::vec3(1.0f, 0.0f, 0.0f));
+    sections["COLOR PALETTE"] = "Entries=1\nForm=hsv\nRange=0,255\n";
+    EXPECT_NE(complaint(text_of(sections)).find("Form, line"), std::string::npos);
+}
+
+TEST(Wif, IsToldByItsNameOrByItsFirstSection) {
+    const ScratchFolder folder;
+    EXPECT_TRUE(is_wif_file(folder.write("a.txt", "; cloth\n [ wif ] ; first\nVersion=1.1\n")));
+    EXPECT_FALSE(is_wif_file(folder.write("b.txt", "[WEAVING]\nShafts=2\n[WIF]\n")));
+    EXPECT_FALSE(is_wif_file(folder.write("c.txt", "[WIF\n")));
+    // A broken one is told as such by its name.
+    EXPECT_TRUE(is_wif_file(folder.write("d.WIF", "")));
+    EXPECT_TRUE(is_wif_file(folder.write("e.wif", std::string(1, '\0'))));
+}
+
+TEST(Wif, ColoursAreThoseOfAScreenInAnyRange) {
+    // The sRGB curve by its definition (IEC 61966-2-1).
+    const auto linear = [](double v) {
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    Sections sections = small();
+    sections["COLOR PALETTE"] = "Entries=3\nForm=RGB\nRange=-100,900\n";
+    sections["COLOR TABLE"] = "1=-100,400,900\n3=-80,0,150\n";
+    sections["WARP"] = "Threads=3\nColor=3\n";
+    sections["WARP COLORS"] = "2=1,255,0,0\n";  // older files write the colour behind its number
+    const WifFile file = read(text_of(sections));
+    EXPECT_EQ(file.colours, 3);
+    ASSERT_EQ(file.draft.warp_colours.size(), 3u);
+    EXPECT_TRUE(file.draft.weft_colours.empty());
+    const double expected[3][3] = {{0.02, 0.1, 0.25}, {0.0, 0.5, 1.0}, {0.02, 0.1, 0.25}};
+    for (std::size_t end = 0; end < 3; ++end)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(static_cast<double>(file.draft.warp_colours[end][c]),
+                        linear(expected[end][c]), 1e-6)
+                << end << c;
+}
+
+TEST(Wif, ColoursThatLackSomethingAreNamed) {
+    Sections sections = small();
+    sections["WEFT COLORS"] = "1=1\n";
+    EXPECT_TRUE(has(read(text_of(sections)).warnings, "no [COLOR TABLE]"));
+    sections["COLOR TABLE"] = "1=0,0,0\n";
+    EXPECT_NE(complaint(text_of(sections)).find("[COLOR PALETTE] Entries"), std::string::npos);
+    sections["COLOR PALETTE"] = "Entries=2\n";
+    EXPECT_NE(complaint(text_of(sections)).find("[COLOR PALETTE] Range"), std::string::npos);
+    sections["COLOR PALETTE"] = "Entries=2\nRange=255,0\n";
+    EXPECT_NE(complaint(text_of(sections)).find("\"255,0\""), std::string::npos);
+    sections["COLOR PALETTE"] = "Entries=2\nRange=0,255\n";
+    EXPECT_EQ(
+        complaint(text_of(sections)),
+        ": [WEFT] thread 2: expected a colour of [COLOR TABLE], found none, and no Color= for "
+        "all of them");
+    sections["WEFT"] = "Threads=3\nColor=2\n";
+    EXPECT_NE(complaint(text_of(sections)).find("found 2, which it lacks"), std::string::npos);
+    sections["COLOR TABLE"] = "1=0,0\n";
+    EXPECT_NE(complaint(text_of(sections)).find("[COLOR TABLE] 1, line"), std::string::npos);
+    sections["COLOR TABLE"] = "1=0,0,256\n";
+    EXPECT_NE(complaint(text_of(sections)).find("Range of [COLOR PALETTE], found \"256\""),
+              std::string::npos);
+    sections["COLOR TABLE"] = "3=0,0,0\n";
+    EXPECT_NE(complaint(text_of(sections)).find("Entries of [COLOR PALETTE], found \"3\""),
+              std::string::npos);
+}
+
+TEST(Wif, WhatIsNotDrawnIsSaidOnce) {
+    Sections sections = small();
+    sections["WARP"] = "Threads=3\nUnits=Centimeters\nSpacing=0.254\nThickness=1\n";
+    sections["WEFT"] = "Threads=3\nUnits=Inches\nSpacing=0.1\n";  // the same
+    EXPECT_TRUE(read(text_of(sections)).warnings.empty());
+    sections["WEFT"] = "Threads=3\nUnits=Decipoints\nSpacing=100\n";
+    EXPECT_TRUE(has(read(text_of(sections)).warnings, "Spacing differs"));
+    sections["WEFT"] = "Threads=3\n";
+    sections["WARP SPACING"] = "1=0.254\n";
+    sections["WARP THICKNESS"] = "1=1\n2=2\n3=3\n";
+    const WifFile file = read(text_of(sections));
+    ASSERT_EQ(file.warnings.size(), 1u);
+    EXPECT_EQ(file.warnings[0], "Thickness differs from yarn to yarn: all are drawn alike");
+    sections = small();
+    sections["WIF"] = "Version=2.0\n";
+    EXPECT_TRUE(has(read(text_of(sections)).warnings, "\"2.0\""));
+    sections = small();
+    sections["CONTENTS"] = "COLOR TABLE=yes\nWARP COLORS=0\n";
+    const WifFile cut = read(text_of(sections));
+    ASSERT_EQ(cut.warnings.size(), 1u);
+    EXPECT_TRUE(has(cut.warnings, "announces [COLOR TABLE]"));
+}
+
+TEST(Wif, BrokenFilesAreRefusedByFileSectionKeyAndLine) {
+    const struct {
+        std::string section, lines, says;
+    } cases[] = {
+        {"WEAVING", "", "[WEAVING] Shafts: expected a whole number from 1 to 4096"},
+        {"WEAVING", "Shafts=0\n", "[WEAVING] Shafts, line"},
+        {"WEAVING", "Shafts=many\n", "found \"many\""},
+        {"WEAVING", "Shafts=99999999999999999999\n", "found \"99999999999999999999\""},
+        {"WEAVING", "Shafts=3\nShafts=4\n", "expected it once"},
+        {"WEAVING", "Shafts=3\nTreadles=-1\n", "from 0 to 4096, found \"-1\""},
+        {"WEAVING", "Shafts=3\n", "[WEAVING] Treadles: expected a whole number from 1"},
+        {"WEAVING", "Shafts=3\nTreadles=3\nRising Shed=maybe\n", "expected true, on, yes"},
+        {"WARP", "Threads=0\n", "from 1 to 4096, found \"0\""},
+        {"WARP", "Threads=2000000000\n", "from 1 to 4096"},
+        {"WARP", "Threads=2\n", "Threads of [WARP], found \"3\""},
+        {"WEFT", "Color=1\n",
+         "[WEFT] Threads: expected a whole number from 1 to 4096, found no such"},
+        {"THREADING", "", "expected a section [THREADING]"},
+        {"THREADING", "0=1\n", "numbers from 1 to 3, Threads of [WARP], found \"0\""},
+        {"THREADING", "1=4\n", "Shafts of [WEAVING], found \"4\""},
+        {"THREADING", "1=1\n1=2\n", "expected each number once"},
+        {"THREADING", "1=1;2\n2=1,,2\n", "[THREADING] 2, line"},
+        {"THREADING", "one=1\n", "found \"one\""},
+        {"THREADING", "1\n", "expected [SECTION] or key=value, found \"1\""},
+        {"TIEUP", "4=1\n", "Treadles of [WEAVING], found \"4\""},
+        {"TIEUP", "", "expected [LIFTPLAN], or [TIEUP] and [TREADLING], found [TREADLING] alone"},
+        {"TREADLING", "1=4\n", "Treadles of [WEAVING], found \"4\""},
+        {"TREADLING", "4=1\n", "Threads of [WEFT], found \"4\""},
+        {"TREADLING", "", "found [TIEUP] alone"},
+        {"TREADLING", "1=1\n[TREADLING]\n", "expected [TREADLING] once"},
+        {"TREADLING", "1=1\n[BROKEN\n", "expected [SECTION], found \"[BROKEN\""},
+    };
+    for (const auto& c : cases) {
+        Sections sections = small();
+        sections[c.section] = c.lines;
+        const std::string said = complaint(text_of(sections));
+        EXPECT_NE(said.find(c.says), std::string::npos) << c.section << "\n" << c.lines << said;
+    }
+    Sections neither = small();
+    neither.erase("TIEUP");
+    neither.erase("TREADLING");
+    EXPECT_NE(complaint(text_of(neither)).find("found none of them"), std::string::npos);
+    for (const char* missing : {"WEAVING", "WARP", "WEFT"}) {
+        Sections sections = small();
+        sections.erase(missing);
+        EXPECT_NE(complaint(text_of(sections)).find("no such section"), std::string::npos);
+    }
+}
+
+TEST(Wif, SizesAreRefusedBeforeAnythingIsMade) {
+    Sections sections = small();
+    sections["WARP"] = "Threads=4096\n";
+    sections["WEFT"] = "Threads=4096\n";
+    EXPECT_EQ(complaint(text_of(sections)),
+              ": size: expected at most 1048576 crossings, found 4096 ends x 4096 picks");
+}
+
+TEST(Wif, WhatIsNoTextIsRefused) {
+    const std::string good = text_of(small());
+    EXPECT_NE(complaint("").find("an empty file"), std::string::npos);
+    EXPECT_NE(complaint("hello\n").find("[WIF] before anything else"), std::string::npos);
+    EXPECT_NE(complaint("[WEAVING]\nShafts=3\n").find("section [WIF], found none"),
+              std::string::npos);
+    EXPECT_NE(complaint("\xFF\xFE[\0W\0" + good).find("UTF-16"), std::string::npos);
+    EXPECT_NE(complaint(good + std::string(1, '\0')).find("a NUL byte"), std::string::npos);
+    EXPECT_NE(complaint(good + "\x01\x02").find("a byte 0x01"), std::string::npos);
+    EXPECT_NE(complaint(good + std::string(70000, '1')).find("at most 65536 bytes, found 70000"),
+              std::string::npos);
+    EXPECT_NE(complaint(std::string(std::size_t{9} << 20, '\n')).find("expected"),
+              std::string::npos);
+    std::string many = "1=1";
+    for (int i = 0; i < 4096; ++i) many += ",1";
+    Sections sections = small();
+    sections["THREADING"] = many + "\n";
+    EXPECT_NE(complaint(text_of(sections)).find("at most 4096 numbers"), std::string::npos);
+}
+
+TEST(Wif, CutAnywhereItIsADraftOrOneLine) {
+    const std::string whole =
+        read_text_file(test::source_folder() / "examples" / "weaves" / "satin-stripe.wif");
+    const ScratchFolder folder;
+    int refused = 0;
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        const auto path = folder.write("cut.wif", whole.substr(0, length));
+        try {
+            check_draft(read_wif(path).draft, "cut");
+        } catch (const Error& error) {
+            ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+            ++refused;
+        }
+    }
+    // Everything before the first line of the last section is needed.
+    EXPECT_GE(refused, static_cast<int>(whole.find("[TREADLING]")));
+}
+
+// Random drafts, written and read again: cells exactly, colours to half an 8-bit code.
+TEST(Wif, WrittenDraftsReadBack) {
+    std::mt19937 random(7);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    for (int round = 0; round < 40; ++round) {
+        Draft draft;
+        draft.name = "round " + std::to_string(round);
+        draft.ends = 1 + below(30);
+        draft.picks = 1 + below(30);
+        for (int i = 0; i < draft.ends * draft.picks; ++i)
+            draft.warp_up.push_back(static_cast<std::uint8_t>(below(2)));
+        const auto colour = [&] {
+            return glm::vec3(below(1001), below(1001), below(1001)) / 1000.0f;
+        };
+        if (round % 3 != 0)
+            for (int i = 0; i < draft.ends; ++i) draft.warp_colours.push_back(colour());
+        if (round % 3 == 2)
+            for (int i = 0; i < draft.picks; ++i) draft.weft_colours.push_back(colour());
+        const Draft back = read(wif_text(draft)).draft;
+        EXPECT_EQ(back.name, draft.name);
+        EXPECT_EQ(drawn(back), drawn(draft));
+        ASSERT_EQ(back.warp_colours.size(), draft.warp_colours.size());
+        ASSERT_EQ(back.weft_colours.size(), draft.weft_colours.size());
+        // The curve is steepest at white: d linear / d code = 2.4 / 1.055 / 255.
+        for (std::size_t i = 0; i < draft.warp_colours.size(); ++i)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(back.warp_colours[i][c], draft.warp_colours[i][c],
+                            0.5f * 2.4f / 1.055f / 255.0f + 1e-6f);
+        // Rounding is done once: a second trip changes nothing.
+        const Draft again = read(wif_text(back)).draft;
+        EXPECT_EQ(again.warp_colours, back.warp_colours);
+        EXPECT_EQ(again.weft_colours, back.weft_colours);
+    }
+}
+
+TEST(Wif, TheExamplesAreTheClothsTheyClaimToBe) {
+    const auto example = [](const char* name) {
+        WifFile file = read_wif(test::source_folder() / "examples" / "weaves" / name);
+        EXPECT_TRUE(file.warnings.empty()) << name << ": " << file.warnings.front();
+        EXPECT_FALSE(file.draft.warp_colours.empty()) << name;
+        EXPECT_FALSE(file.draft.weft_colours.empty()) << name;
+        return file.draft;
+    };
+    const Draft twill = builtin_draft("twill-2-2"), broken = builtin_draft("herringbone");
+    const Draft houndstooth = example("houndstooth.wif");
+    for (int pick = 0; pick < 8; ++pick)
+        for (int end = 0; end < 8; ++end)
+            EXPECT_EQ(houndstooth.is_warp_up(end, pick), twill.is_warp_up(end % 4, pick % 4));
+    EXPECT_EQ(houndstooth.warp_colours[0], houndstooth.weft_colours[0]);
+    EXPECT_NE(houndstooth.warp_colours[3], houndstooth.warp_colours[4]);
+    EXPECT_EQ(drawn(example("herringbone-tweed.wif")), drawn(broken));
+    const Draft stripe = example("satin-stripe.wif"), dobby = example("dobby-diamonds.wif");
+    EXPECT_EQ(draft_figures(stripe).longest_warp_float, 3);
+    EXPECT_EQ(draft_figures(stripe).longest_weft_float, 3);
+    EXPECT_EQ(draft_figures(dobby).longest_warp_float, 3);
+    EXPECT_EQ(draft_figures(dobby).longest_weft_float, 3);
+    for (int pick = 0; pick < 14; ++pick)
+        for (int end = 0; end < 14; ++end) {
+            // Diamonds: a mirror through the first end and through the first pick.
+            EXPECT_EQ(dobby.is_warp_up(end, pick), dobby.is_warp_up((14 - end) % 14, pick));
+            EXPECT_EQ(dobby.is_warp_up(end, pick), dobby.is_warp_up(end, (14 - pick) % 14));
+        }
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,178 @@
+// From a file to a table: a material made by a test is fitted by the model it was made of.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "jobs/models/brdf_fit.hpp"
+#include "support/bsdf_writer.hpp"
+#include "support/test_folder.hpp"
+
+namespace burnish::test {
+namespace {
+
+// Separable visibility and no Fresnel: f cos(theta_i) = c D / (4 sigma(wo)), so f sigma(wo) / cos.
+// GGX with F0 = 1 differs by its shadowing of wi alone, near 1 away from grazing angles.
+KnownMaterial ggx_like(double alpha_x, double alpha_y) {
+    KnownMaterial material;
+    material.surface = {alpha_x, alpha_y};
+    material.colour = [](double, double) { return std::array{0.8, 0.5, 0.2}; };
+    material.normals = 96;
+    if (alpha_x != alpha_y) {
+        material.phis = 9;
+        material.thetas = 5;
+    }
+    return material;
+}
+
+MeasuredFitOptions quick() {
+    MeasuredFitOptions options;
+    options.samples = 1500;
+    return options;
+}
+
+TEST(FitMeasured, TheModelThatAMaterialWasMadeOfComesFirst) {
+    const ScratchFolder folder;
+    const auto file = folder.write("ggx.bsdf", ggx_like(0.25, 0.25).text());
+    const std::vector<std::string> models = {"phong", "ward", "ggx", "lafortune"};
+    const MeasuredFit fit = fit_measured(file, models, {}, quick());
+    ASSERT_EQ(fit.fits.size(), 4U);
+    EXPECT_EQ(fit.fits[0].model, "ggx");
+    EXPECT_NEAR(fit.fits[0].lobe[0], 0.25, 0.025);  // shadowing of wi is left out in the file
+    EXPECT_EQ(fit.fits[0].lobe[0], fit.fits[0].lobe[1]);
+    for (std::size_t i = 1; i < fit.fits.size(); ++i)
+        EXPECT_GE(fit.fits[i].rms, fit.fits[i - 1].rms);
+    EXPECT_TRUE(fit.isotropic);
+    EXPECT_EQ(fit.description, "made by a test");
+    EXPECT_GT(fit.of_black.rms, fit.fits.back().rms);
+}
+
+TEST(FitMeasured, AnisotropicFilesAreFittedWithTwoWidths) {
+    const ScratchFolder folder;
+    const auto file = folder.write("brushed.bsdf", ggx_like(0.4, 0.2).text());
+    const MeasuredFit fit = fit_measured(file, std::vector<std::string>{"ggx"}, {}, quick());
+    EXPECT_FALSE(fit.isotropic);
+    EXPECT_NEAR(fit.fits[0].lobe[0], 0.4, 0.06);
+    EXPECT_NEAR(fit.fits[0].lobe[1], 0.2, 0.03);
+}
+
+// The samples are a quadrature: the mean of cos theta_i over solid angle, for a material of any
+// kind, is known. Int cos dw over the cap / area = (1 - cos^2) / 2 / (1 - cos) with cos of 80
+// degrees.
+TEST(FitMeasured, SamplesStandForTheirSolidAngle) {
+    const std::string text = ggx_like(0.15, 0.15).text();
+    const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+    const RglBrdf brdf(TensorFile("made.bsdf", {bytes, bytes + text.size()}));
+    MeasuredFitOptions options;
+    options.samples = 20000;
+    double sum = 0, weights = 0;
+    for (const BrdfSample& sample : measured_samples(brdf, options)) {
+        sum += sample.weight * sample.wi.z;
+        weights += sample.weight;
+        EXPECT_GT(sample.wi.z, std::cos(80 * std::numbers::pi / 180) - 1e-12);
+    }
+    const double edge = std::cos(80 * std::numbers::pi / 180);
+    EXPECT_NEAR(sum / weights, 0.5 * (1 - edge * edge) / (1 - edge), 0.01);
+    // Weights of all incident directions add up to those of both caps.
+    EXPECT_NEAR(weights / (2 * std::numbers::pi * (1 - edge) * (1 - edge)), 1, 0.02);
+}
+
+TEST(FitMeasured, CurvesHoldWhatWasMeasuredAndFitted) {
+    const ScratchFolder folder;
+    const auto file = folder.write("ggx.bsdf", ggx_like(0.25, 0.25).text());
+    const MeasuredFit fit =
+        fit_measured(file, std::vector<std::string>{"ggx", "ward"}, {}, quick());
+    ASSERT_EQ(fit.curves.size(), 3U);
+    for (const PlaneCurve& curve : fit.curves) {
+        ASSERT_EQ(curve.measured.size(), curve.theta_deg.size());
+        ASSERT_EQ(curve.fitted.size(), 2U);
+        ASSERT_EQ(curve.fitted[0].size(), curve.theta_deg.size());
+        // Both peak on the mirror direction's side.
+        const auto peak = [&](const std::vector<FitRgb>& values) {
+            const auto most =
+                std::max_element(values.begin(), values.end(),
+                                 [](const FitRgb& a, const FitRgb& b) { return a[1] < b[1]; });
+            return curve.theta_deg[static_cast<std::size_t>(most - values.begin())];
+        };
+        EXPECT_GT(peak(curve.measured), 0.5 * curve.theta_o_deg);
+        EXPECT_GT(peak(curve.fitted[0]), 0.5 * curve.theta_o_deg);
+    }
+}
+
+TEST(FitMeasured, TablesSayWhatWasFitted) {
+    const ScratchFolder folder;
+    MeasuredFitRequest request;
+    request.inputs = {folder.write("a \"b\".bsdf", ggx_like(0.25, 0.25).text()).string()};
+    request.models = {"ggx", "ward"};
+    request.options = quick();
+    request.command = "burnish brdf fit ...";
+    request.output = (folder / "t.csv").string();
+    const std::string text = fit_measured_files(request, {});
+    EXPECT_NE(text.find("ggx"), std::string::npos);
+    std::ifstream csv(request.output);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(csv, line);) lines.push_back(line);
+    ASSERT_EQ(lines.size(), 5U);
+    EXPECT_EQ(lines[0].find("# burnish "), 0U);
+    EXPECT_NE(lines[3].find("a \"\"b\"\".bsdf\",rms,1,ggx,"), std::string::npos) << lines[3];
+
+    request.output = (folder / "t.json").string();
+    fit_measured_files(request, {});
+    std::ifstream json(request.output);
+    const auto document = nlohmann::json::parse(json);
+    const auto& fit = document["materials"][0]["fits"][0];
+    EXPECT_EQ(fit["model"], "ggx");
+    EXPECT_TRUE(fit["shape"].contains("alpha_x") && fit["shape"].contains("F0"));
+    EXPECT_EQ(document["materials"][0]["curves"].size(), 3U);
+    EXPECT_EQ(document["made"]["command"], request.command);
+}
+
+TEST(FitMeasured, WrongWishesAreRefusedInOneLine) {
+    const ScratchFolder folder;
+    const auto file = folder.write("a.bsdf", ggx_like(0.25, 0.25).text()).string();
+    const auto line = [&](MeasuredFitRequest request) {
+        request.inputs = {file};
+        return error_line<UsageError>([&] { fit_measured_files(request, {}); });
+    };
+    MeasuredFitRequest request;
+    request.output = "table.txt";
+    EXPECT_NE(line(request).find(".csv or .json"), std::string::npos);
+    request = {};
+    request.options.samples = 10;
+    EXPECT_NE(line(request).find("--samples"), std::string::npos);
+    request = {};
+    request.options.most_deg = 90;
+    EXPECT_NE(line(request).find("--most-angle"), std::string::npos);
+    request = {};
+    request.models = {"gxg"};
+    EXPECT_NE(line(request).find("ggx"), std::string::npos);
+    EXPECT_THROW(parse_fit_models("ggx,", "--model"), UsageError);
+    EXPECT_THROW(parse_fit_models("ggx,ggx", "--model"), UsageError);
+    EXPECT_TRUE(parse_fit_models("all", "--model").empty());
+    EXPECT_EQ(parse_fit_models("ggx,he", "--model"), (std::vector<std::string>{"ggx", "he"}));
+}
+
+TEST(FitMeasured, OneIncidentDirectionIsEnoughAndNoneIsAnError) {
+    KnownMaterial material = ggx_like(0.25, 0.25);
+    material.thetas = 1;
+    auto parts = material.parts();
+    const auto parse = [&] {
+        const std::string text = tensor_text(parts);
+        const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+        return RglBrdf(TensorFile("made.bsdf", {bytes, bytes + text.size()}));
+    };
+    EXPECT_FALSE(measured_samples(parse(), quick()).empty());
+    const float grazing = 1.5F;  // radians: 86 degrees
+    for (TensorPart& part : parts)
+        if (part.name == "theta_i")
+            part.data.assign(reinterpret_cast<const char*>(&grazing), sizeof grazing);
+    const std::string line = error_line([&] { measured_samples(parse(), quick()); });
+    EXPECT_NE(line.find("theta_i"), std::string::npos) << line;
+}
+
+}  // namespace
+}  // namespace burnish::test

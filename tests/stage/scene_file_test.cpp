@@ -1,0 +1,279 @@
+#include "stage/scene_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <glm/vec4.hpp>
+#include <iterator>
+#include <random>
+
+#include "image/image_io.hpp"
+#include "support/paths.hpp"
+#include "support/test_folder.hpp"
+
+namespace burnish {
+namespace {
+
+using test::error_line;
+using test::ScratchFolder;
+
+std::string example_of_the_manual() {
+    std::ifstream file(test::source_folder() / "docs/scene-file.md");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::size_t start = text.find("```json\n") + 8;
+    return text.substr(start, text.find("```", start) - start);
+}
+
+// A scene file around `members`.
+std::string scene_of(const std::string& members) {
+    return R"({"format": "burnish-scene", "version": 1, )" + members + "}";
+}
+
+SceneFile load(const std::string& text) {
+    const ScratchFolder folder;
+    return load_scene_file(folder.write("s.json", text));
+}
+
+glm::vec3 placed(const Instance& instance, const glm::vec3& p) {
+    return glm::vec3(instance.transform * glm::vec4(p, 1.0f));
+}
+
+TEST(SceneFile, ManualsExampleLoads) {
+    const SceneFile file = load(example_of_the_manual());
+    const Scene& scene = file.scene;
+    ASSERT_EQ(scene.instances.size(), 2u);
+    ASSERT_EQ(scene.meshes.size(), 2u);
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(file.environment, "builtin:studio");
+    EXPECT_EQ(file.values.integer("width"), 960);
+    EXPECT_DOUBLE_EQ(file.values.real("exposure"), 0.5);
+    const Material& steel =
+        scene.materials.at(static_cast<std::size_t>(scene.instances[0].material));
+    EXPECT_TRUE(steel.conductor.has_value());
+    EXPECT_EQ(steel.alpha.value(), glm::vec2(0.45f, 0.12f));
+    EXPECT_EQ(scene.textures.at(static_cast<std::size_t>(steel.normal_texture.texture)).name,
+              "builtin:bumps");
+    const Material& floor =
+        scene.materials.at(static_cast<std::size_t>(scene.instances[1].material));
+    EXPECT_FALSE(floor.conductor.has_value());
+    EXPECT_FLOAT_EQ(floor.roughness, 0.6f);
+    // The plane faces +z; turned by -90 degrees about x it faces +y.
+    const glm::vec3 up(scene.instances[1].transform * glm::vec4(0, 0, 1, 0));
+    EXPECT_NEAR(up.y, 1.5f, 1e-5f);
+}
+
+TEST(SceneFile, ScalesThenTurnsXYZThenMoves) {
+    const SceneFile file = load(scene_of(
+        R"("objects": [{"model": "builtin:plane", "translate": [10, 0, 0],
+                        "rotate_deg": [90, 90, 0], "scale": [2, 3, 4]}])"));
+    // (0, 1, 0) -> (0, 3, 0) -> about x to (0, 0, 3) -> about y to (3, 0, 0) -> (13, 0, 0)
+    const glm::vec3 p = placed(file.scene.instances.at(0), {0, 1, 0});
+    EXPECT_NEAR(p.x, 13.0f, 1e-5f);
+    EXPECT_NEAR(p.y, 0.0f, 1e-5f);
+    EXPECT_NEAR(p.z, 0.0f, 1e-5f);
+}
+
+TEST(SceneFile, OneModelIsReadOnceAndWornInManyMaterials) {
+    const SceneFile file = load(scene_of(
+        R"("objects": [{"model": "builtin:plane"}, {"model": "builtin:plane", "material": "a"},
+                       {"model": "builtin:plane", "material": "b"},
+                       {"model": "builtin:plane", "material": "a"}],
+           "materials": {"a": {"mdf": "ward"},
+                         "b": {"alpha_x": 0.2, "normal_map": "builtin:bumps"}},
+           "parameters": {"mdf": "beckmann", "roughness": 0.5, "triangles": 200,
+                          "normal_map": "builtin:bumps"})"));
+    const Scene& scene = file.scene;
+    EXPECT_EQ(scene.meshes.size(), 1u);
+    EXPECT_EQ(scene.meshes[0].indices.size(), 600u);
+    EXPECT_EQ(scene.materials.size(), 3u);
+    EXPECT_EQ(scene.textures.size(), 1u);
+    ASSERT_EQ(scene.instances.size(), 4u);
+    const auto material = [&](std::size_t i) {
+        return scene.materials.at(static_cast<std::size_t>(scene.instances[i].material));
+    };
+    EXPECT_EQ(material(0).mdf, Mdf::beckmann);
+    EXPECT_EQ(material(1).mdf, Mdf::ward) << "the named set is more particular";
+    EXPECT_EQ(material(2).mdf, Mdf::beckmann);
+    EXPECT_FLOAT_EQ(material(1).roughness, 0.5f);
+    EXPECT_EQ(material(2).alpha.value(), glm::vec2(0.2f));
+    EXPECT_EQ(scene.instances[1].material, scene.instances[3].material);
+    EXPECT_FALSE(file.values.is_set("mdf")) << "used up: it must not override the sets again";
+}
+
+TEST(SceneFile, LightsOfAllKinds) {
+    const SceneFile file = load(scene_of(
+        R"("lights": [{"type": "directional", "direction": [0, -2, 0], "color": "#ffffff"},
+                      {"type": "point", "position": [1, 2, 3], "intensity": 50, "range": 9},
+                      {"type": "spot", "position": [0, 1, 0], "direction": [1, 0, 0],
+                       "inner_cone_deg": 30, "outer_cone_deg": 60}])"));
+    const std::vector<Light>& lights = file.scene.lights;
+    ASSERT_EQ(lights.size(), 3u);
+    EXPECT_EQ(lights[0].direction, glm::vec3(0, -1, 0));
+    EXPECT_EQ(lights[0].color, glm::vec3(1.0f));
+    EXPECT_EQ(lights[1].type, LightType::point);
+    EXPECT_FLOAT_EQ(lights[1].range, 9.0f);
+    EXPECT_NEAR(lights[2].outer_cone, 1.0471976f, 1e-6f);
+    EXPECT_NEAR(lights[2].inner_cone, 0.5235988f, 1e-6f);
+}
+
+TEST(SceneFile, FilesLieBesideIt) {
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder / "sub");
+    write_image(folder / "sub/flat.png", Image(2, 2, 3, 0.5f), {});
+    const auto path = folder.write(
+        "sub/s.json", scene_of(
+                          R"("objects": [{"model": "builtin:plane"}], "environment": "sky.hdr",
+           "parameters": {"normal_map": "flat.png"})"));
+    const SceneFile file = load_scene_file(path);
+    EXPECT_EQ(file.environment, (folder / "sub/sky.hdr").string());
+    EXPECT_EQ(file.scene.textures.size(), 1u);
+}
+
+TEST(SceneFile, MaterialsAreNamedAsTheSceneNamesThem) {
+    const SceneFile file = load(scene_of(
+        R"("objects": [{"model": "builtin:plane", "material": "brushed"},
+                       {"model": "builtin:plane"}],
+           "materials": {"brushed": {"alpha_x": 0.1}}, "environment": "none")"));
+    EXPECT_EQ(file.scene.materials.at(0).name, "brushed");
+    EXPECT_EQ(file.scene.materials.at(1).name, "default");
+    EXPECT_EQ(file.environment, "none") << "no file of that name";
+}
+
+TEST(SceneFile, IsToldByContent) {
+    const ScratchFolder folder;
+    EXPECT_TRUE(
+        is_scene_file(folder.write("a.txt", "\xef\xbb\xbf \n" + scene_of("\"lights\": []"))));
+    EXPECT_TRUE(is_scene_file(folder.write("broken.json", "{\"format\": ")));
+    EXPECT_FALSE(is_scene_file(folder.write("m.gltf", R"({"asset": {"version": "2.0"}})")));
+    EXPECT_FALSE(is_scene_file(folder.write("empty", "")));
+    EXPECT_FALSE(is_scene_file(folder / "absent.json"));
+    EXPECT_FALSE(is_scene_file(std::filesystem::temp_directory_path()));
+}
+
+TEST(SceneFile, ErrorsSayWhereAndWhat) {
+    const std::pair<std::string, std::string> cases[] = {
+        {"", "line 1, column 1: expected JSON, found the end of the file"},
+        {"{\n  \"format\": \"burnish-scene\",\n  oops\n}",
+         "line 3, column 3: expected JSON, found"},
+        {"{\"format\": \"burnish-scene\"", "found the end of the file"},
+        {"{\n\"version\": 1,\n\"version\": 1}", "line 3, column 9: expected each key once"},
+        {"[1]", "expected an object"},
+        {"{}", "format: expected \"burnish-scene\", found none"},
+        {R"({"asset": {"version": "2.0"}})", "format: expected \"burnish-scene\", found none"},
+        {R"({"format": "gltf", "version": 1})", "format: expected burnish-scene"},
+        {R"({"format": "burnish-scene", "version": 2})", "version: expected 1, found 2"},
+        {R"({"format": "burnish-scene", "version": 1, "x": 1e999})", "number in range"},
+        {scene_of(R"("object": [])"), "did you mean 'objects'?"},
+        {scene_of(R"("objects": {})"), "objects: expected a list"},
+        {scene_of(R"("objects": [7])"), "objects[0]: expected an object {...}, found 7"},
+        {scene_of(R"("objects": [{}])"), "objects[0].model: expected a value"},
+        {scene_of(R"("objects": [{"model": "builtin:sphre"}])"), "did you mean 'sphere'?"},
+        {scene_of(R"("objects": [{"model": "no.glb"}])"),
+         "no.glb: expected a readable file, found no such file or folder"},
+        {scene_of(R"("objects": [{"model": "no.glb"}])"), "s.json: objects[0].model: "},
+        {scene_of(R"("objects": [{"model": "builtin:plane", "material": "m"}],
+                     "materials": {"m": {"normal_map": "no.png"}})"),
+         "s.json: objects[0]: "},
+        {scene_of(R"("objects": [{"model": "builtin:plane", "rotate": 1}])"),
+         "objects[0]: unknown key"},
+        {scene_of(R"("objects": [{"model": "builtin:plane", "scale": 0}])"),
+         "objects[0].scale: expected a number from 1e-06"},
+        {scene_of(R"("objects": [{"model": "builtin:plane", "scale": [1, -1, 1]}])"),
+         "objects[0].scale[1]: expected"},
+        {scene_of(R"("objects": [{"model": "builtin:plane", "translate": [1, 2]}])"),
+         "objects[0].translate: expected three numbers [x, y, z], found [1, 2]"},
+        {scene_of(R"("objects": [{"model": "builtin:plane", "translate": [1, 2, "3"]}])"),
+         "objects[0].translate[2]: expected"},
+        {scene_of(R"("materials": {"steel": {}}, "objects": [{"model": "builtin:plane",
+                     "material": "stel"}])"),
+         "(steel), found \"stel\"; did you mean 'steel'?"},
+        {scene_of(R"("materials": {"m": {"alpha_x": "0.1"}})"),
+         "materials.m.alpha_x: expected a number, found"},
+        {scene_of(R"("materials": {"m": {"alpha_x": 9}})"),
+         "materials.m.alpha_x: expected a number from 0.001 to 1.5"},
+        {scene_of(R"("materials": {"m": {"aplha_x": 1}})"), "did you mean 'alpha_x'?"},
+        {scene_of(R"("materials": {"m": {"width": 10}})"), "a parameter of materials"},
+        {scene_of(R"("materials": {"m": {"alpha_x": 0.1, "e_x": 10}},
+                     "objects": [{"model": "builtin:plane", "material": "m"}])"),
+         "one pair"},
+        {scene_of(R"("parameters": {"width": 10.5})"), "parameters.width: expected a whole number"},
+        {scene_of(R"("parameters": {"flip_green": 1})"), "expected true or false, found 1"},
+        {scene_of(R"("parameters": {"base_color": [1, 2]})"), "[r, g, b]"},
+        {scene_of(R"("parameters": {"base_color": "red"})"), "parameters.base_color"},
+        {scene_of(R"("lights": [{"type": "sun"}])"), "(directional point spot), found \"sun\""},
+        {scene_of(R"("lights": [{"type": "spott"}])"), "did you mean 'spot'?"},
+        {scene_of(R"("lights": [{"type": "point", "position": [0, 0, 0], "color": "red"}])"),
+         "lights[0].color: expected [r, g, b]"},
+        {scene_of(R"("lights": [{"type": "point", "direction": [0, 1, 0]}])"), "unknown key"},
+        {scene_of(R"("lights": [{"type": "directional", "direction": [0, 0, 0]}])"),
+         "not zero, found [0, 0, 0]"},
+        {scene_of(R"("parameters": {"base_color": []})"), "found []"},
+        {scene_of(R"("parameters": {"base_color": [[1], {"a": 1}, "x", 0.5, 6]})"),
+         R"(found [[...], {...}, "...", 0.5, ...] (5 entries))"},
+        {scene_of(R"("lights": [{"type": "spot", "position": [0, 0, 0], "direction": [0, 0, 1],
+                      "inner_cone_deg": 50}])"),
+         "lights[0].inner_cone_deg"},
+        {scene_of(R"("environment": "")"), "environment: expected a text"},
+    };
+    for (const auto& [text, expected] : cases) {
+        const std::string line = error_line([&broken = text] { (void)load(broken); });
+        EXPECT_NE(line.find(expected), std::string::npos) << text << "\n" << line;
+        EXPECT_TRUE(line.find("s.json") != std::string::npos) << line;
+    }
+}
+
+TEST(SceneFile, FaultsOfTheFileAreNotFaultsOfTheCommand) {
+    const ScratchFolder folder;
+    for (const char* text :
+         {R"("parameters": {"mdf": "gxx"})", R"("objects": [{"model": "builtin:nothing"}])",
+          R"("lights": [{"type": "point", "position": [0,0,0], "color": "x"}])"}) {
+        try {
+            load_scene_file(folder.write("s.json", scene_of(text)));
+            ADD_FAILURE() << text;
+        } catch (const UsageError& error) {
+            ADD_FAILURE() << error.what();
+        } catch (const Error&) {
+        }
+    }
+}
+
+TEST(SceneFile, DeepNestingAndHugeNumbersOfBracketsAreRefused) {
+    for (const std::string& open : {std::string("["), std::string("{\"a\":")}) {
+        std::string text;
+        for (int i = 0; i < 100000; ++i) text += open;
+        EXPECT_NE(error_line([&] { (void)load(text); }).find("nested"), std::string::npos);
+    }
+}
+
+// Every beginning of a good file, and the file with random bytes changed: an error or a scene,
+// never anything else. Deterministic.
+TEST(SceneFile, SurvivesDamage) {
+    const ScratchFolder folder;
+    const std::string good = scene_of(
+        R"("objects": [{"model": "builtin:plane", "material": "m", "rotate_deg": [1, 2, 3]}],
+           "materials": {"m": {"base_color": "#a0b0c0", "alpha_x": 0.2, "conserve": true}},
+           "lights": [{"type": "point", "position": [1, 2, 3]}], "environment": "builtin:white",
+           "parameters": {"width": 10, "camera_target": [0, 1, 0]})");
+    const auto survives = [&](const std::string& text) {
+        try {
+            (void)load_scene_file(folder.write("s.json", text));
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    };
+    EXPECT_TRUE(survives(good));
+    for (std::size_t n = 0; n < good.size(); ++n) EXPECT_FALSE(survives(good.substr(0, n)));
+    std::mt19937 random(7);
+    for (int i = 0; i < 1000; ++i) {
+        std::string text = good;
+        for (auto k = random() % 3 + 1; k > 0; --k)
+            text[random() % text.size()] = static_cast<char>(random() & 0xffu);
+        (void)survives(text);
+    }
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,20 @@
+#include "support/paths.hpp"
+
+#include <cstdlib>
+
+namespace burnish::test {
+
+std::filesystem::path source_folder() {
+    return BURNISH_SOURCE_DIR;
+}
+
+const char* program_path() {
+    return BURNISH_PROGRAM;
+}
+
+std::filesystem::path data_folder() {
+    const char* named = std::getenv("BURNISH_DATA");
+    return named != nullptr ? std::filesystem::path(named) : source_folder() / "../shared/data";
+}
+
+}  // namespace burnish::test

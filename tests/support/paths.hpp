@@ -1,0 +1,15 @@
+// Where the checkout and the program under test are.
+#pragma once
+
+#include <filesystem>
+
+namespace burnish::test {
+
+std::filesystem::path source_folder();  // the root of the checkout
+const char* program_path();             // bin/burnish of this build
+
+// The folder of sample data by others: BURNISH_DATA, or ../shared/data beside the checkout. Tests
+// skip with words where it does not exist.
+std::filesystem::path data_folder();
+
+}  // namespace burnish::test
