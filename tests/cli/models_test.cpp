@@ -9,7 +9,7 @@
 
 #include "image/image_io.hpp"
 #include "pictures.hpp"
-#include "tests/scene/support.hpp"
+#include "support/test_folder.hpp"
 #include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {

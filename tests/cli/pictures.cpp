@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "burnish/error.hpp"
-#include "tests/scene/support.hpp"
+#include "support/test_folder.hpp"
 #include "burnish/stage.hpp"
 #include "gpu/draw/renderer.hpp"
 #include "gpu/device/context.hpp"

@@ -13,7 +13,7 @@
 
 #include "image/image_io.hpp"
 #include "pictures.hpp"
-#include "tests/scene/glb_writer.hpp"
+#include "support/glb_writer.hpp"
 
 namespace burnish::test {
 namespace {

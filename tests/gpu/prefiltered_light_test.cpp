@@ -10,7 +10,6 @@
 #include "burnish/render_settings.hpp"
 #include "formats/environments.hpp"
 #include "gpu/draw/renderer.hpp"
-#include "gpu/upload/albedo_table.hpp"
 #include "gpu_fixture.hpp"
 #include "models/albedo_table.hpp"
 #include "support/paths.hpp"
