@@ -9,6 +9,7 @@
 #include "burnish/error.hpp"
 #include "core/files.hpp"
 #include "core/memory.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "papers/gallery_figures.hpp"
 

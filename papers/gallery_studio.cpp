@@ -4,12 +4,13 @@
 
 #include <algorithm>
 
-#include "burnish/shading_names.hpp"
-#include "stage/stage.hpp"
 #include "burnish/render_settings.hpp"
+#include "burnish/shading_names.hpp"
 #include "burnish/stage.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "core/text.hpp"
 #include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "stage/stage.hpp"
 
 namespace burnish {
 namespace {

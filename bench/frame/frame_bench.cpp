@@ -7,13 +7,14 @@
 
 #include "bench/frame/frame_tabulated.hpp"
 #include "burnish/error.hpp"
+#include "burnish/render_settings.hpp"
 #include "core/memory.hpp"
+#include "core/text.hpp"
 #include "formats/environments.hpp"
 #include "formats/load_model.hpp"
-#include "stage/material_parameters.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "stage/material_parameters.hpp"
 
 namespace burnish {
 

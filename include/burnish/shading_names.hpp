@@ -55,13 +55,4 @@ std::string_view name_of(Mdf mdf);
 std::string_view name_of(Brdf brdf);
 std::string_view name_of(Method method);
 
-// Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'?
-// known:
-// ..." when it is not there.
-int index_of_name(std::span<const std::string_view> names, std::string_view name,
-                  std::string_view kind, std::string_view where);
-
-// The known name nearest to `name` by edit distance; empty when none is near.
-std::string_view nearest_name(std::span<const std::string_view> names, std::string_view name);
-
 }  // namespace burnish

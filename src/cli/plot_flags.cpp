@@ -7,8 +7,8 @@
 #include <charconv>
 
 #include "burnish/error.hpp"
-#include "burnish/shading_names.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 
 namespace burnish::cli {
 

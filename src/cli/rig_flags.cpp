@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "burnish/error.hpp"
-#include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 
 namespace burnish::cli {
 namespace {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string_view>
 
-#include "burnish/shading_names.hpp"
 #include "cli/progress_display.hpp"
 #include "core/output_stream.hpp"
+#include "core/text.hpp"
 
 namespace burnish::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 
 namespace burnish::cli {
 namespace {

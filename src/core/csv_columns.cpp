@@ -9,10 +9,10 @@
 #include <type_traits>
 
 #include "burnish/error.hpp"
-#include "burnish/shading_names.hpp"
 #include "core/files.hpp"
 #include "core/output_stream.hpp"
 #include "core/parallel.hpp"
+#include "core/text.hpp"
 
 namespace burnish {
 namespace {

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "burnish/image.hpp"
-
 namespace burnish {
 
 // Asks the kernel for large pages under memory that is not in use yet. Changes no byte, and does
@@ -22,8 +20,5 @@ std::vector<T> zeros_on_large_pages(std::size_t count) {
     zeros.resize(count);
     return zeros;
 }
-
-// Image(width, height, channels), black.
-Image image_on_large_pages(int width, int height, int channels);
 
 }  // namespace burnish

@@ -1,7 +1,8 @@
-// Words for people.
+// Words for people: plurals, and names that a person has mistyped.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,5 +10,13 @@ namespace burnish {
 
 // "1 mesh", "2 meshes"
 std::string plural(std::size_t count, std::string_view word);
+
+// Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'? known: ..."
+// when it is not there.
+int index_of_name(std::span<const std::string_view> names, std::string_view name,
+                  std::string_view kind, std::string_view where);
+
+// The known name nearest to `name` by edit distance; empty when none is near.
+std::string_view nearest_name(std::span<const std::string_view> names, std::string_view name);
 
 }  // namespace burnish

@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
-#include "capture/stack/light_geometry.hpp"
 #include "image/image_io.hpp"
 
 namespace burnish {

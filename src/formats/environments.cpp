@@ -9,6 +9,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 #include "image/image_io.hpp"
 #include "scene/geometry/builtin_meshes.hpp"
 #include "scene/light/studio.hpp"

@@ -11,6 +11,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 
 namespace burnish {
 

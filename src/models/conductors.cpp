@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 
 namespace burnish {
 

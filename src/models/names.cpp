@@ -36,38 +36,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kUndrawn 
      {"ggx-separable", "microfacet-separable with mdf ggx"},
      {"beckmann", "microfacet with mdf beckmann"}}};
 
-// Longer than any name of ours: what is longer was no slip of the finger, and comparing it would
-// cost time that grows with it.
-constexpr std::size_t kLongestGuess = 40;
-
-// Case and the two word separators do not count as differences.
-std::string folded(std::string_view name) {
-    std::string out(name);
-    for (char& c : out) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        if (c == '_' || c == ' ') c = '-';
-    }
-    return out;
-}
-
-// Edit distance with insertions, deletions, replacements and swaps of neighbours, each costing 1.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            row[j] = std::min(
-                {last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                row[j] = std::min(row[j], before[j - 2] + 1);
-        }
-        before.swap(last);
-        last.swap(row);
-    }
-    return last[b.size()];
-}
-
 template <typename Enum>
 std::string_view name_in(std::span<const std::string_view> names, Enum value) {
     return names[static_cast<std::size_t>(value)];
@@ -99,40 +67,6 @@ std::string_view name_of(Brdf brdf) {
 }
 std::string_view name_of(Method method) {
     return name_in(kMethodNames, method);
-}
-
-std::string_view nearest_name(std::span<const std::string_view> names, std::string_view name) {
-    if (name.empty() || name.size() > kLongestGuess) return {};
-    const std::string wanted = folded(name);
-    std::string_view nearest, container;
-    // A third of the letters may be wrong, and one always; more is another word.
-    std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
-    for (const std::string_view known : names) {
-        const std::string candidate = folded(known);
-        const std::size_t distance = edit_distance(wanted, candidate);
-        if (distance < best && distance < candidate.size()) {
-            best = distance;
-            nearest = known;
-        }
-        // "neutral" for "khronos-neutral": a whole piece of a name is a fair guess as well.
-        if (container.empty() && wanted.size() >= 4 && candidate.find(wanted) != std::string::npos)
-            container = known;
-    }
-    return nearest.empty() ? container : nearest;
-}
-
-int index_of_name(std::span<const std::string_view> names, std::string_view name,
-                  std::string_view kind, std::string_view where) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<int>(found - names.begin());
-    std::string line;
-    if (!where.empty()) line.append(where).append(": ");
-    line.append("unknown ").append(kind).append(" ").append(shown(name));
-    const std::string_view nearest = nearest_name(names, name);
-    if (!nearest.empty()) line.append("; did you mean '").append(nearest).append("'?");
-    line.append(nearest.empty() ? "; known:" : " known:");
-    for (const std::string_view known : names) line.append(" ").append(known);
-    throw UsageError(line);
 }
 
 }  // namespace burnish

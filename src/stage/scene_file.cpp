@@ -18,6 +18,7 @@
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "formats/json_text.hpp"
 #include "formats/load_model.hpp"
 #include "stage/cloth_material.hpp"

@@ -8,6 +8,7 @@
 
 #include "burnish/f64.hpp"
 #include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 #include "oracle/make_cases.hpp"
 #include "oracle/oracle.hpp"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.hpp"
 #include "lobes_under_test.hpp"
 #include "models/albedo.hpp"
 #include "models/brdf_models.hpp"

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 #include "image/image_io.hpp"
 #include "models/conductors.hpp"
 #include "stage/material_parameters.hpp"

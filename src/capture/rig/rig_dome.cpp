@@ -9,6 +9,7 @@
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
 #include "capture/rig/rig_reading.hpp"
+#include "core/text.hpp"
 #include "formats/json_text.hpp"
 
 namespace burnish::rig_reading {

@@ -8,6 +8,7 @@
 
 #include "burnish/error.hpp"
 #include "capture/simulate/virtual_sample.hpp"
+#include "core/text.hpp"
 
 namespace burnish {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "burnish/shading_names.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 #include "jobs/models/brdf_fit.hpp"
 
 namespace burnish::cli {

@@ -6,6 +6,7 @@
 #include "cli/parameter_flags.hpp"
 #include "cli/plot_flags.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 #include "jobs/models/eval.hpp"
 
 namespace burnish::cli {

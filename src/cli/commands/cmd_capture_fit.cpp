@@ -7,11 +7,11 @@
 #include <string>
 
 #include "burnish/error.hpp"
-#include "burnish/shading_names.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/integer_flag.hpp"
 #include "cli/rig_flags.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 #include "jobs/capture/capture_fit.hpp"
 
 namespace burnish::cli {

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "burnish/error.hpp"
-#include "burnish/shading_names.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/integer_flag.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 #include "jobs/capture/capture_simulate.hpp"
 
 namespace burnish::cli {

@@ -17,6 +17,7 @@
 #include "cli/integer_flag.hpp"
 #include "cli/parameter_flags.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 
 namespace burnish::cli {
 namespace {

@@ -12,10 +12,10 @@
 #include <string_view>
 
 #include "burnish/error.hpp"
-#include "burnish/shading_names.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/integer_flag.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 #include "jobs/maps/scratch.hpp"
 
 namespace burnish::cli {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "burnish/shading_names.hpp"
 #include "cli/session.hpp"
+#include "core/text.hpp"
 
 namespace burnish::cli {
 namespace {

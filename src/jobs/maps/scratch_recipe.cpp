@@ -10,6 +10,7 @@
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "formats/json_text.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/f64.hpp"
+#include "core/text.hpp"
 #include "jobs/models/eval.hpp"
 #include "jobs/models/plot.hpp"
 #include "jobs/models/plot_common.hpp"

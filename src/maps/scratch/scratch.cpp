@@ -9,6 +9,7 @@
 #include "burnish/error.hpp"
 #include "core/large_pages.hpp"
 #include "core/parallel.hpp"
+#include "image/large_image.hpp"
 #include "maps/scratch/scratch_field.hpp"
 #include "maps/scratch/scratch_raster.hpp"
 #include "maps/scratch/scratch_slopes.hpp"

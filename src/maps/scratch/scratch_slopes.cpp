@@ -7,6 +7,7 @@
 
 #include "core/large_pages.hpp"
 #include "core/parallel.hpp"
+#include "image/large_image.hpp"
 #include "maps/normal/box_taps.hpp"
 
 namespace burnish {

@@ -10,6 +10,7 @@
 #include "core/large_pages.hpp"
 #include "core/parallel.hpp"
 #include "image/image_io.hpp"
+#include "image/large_image.hpp"
 #include "maps/weave/weave_cells.hpp"
 
 namespace burnish {

@@ -10,6 +10,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
+#include "core/text.hpp"
 #include "image/image_io.hpp"
 
 namespace burnish {
