@@ -1,0 +1,162 @@
+// The pages of docs/ and those at the top of the tree: links, anchors, names of files, line
+// lengths, and that the site's contents (mkdocs.yml) name every page.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "markdown.hpp"
+
+namespace burnish::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = BURNISH_SOURCE_DIR;
+
+// Names of the pages of docs/, spelled so that this file names none itself.
+const std::string kDocs = "docs" + std::string("/");
+
+std::vector<fs::path> files_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    if (!fs::is_directory(folder)) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<Page> pages() {
+    std::vector<Page> all;
+    for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"})
+        all.push_back(read_page(kRoot / name));
+    for (const fs::path& file : files_below(kRoot / "docs"))
+        if (file.extension() == ".md") all.push_back(read_page(file));
+    return all;
+}
+
+std::string place(const Page& page, int line) {
+    return fs::relative(page.file, kRoot).string() + ":" + std::to_string(line);
+}
+
+// "" when the link leads somewhere.
+std::string fault_of_link(const fs::path& folder, const fs::path& self, const std::string& target) {
+    const std::size_t hash = target.find('#');
+    const std::string name = target.substr(0, hash);
+    const fs::path file = name.empty() ? self : folder / name;
+    if (!fs::exists(file)) return "no such file";
+    if (hash == std::string::npos) return "";
+    const std::string anchor = target.substr(hash + 1);
+    for (const std::string& heading : headings_of(read_page(file))) {
+        const bool github = github_anchor(heading) == anchor;
+        const bool mkdocs = mkdocs_anchor(heading) == anchor;
+        if (github && mkdocs) return "";
+        if (github || mkdocs) return "an anchor that GitHub and mkdocs spell differently";
+    }
+    return "no such heading";
+}
+
+TEST(Pages, RelativeLinksAndAnchorsLeadSomewhere) {
+    int links = 0;
+    for (const Page& page : pages()) {
+        for (const PageLine& line : page.prose) {
+            for (const std::string& target : links_of(line.text)) {
+                if (target.find("://") != std::string::npos) continue;
+                ++links;
+                const std::string fault = fault_of_link(page.file.parent_path(), page.file, target);
+                EXPECT_EQ(fault, "") << place(page, line.number) << ": " << target;
+            }
+        }
+    }
+    EXPECT_GT(links, 100);
+}
+
+TEST(Pages, TheTestSeesABrokenLink) {
+    const fs::path docs = kRoot / "docs";
+    EXPECT_EQ(fault_of_link(docs, docs / "index.md", "guide/render.md#camera"), "");
+    EXPECT_EQ(fault_of_link(docs, docs / "index.md", "guide/rendering.md"), "no such file");
+    EXPECT_EQ(fault_of_link(docs, docs / "index.md", "guide/render.md#kamera"), "no such heading");
+    EXPECT_EQ(links_of("see [a](b.md), `[c](d.md)` and ![e](f.png)"),
+              (std::vector<std::string>{"b.md", "f.png"}));
+}
+
+// Comments, messages and help texts name pages as docs/folder/page.md.
+TEST(Pages, PagesNamedInTheTreeExist) {
+    const std::regex named("\\b" + kDocs + R"([A-Za-z0-9_/-]+\.(md|jpg|png))");
+    const std::set<std::string> text = {".cpp", ".hpp", ".inc",   ".glsl", ".vert", ".frag", ".sh",
+                                        ".py",  ".txt", ".cmake", ".md",   ".json", ".in",   ""};
+    std::vector<fs::path> files;
+    for (const char* folder : {"src", "shading", "shaders", "include", "tests", "scripts",
+                               "examples", "bench", "papers", "cmake", "docs"})
+        for (const fs::path& file : files_below(kRoot / folder))
+            if (text.contains(file.extension().string())) files.push_back(file);
+    for (const char* name : {"CMakeLists.txt", "CMakePresets.json", "Makefile", "README.md",
+                             "CONTRIBUTING.md", "CHANGELOG.md"})
+        files.push_back(kRoot / name);
+    int names = 0;
+    for (const fs::path& file : files) {
+        // Results are history: they name the pages of their time.
+        if (file.string().find("bench/results") != std::string::npos) continue;
+        std::ifstream in(file);
+        std::string line;
+        for (int number = 1; std::getline(in, line); ++number) {
+            for (std::sregex_iterator at(line.begin(), line.end(), named), end; at != end; ++at) {
+                ++names;
+                EXPECT_TRUE(fs::exists(kRoot / at->str()))
+                    << fs::relative(file, kRoot).string() << ":" << number << ": " << at->str();
+            }
+        }
+    }
+    EXPECT_GT(names, 50);
+}
+
+// `src/core`, `bench/results/...` and the like in the pages.
+TEST(Pages, FilesOfTheTreeNamedInThePagesExist) {
+    const std::regex path(
+        R"((src|shading|shaders|include|tests|scripts|examples|bench|papers|cmake)/[A-Za-z0-9_./-]*)");
+    for (const Page& page : pages()) {
+        if (page.file.filename() == "CHANGELOG.md") continue;  // history
+        for (const PageLine& line : page.prose) {
+            for (const std::string& span : code_spans_of(line.text)) {
+                if (!std::regex_match(span, path)) continue;
+                EXPECT_TRUE(fs::exists(kRoot / span)) << place(page, line.number) << ": " << span;
+            }
+        }
+    }
+}
+
+TEST(Pages, LinesAreAtMost120ColumnsButForTablesAndUrls) {
+    for (const Page& page : pages()) {
+        for (const PageLine& line : page.prose) {
+            const std::size_t start = line.text.find_first_not_of(' ');
+            const bool table = start != std::string::npos && line.text[start] == '|';
+            const bool picture = line.text.starts_with("![");
+            const bool url = line.text.find("://") != std::string::npos;
+            if (table || picture || url) continue;
+            EXPECT_LE(columns_of(line.text), 120) << place(page, line.number);
+        }
+    }
+}
+
+TEST(Pages, TheContentsOfTheSiteNameEveryPage) {
+    std::ifstream in(kRoot / "mkdocs.yml");
+    const std::string contents(std::istreambuf_iterator<char>(in), {});
+    std::set<std::string> named;
+    const std::regex page(R"([a-z][a-z0-9_/-]*\.md)");
+    for (std::sregex_iterator at(contents.begin(), contents.end(), page), end; at != end; ++at)
+        named.insert(at->str());
+    std::set<std::string> there;
+    for (const fs::path& file : files_below(kRoot / "docs"))
+        if (file.extension() == ".md")
+            there.insert(fs::relative(file, kRoot / "docs").generic_string());
+    EXPECT_EQ(named, there);
+}
+
+}  // namespace
+}  // namespace burnish::test
