@@ -4,7 +4,6 @@
 function is_declaration(text) { return text ~ /^ *[A-Za-z_}~\[]/ && text !~ /^ *namespace|^ *}/ }
 # Signs that doxygen would read as commands and tags stand for themselves.
 function documentation(text) {
-    sub(/\/\//, "///", text)
     gsub(/[\\@<>]/, "\\\\&", text)
     return text
 }
@@ -20,14 +19,17 @@ function documentation(text) {
         if (top) { print "/// @file"; told_file = 1 }
         for (i = 1; i <= count; ++i) {
             text = pending[i]
-            if (doc && text !~ /clang-format|NOLINT/) text = documentation(text)
+            if (doc && text !~ /clang-format|NOLINT/) { text = documentation(text); sub(/\/\//, "///", text) }
             print text
         }
         count = 0
     }
     if (line ~ /[^ ]/) seen_code = 1
     # A comment behind a member or an enumerator; not one behind an #include or a closing brace.
-    if (line ~ /[;,{a-z0-9] +\/\/ / && line !~ /^ *#|^ *}|NOLINT|clang-format/) sub(/ \/\/ /, " ///< ", line)
+    if (line ~ /[;,{a-z0-9] +\/\/ / && line !~ /^ *#|^ *}|NOLINT|clang-format/) {
+        at = index(line, " // ")
+        line = substr(line, 1, at) "///< " documentation(substr(line, at + 4))
+    }
     print line
 }
 END { for (i = 1; i <= count; ++i) print pending[i] }

@@ -41,6 +41,13 @@ std::vector<Page> pages() {
     return all;
 }
 
+// One line a fault.
+void expect_none(const std::vector<std::string>& faults) {
+    std::string list;
+    for (const std::string& fault : faults) list += "\n  " + fault;
+    EXPECT_TRUE(faults.empty()) << list;
+}
+
 std::string place(const Page& page, int line) {
     return fs::relative(page.file, kRoot).string() + ":" + std::to_string(line);
 }
@@ -64,16 +71,19 @@ std::string fault_of_link(const fs::path& folder, const fs::path& self, const st
 
 TEST(Pages, RelativeLinksAndAnchorsLeadSomewhere) {
     int links = 0;
+    std::vector<std::string> faults;
     for (const Page& page : pages()) {
         for (const PageLine& line : page.prose) {
             for (const std::string& target : links_of(line.text)) {
                 if (target.find("://") != std::string::npos) continue;
                 ++links;
                 const std::string fault = fault_of_link(page.file.parent_path(), page.file, target);
-                EXPECT_EQ(fault, "") << place(page, line.number) << ": " << target;
+                if (!fault.empty())
+                    faults.push_back(place(page, line.number) + ": " + target + ": " + fault);
             }
         }
     }
+    expect_none(faults);
     EXPECT_GT(links, 100);
 }
 
@@ -100,6 +110,7 @@ TEST(Pages, PagesNamedInTheTreeExist) {
                              "CONTRIBUTING.md", "CHANGELOG.md"})
         files.push_back(kRoot / name);
     int names = 0;
+    std::vector<std::string> faults;
     for (const fs::path& file : files) {
         // Results are history: they name the pages of their time.
         if (file.string().find("bench/results") != std::string::npos) continue;
@@ -108,11 +119,13 @@ TEST(Pages, PagesNamedInTheTreeExist) {
         for (int number = 1; std::getline(in, line); ++number) {
             for (std::sregex_iterator at(line.begin(), line.end(), named), end; at != end; ++at) {
                 ++names;
-                EXPECT_TRUE(fs::exists(kRoot / at->str()))
-                    << fs::relative(file, kRoot).string() << ":" << number << ": " << at->str();
+                if (!fs::exists(kRoot / at->str()))
+                    faults.push_back(fs::relative(file, kRoot).string() + ":" +
+                                     std::to_string(number) + ": " + at->str());
             }
         }
     }
+    expect_none(faults);
     EXPECT_GT(names, 50);
 }
 
@@ -120,18 +133,22 @@ TEST(Pages, PagesNamedInTheTreeExist) {
 TEST(Pages, FilesOfTheTreeNamedInThePagesExist) {
     const std::regex path(
         R"((src|shading|shaders|include|tests|scripts|examples|bench|papers|cmake)/[A-Za-z0-9_./-]*)");
+    std::vector<std::string> faults;
     for (const Page& page : pages()) {
         if (page.file.filename() == "CHANGELOG.md") continue;  // history
         for (const PageLine& line : page.prose) {
             for (const std::string& span : code_spans_of(line.text)) {
                 if (!std::regex_match(span, path)) continue;
-                EXPECT_TRUE(fs::exists(kRoot / span)) << place(page, line.number) << ": " << span;
+                if (!fs::exists(kRoot / span))
+                    faults.push_back(place(page, line.number) + ": " + span);
             }
         }
     }
+    expect_none(faults);
 }
 
 TEST(Pages, LinesAreAtMost120ColumnsButForTablesAndUrls) {
+    std::vector<std::string> faults;
     for (const Page& page : pages()) {
         for (const PageLine& line : page.prose) {
             const std::size_t start = line.text.find_first_not_of(' ');
@@ -139,9 +156,10 @@ TEST(Pages, LinesAreAtMost120ColumnsButForTablesAndUrls) {
             const bool picture = line.text.starts_with("![");
             const bool url = line.text.find("://") != std::string::npos;
             if (table || picture || url) continue;
-            EXPECT_LE(columns_of(line.text), 120) << place(page, line.number);
+            if (columns_of(line.text) > 120) faults.push_back(place(page, line.number));
         }
     }
+    expect_none(faults);
 }
 
 TEST(Pages, TheContentsOfTheSiteNameEveryPage) {

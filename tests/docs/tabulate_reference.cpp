@@ -115,7 +115,8 @@ std::string parameters_page() {
 
 std::string group_table(const HelpGroup& group) {
     std::string text =
-        fmt::format("\n**{}**\n\n| | |\n|---|---|\n", with_marks_escaped(group.title));
+        fmt::format("\n**{}**\n\n| {} | meaning |\n|---|---|\n", with_marks_escaped(group.title),
+                    group.title == "Positionals" ? "argument" : "option");
     int rows = 0;
     for (const HelpRow& row : group.rows) {
         if (row.name.starts_with("-h,")) continue;
