@@ -96,7 +96,7 @@ TEST(Pages, TheTestSeesABrokenLink) {
               (std::vector<std::string>{"b.md", "f.png"}));
 }
 
-// Comments, messages and help texts name pages as docs/folder/page.md.
+// Comments, messages and help texts name pages from the root of the tree.
 TEST(Pages, PagesNamedInTheTreeExist) {
     const std::regex named("\\b" + kDocs + R"([A-Za-z0-9_/-]+\.(md|jpg|png))");
     const std::set<std::string> text = {".cpp", ".hpp", ".inc",   ".glsl", ".vert", ".frag", ".sh",
