@@ -5,6 +5,8 @@ function is_declaration(text) { return text ~ /^ *[A-Za-z_}~\[]/ && text !~ /^ *
 # Signs that doxygen would read as commands and tags stand for themselves.
 function documentation(text) {
     gsub(/[\\@<>]/, "\\\\&", text)
+    while (match(text, /`[^`]*`/))
+        text = substr(text, 1, RSTART - 1) "<tt>" substr(text, RSTART + 1, RLENGTH - 2) "</tt>" substr(text, RSTART + RLENGTH)
     return text
 }
 {
