@@ -9,6 +9,7 @@ function documentation(text) {
         text = substr(text, 1, RSTART - 1) "<tt>" substr(text, RSTART + 1, RLENGTH - 2) "</tt>" substr(text, RSTART + RLENGTH)
     return text
 }
+/^#include "shading\// { $0 = "" }  # the maths has pages of its own
 {
     line = $0
     if (match(line, /^ *\/\/ ?/)) {
