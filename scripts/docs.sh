@@ -14,6 +14,7 @@ mkdocs build --quiet --config-file mkdocs.yml --site-dir "$PWD/$site" 2>&1 |
 
 # The front page of the headers' reference: every file with the first sentence of its comment.
 summary() {
+    # shellcheck disable=SC2016  # the backticks are those of the comment
     sed -n '/^\/\//!q; s/^\/\/ \{0,1\}//p' "$1" | tr '\n' ' ' | sed 's/\. [A-Z].*/./; s/[<>@\\]/\\&/g; s/`\([^`]*\)`/<tt>\1<\/tt>/g'
 }
 {

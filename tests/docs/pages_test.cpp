@@ -162,6 +162,23 @@ TEST(Pages, LinesAreAtMost120ColumnsButForTablesAndUrls) {
     expect_none(faults);
 }
 
+// A formula that was wrapped before its minus sign would become a list.
+TEST(Pages, NoLineInsideAParagraphStartsLikeAList) {
+    const std::regex item(R"(\s*([-*+]|[0-9]+\.)\s.*)");
+    std::vector<std::string> faults;
+    for (const Page& page : pages()) {
+        for (std::size_t i = 1; i < page.prose.size(); ++i) {
+            const std::string& before = page.prose[i - 1].text;
+            const bool adjacent = page.prose[i - 1].number + 1 == page.prose[i].number;
+            const bool in_list = std::regex_match(before, item) || before.starts_with("  ");
+            const bool blank = before.find_first_not_of(' ') == std::string::npos;
+            if (adjacent && !in_list && !blank && std::regex_match(page.prose[i].text, item))
+                faults.push_back(place(page, page.prose[i].number));
+        }
+    }
+    expect_none(faults);
+}
+
 TEST(Pages, TheContentsOfTheSiteNameEveryPage) {
     std::ifstream in(kRoot / "mkdocs.yml");
     const std::string contents(std::istreambuf_iterator<char>(in), {});
