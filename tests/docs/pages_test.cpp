@@ -179,6 +179,17 @@ TEST(Pages, NoLineInsideAParagraphStartsLikeAList) {
     expect_none(faults);
 }
 
+// A code span that goes on in the next line is set with the break in it.
+TEST(Pages, CodeSpansEndOnTheirLine) {
+    std::vector<std::string> faults;
+    for (const Page& page : pages())
+        for (const PageLine& line : page.prose)
+            if (std::count(line.text.begin(), line.text.end(), '`') % 2 != 0 &&
+                page.file.filename() != "CHANGELOG.md")
+                faults.push_back(place(page, line.number));
+    expect_none(faults);
+}
+
 TEST(Pages, TheContentsOfTheSiteNameEveryPage) {
     std::ifstream in(kRoot / "mkdocs.yml");
     const std::string contents(std::istreambuf_iterator<char>(in), {});
