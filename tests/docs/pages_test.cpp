@@ -12,13 +12,14 @@
 #include <vector>
 
 #include "markdown.hpp"
+#include "support/paths.hpp"
 
 namespace burnish::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = BURNISH_SOURCE_DIR;
+const fs::path kRoot = source_folder();
 
 // Names of the pages of docs/, spelled so that this file names none itself.
 const std::string kDocs = "docs" + std::string("/");
