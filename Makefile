@@ -4,6 +4,7 @@
 #   make build   the program, at build/release/bin/burnish
 #   make bench   budgets and what was reached, into bench/results/
 #   make asan    the tests under address and undefined-behaviour sanitizers
+#   make docs    the documentation as a site, build/site/index.html
 #   make format  clang-format over the tree
 #   make clean   remove what was built
 
@@ -12,7 +13,7 @@ BUILD := build/$(PRESET)
 JOBS ?= $(shell nproc)
 BURNISH := $(BUILD)/bin/burnish
 
-.PHONY: demo test build bench asan format clean packages
+.PHONY: demo test build bench asan docs format clean packages
 
 build: packages
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
@@ -36,6 +37,10 @@ bench: build
 # no suppression can name by then (docs/hardening.md).
 asan:
 	ASAN_OPTIONS=detect_leaks=0 $(MAKE) test PRESET=asan
+
+docs:
+	@scripts/install_packages.sh packages_docs.txt
+	scripts/docs.sh
 
 format:
 	@command -v clang-format >/dev/null || { echo "burnish: clang-format is not installed"; exit 1; }

@@ -1,8 +1,9 @@
 #!/bin/sh
-# Installs the packages of packages.txt that are missing, and nothing when none is.
+# Installs the packages of a list that are missing, and nothing when none is.
+# Usage: install_packages.sh [LIST]    a file of this folder, packages.txt when left out
 set -eu
 folder=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
-wanted=$(sed 's/#.*//' "$folder/packages.txt" | tr -s ' \n' ' ')
+wanted=$(sed 's/#.*//' "$folder/${1:-packages.txt}" | tr -s ' \n' ' ')
 
 missing=""
 for package in $wanted; do
