@@ -34,7 +34,7 @@ bench: build
 	scripts/bench.sh $(BUILD)
 
 # Without the search for leaks: Mesa leaves a few blocks behind when its driver is unloaded, which
-# no suppression can name by then (docs/hardening.md).
+# no suppression can name by then (docs/develop/testing.md).
 asan:
 	ASAN_OPTIONS=detect_leaks=0 $(MAKE) test PRESET=asan
 

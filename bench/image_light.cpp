@@ -1,5 +1,5 @@
 // Image light on a sphere under a map of one texel: error against 4,096 samples and cost against
-// 32, in the cases of docs/image-light.md.
+// 32, in the cases of docs/evidence/image-light.md.
 #include "image_light.hpp"
 
 #include <fmt/format.h>
@@ -10,12 +10,12 @@
 #include <filesystem>
 #include <glm/trigonometric.hpp>
 
+#include "burnish/render_settings.hpp"
 #include "formats/environments.hpp"
+#include "gpu/device/context.hpp"
 #include "gpu/draw/renderer.hpp"
 #include "gpu/test_scene.hpp"
 #include "report.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish::bench {
 

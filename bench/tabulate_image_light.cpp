@@ -1,5 +1,5 @@
-// Writes the generated half of docs/image-light.md: everything behind its marker line.
-// Usage: tabulate_image_light docs/image-light.md
+// Writes the generated half of docs/evidence/image-light.md: everything behind its marker line.
+// Usage: tabulate_image_light docs/evidence/image-light.md
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "burnish/error.hpp"
-#include "image_light.hpp"
 #include "gpu/device/context.hpp"
+#include "image_light.hpp"
 
 namespace burnish::bench {
 namespace {

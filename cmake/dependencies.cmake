@@ -1,4 +1,4 @@
-# Debian 12 packages; docs/architecture.md says what each is for.
+# Debian 12 packages; docs/develop/architecture.md says what each is for.
 find_package(PkgConfig REQUIRED)
 find_package(glm REQUIRED)
 find_package(fmt REQUIRED)

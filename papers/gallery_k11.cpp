@@ -248,7 +248,8 @@ std::optional<GalleryPage> k11_fig4(GalleryTools& tools) {
     // 0.05: above the noise of a few samples.
     page.verdict = least > 0.05 ? Verdict::borne_out : Verdict::partly;
     page.remark =
-        "The maps are made by `burnish scratch`; docs/scratch.md says how far they go beyond "
+        "The maps are made by `burnish scratch`; docs/reference/map-folders.md says how far they "
+        "go beyond "
         "section 2.4.";
     return page;
 }

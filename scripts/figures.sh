@@ -1,5 +1,5 @@
 #!/bin/sh
-# Figures 5, 9, 12 and 15 of K11 (docs/papers.md), each as one sheet with difference images.
+# Figures 5, 9, 12 and 15 of K11 (docs/evidence/figures.md), each as one sheet with difference images.
 # Usage: figures.sh BURNISH FOLDER [SIDE [SAMPLES]]
 default_side=480
 # shellcheck source=scripts/picture_arguments.sh

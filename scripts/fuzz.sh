@@ -2,7 +2,7 @@
 # Fuzzes the readers, each for so many seconds of one core. Usage: fuzz.sh [SECONDS [READER...]]
 #   READER: gltf obj scene csv scratch bsdf image rig tabulated wif (default: all, one after the other)
 # Builds with the preset `fuzz`; corpora, logs and findings stay in build/fuzz. Small files of the
-# folder that BURNISH_DATA names join the seeds. docs/hardening.md says what counts as a finding.
+# folder that BURNISH_DATA names join the seeds. docs/develop/testing.md says what counts as a finding.
 set -eu
 cd "$(dirname "$0")/.."
 seconds=${1:-600}

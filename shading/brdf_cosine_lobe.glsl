@@ -1,6 +1,6 @@
 // phong and lafortune on a surface with a normal map: powers of a cosine about a direction, where the
 // other models have half vectors. All directions unit, in the unperturbed tangent space. What each
-// method does to them: docs/papers.md. A deformation has nothing to act on; who asks for one is told
+// method does to them: docs/theory/papers.md. A deformation has nothing to act on; who asks for one is told
 // so (src/scene/material_parameters.cpp).
 
 struct CosineLobe {

@@ -1,5 +1,5 @@
 // Directions that a strong normal map makes invalid: a view or a light below the horizon of the
-// perturbed normal n~ or of the surface. What is done about them and why: docs/invalid-directions.md.
+// perturbed normal n~ or of the surface. What is done about them and why: docs/theory/invalid-directions.md.
 // Everything in the unperturbed tangent space; unit vectors, n~z > 0, wo.z > 0.
 
 // How near to n~'s horizon a view may come before n~ is turned towards it: 84.3 degrees.

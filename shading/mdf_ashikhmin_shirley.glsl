@@ -7,7 +7,7 @@ FN Float log_cosine(Float s2, Float z) {
     return choose(near_pole, Float(0.5), Float(1)) * log1m_or_log(near_pole, s2, max(z, kTiny));
 }
 
-// cos^2 phi = 1 at the pole, where phi is undefined (docs/papers.md).
+// cos^2 phi = 1 at the pole, where phi is undefined (docs/theory/papers.md).
 FN Float ashikhmin_shirley_exponent(Float e_x, Float e_y, Float x, Float y) {
     Float xx = x * x;
     Float yy = y * y;

@@ -1,4 +1,4 @@
-// Ward's distribution as K12 Eq 3 means it (squares restored: docs/papers.md), peak 1:
+// Ward's distribution as K12 Eq 3 means it (squares restored: docs/theory/papers.md), peak 1:
 // exp(-2 ((x/alpha_x)^2 + (y/alpha_y)^2) / (1 + z)). 2/(1+z) is Ward's approximation to 1/z^2.
 
 FN Float mdf_ward_shape(Float alpha_x, Float alpha_y, LobePoint q) {

@@ -1,4 +1,4 @@
-// What a perturbed normal n~ does to a lobe: the methods of docs/papers.md, term by term.
+// What a perturbed normal n~ does to a lobe: the methods of docs/theory/papers.md, term by term.
 //
 // All directions are in the tangent space of the unperturbed surface (x tangent, y bitangent,
 // z normal); n~ is unit. A method is a map from the half vector h to the LobePoint where the
@@ -50,7 +50,7 @@ FN Perturbation perturb_make(int method, vec3 n, Bool grooves_along_x, Bool cons
         p.frame = frame_keep_bitangent(n);
     } else if (method == kMethodRotateApprox) {
         // K12 Eq 9 and 11: row 2 is w' x u' = (-nx ny, 1 - ny^2, -ny nz) and row 3 is n~.h; the
-        // printed signs and the printed n~.n~ are wrong (docs/papers.md).
+        // printed signs and the printed n~.n~ are wrong (docs/theory/papers.md).
         Float s2 = n.x * n.x + n.z * n.z;
         p.frame.t = vec3(n.z, Float(0), -n.x);
         p.frame.b = vec3(-n.x * n.y, s2, -n.y * n.z);
@@ -75,7 +75,7 @@ FN Perturbation perturb_make(int method, vec3 n, Bool grooves_along_x, Bool cons
 }
 
 // 1 - k of the deformations at p = (h.x, h.y), k = |C'p| / |C'R|: hz^2 / (1 - d.p + S), exact near
-// the rim, where the ray and circle subtract (docs/papers.md, K11 Eq 3). With v = p - d and b = d.v
+// the rim, where the ray and circle subtract (docs/theory/papers.md, K11 Eq 3). With v = p - d and b = d.v
 // the denominator is n~z^2 + (S - b), and S - b is written without cancellation for either sign.
 FN Float deform_rim_fraction(vec3 n, vec3 h) {
     Float vx = h.x - n.x;

@@ -1,6 +1,6 @@
 // The dialect's words for C++: Float, Bool, FN, OUT, choose and tiny vectors, so that the texts of
 // this folder, which are GLSL, also compile as C++ in float and in double (include/burnish/f32.hpp,
-// f64.hpp). prelude.glsl says the same words for GLSL. docs/architecture.md, "One text".
+// f64.hpp). prelude.glsl says the same words for GLSL. docs/develop/architecture.md, "One text".
 #pragma once
 
 #include <algorithm>

@@ -26,7 +26,7 @@ FN vec3 lobe_base_sample(Lobe lobe, vec2 xi) {
 }
 
 // What rotate-approx really draws: the exact rotation of a lobe whose alphas are 1/s as large
-// (Ashikhmin-Shirley: of the lobe itself), s^2 = 1 - n~y^2. docs/papers.md, K12 Eq 11.
+// (Ashikhmin-Shirley: of the lobe itself), s^2 = 1 - n~y^2. docs/theory/papers.md, K12 Eq 11.
 FN Lobe lobe_for_sampling(Lobe lobe, Perturbation p) {
     if (p.method == kMethodRotateApprox && lobe.mdf != kMdfAshikhminShirley) {
         Float widen = sqrt(p.stretch);

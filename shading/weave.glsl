@@ -1,5 +1,5 @@
 // Woven cloth: what lies at a point of a cell, the crossing of one warp and one weft yarn
-// (docs/weave.md). K12 section IV.B names the parts (axes that alternate with the yarn, normals from
+// (docs/theory/cloth.md). K12 section IV.B names the parts (axes that alternate with the yarn, normals from
 // the weave's pattern) and gives no formula; these are ours. Lengths are in yarn spacings: warp yarns
 // run along +v and weft yarns along +u, a cell is a unit square with its middle at (0, 0).
 

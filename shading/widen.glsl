@@ -1,7 +1,7 @@
 // A lobe widened by the slopes of detail too small to see. Detail whose slopes vary by variance_x,
 // variance_y along the lobe's own axes makes of the density of the lobe's slopes, D (n.h)^4 at
 // (-h.x/h.z, -h.y/h.z), its convolution with that of the detail: Olano & Baker, "LEAN Mapping", 2010;
-// Dupuy et al. 2013. docs/normal-map-mips.md has the error of each against the convolution.
+// Dupuy et al. 2013. docs/theory/normal-filtering.md has the error of each against the convolution.
 
 // Beckmann: slopes are Gaussian with variance alpha^2/2, so variances add. Exact. Ward's 1 - z in
 // place of half the squared slope is the same for narrow lobes.

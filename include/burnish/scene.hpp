@@ -23,7 +23,7 @@ namespace BURNISH_API burnish {
 enum class Wrap { repeat, mirror, clamp };
 enum class AlphaMode { opaque, mask, blend };
 
-// How a normal map is read where its texels are smaller than a pixel (docs/normal-map-mips.md).
+// How a normal map is read where its texels are smaller than a pixel (docs/theory/normal-filtering.md).
 enum class NormalFilter {
     mips,    // the mean of the normals, as engines do: the lobe stays as narrow as it is up close
     moments  // the mean slope, and the lobe widened by the variance of slopes
@@ -43,7 +43,7 @@ struct TextureUse {
 struct Draft;              // maps/weave/draft.hpp
 struct TabulatedMaterial;  // scene/material/tabulated_material.hpp
 
-// Woven cloth in place of a normal map (docs/weave.md). The lobe's x axis runs along the fibres:
+// Woven cloth in place of a normal map (docs/theory/cloth.md). The lobe's x axis runs along the fibres:
 // along the tangent on weft yarns, the bitangent on warp yarns, turned by twist and
 // anisotropy_rotation.
 struct Cloth {
@@ -96,7 +96,7 @@ struct Material {
     bool conserve = false;       // deform-*: the energy-conserving form
     std::optional<Cloth> cloth;  // with `alpha` set, and no normal, anisotropy or roughness texture
     // A measured lobe, colours and normals at every texel in place of lobe and base colour
-    // (docs/tabulated-material.md), read where normal_texture is, which may perturb it further;
+    // (docs/reference/tabulated-file.md), read where normal_texture is, which may perturb it further;
     // anisotropy_rotation turns it. No cloth beside it, no other texture of lobe or colour.
     std::shared_ptr<const TabulatedMaterial> tabulated;
     std::string tabulated_file;  // where it is from, for messages

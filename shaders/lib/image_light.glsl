@@ -51,7 +51,7 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
 
 // The map is blurred by GGX, whose tail a^2/t^4 a power of a cosine has not: 4/3 of one level less 1/3
 // of the next, twice as wide, is a kernel without it, nowhere negative. Its width is fitted
-// (docs/image-light.md).
+// (docs/theory/image-light.md).
 const float kCosineLobeWidth = 0.9;
 
 vec3 round_lobe_radiance(vec3 w, float alpha) {

@@ -66,7 +66,7 @@ struct Shading {
 };
 
 #if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
-// Slopes and their variances (docs/normal-map-mips.md): how the lobe of a normal `n` = normal_of_slopes
+// Slopes and their variances (docs/theory/normal-filtering.md): how the lobe of a normal `n` = normal_of_slopes
 // is to be widened along the tangent and the bitangent. A step ds of the slope turns n by ds nz^2 in
 // the direction of the tilt and by ds nz across it, here resolved along the axes.
 // 1: beyond, lobes of alpha > sqrt(2) are all one, and the widest whose normaliser is good.

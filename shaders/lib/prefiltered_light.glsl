@@ -1,12 +1,12 @@
 // The specular term under the environment by a few look-ups of the lobe map along the major axis of
-// the reflected lobe. docs/image-light.md derives it and tabulates its error.
+// the reflected lobe. docs/theory/image-light.md derives it and tabulates its error.
 //
 // Half vectors are base vectors m mapped by the method. Base vectors are those of GGX visible from wo:
 // in the space where the lobe is a hemisphere they halve the angle between w, the view, and points c
 // that fill the cap c.z > -w.z evenly (Dupuy & Benyoub 2023). A look-up is a point of the cap on the
 // line through its middle that the reflection stretches most.
 
-// Equal shares of the lobe. Fitted on spheres under two real environments (docs/image-light.md): how
+// Equal shares of the lobe. Fitted on spheres under two real environments (docs/theory/image-light.md): how
 // far towards the rim of the cap the outermost reach, and the width of what is read against that of the
 // lobe beside the axis. A round lobe is narrower than it, or neighbours would blur along the axis.
 const int kLookUps = 7;

@@ -31,7 +31,7 @@ std::span<const ShapeParameter> mdf_parameters(Mdf mdf);
 
 template <typename Float>
 struct MdfValues {
-    Float D{};             // as the papers normalise it (docs/papers.md)
+    Float D{};             // as the papers normalise it (docs/theory/papers.md)
     Float D_proj{};        // the unperturbed lobe normalised to Int D (n.h) dw = 1
     Float D_conserving{};  // D_proj, times the conserving factor of deform-smooth
 };

@@ -1,4 +1,4 @@
-// Scene files: docs/scene-file.md is the schema in words.
+// Scene files: docs/reference/scene-file.md is the schema in words.
 #include "stage/scene_file.hpp"
 
 #include <fmt/format.h>

@@ -9,14 +9,14 @@
 #include <glm/trigonometric.hpp>
 
 #include "burnish/error.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/stage.hpp"
 #include "formats/environments.hpp"
 #include "formats/load_model.hpp"
 #include "scene/geometry/builtin_meshes.hpp"
 #include "stage/material_parameters.hpp"
 #include "stage/normal_map_check.hpp"
 #include "stage/scene_file.hpp"
-#include "burnish/render_settings.hpp"
-#include "burnish/stage.hpp"
 
 namespace burnish {
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kDefaultLightIntensity = 3.14159265;  // lights a white plate head-on to 1
 
-// +y up; azimuth 0 is +z, 90 degrees is +x (docs/conventions.md).
+// +y up; azimuth 0 is +z, 90 degrees is +x (docs/theory/conventions.md).
 glm::vec3 direction_at(double azimuth_deg, double elevation_deg) {
     const double azimuth = glm::radians(azimuth_deg);
     const double elevation = glm::radians(elevation_deg);

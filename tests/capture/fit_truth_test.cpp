@@ -1,5 +1,5 @@
 // The whole fit against samples that are known exactly: grain, distributions, strengths, pictures
-// under held-out lights and from unseen views, beside Ward's models (docs/capture.md has the
+// under held-out lights and from unseen views, beside Ward's models (docs/evidence/capture-results.md has the
 // figures).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -142,7 +142,7 @@ void expect_close_to_truth(const Fitted& fitted, double most_covered, double mos
     }
 }
 
-// Bounds three times what was measured (docs/capture.md), far below what was asked for.
+// Bounds three times what was measured (docs/evidence/capture-results.md), far below what was asked for.
 TEST(CaptureFitTruth, KnownEtaOnePercentNoise) {
     const Folder folder;
     const Fitted fitted = fit_classes(0.01, 1.5, folder.path("stack"));

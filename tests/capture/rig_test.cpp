@@ -63,7 +63,7 @@ void draw(const ScratchFolder& folder, std::string_view name, int width = 4, int
 }
 
 TEST(RigJson, ManualsExampleReads) {
-    std::ifstream file(test::source_folder() / "docs/rig.md");
+    std::ifstream file(test::source_folder() / "docs/reference/rig-file.md");
     const std::string manual(std::istreambuf_iterator<char>(file), {});
     const std::size_t start = manual.find("```json\n") + 8;
     const Rig rig = read(manual.substr(start, manual.find("```", start) - start));

@@ -190,7 +190,7 @@ TEST_P(TiltedPlate, SeenAlongTheMappedNormalIsBrightestInTheMirrorDirection) {
     }
 }
 
-// What today's engines do (docs/papers.md): the highlight is where nothing mirrors, 2.2, 2.1
+// What today's engines do (docs/theory/methods.md): the highlight is where nothing mirrors, 2.2, 2.1
 // and 1.8 times the tilt away for 15, 30 and 45 degrees.
 TEST_P(TiltedPlate, NormalMapMissesTheMirrorDirection) {
     BURNISH_REQUIRE_GL();

@@ -1,4 +1,4 @@
-// Includes go downwards only (docs/architecture.md): the includes of our own headers in every file of
+// Includes go downwards only (docs/develop/architecture.md): the includes of our own headers in every file of
 // src/, papers/, bench/frame/ and include/ are checked against what the layer of the file may include.
 #include <gtest/gtest.h>
 

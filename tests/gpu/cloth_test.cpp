@@ -9,12 +9,12 @@
 #include <sstream>
 
 #include "burnish/f64.hpp"
+#include "burnish/render_settings.hpp"
 #include "flicker.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "maps/weave/draft.hpp"
 #include "test_scene.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {
@@ -149,7 +149,7 @@ TEST_P(ClothFromAfar, MeanColourUnderASky) {
 }
 
 TEST_P(ClothFromAfar, MeanColourUnderAPrefilteredSky) {
-    // One look along the family's wide lobe: seen askance it is dimmer (docs/weave.md).
+    // One look along the family's wide lobe: seen askance it is dimmer (docs/evidence/cloth.md).
     expect_same_mean(ImageLight::prefiltered, GetParam().tilt_deg > 0 ? 0.18 : 0.03);
 }
 

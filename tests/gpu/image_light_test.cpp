@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 
 #include "burnish/f64.hpp"
-#include "gpu_fixture.hpp"
-#include "test_scene.hpp"
 #include "burnish/render_settings.hpp"
 #include "gpu/draw/renderer.hpp"
+#include "gpu_fixture.hpp"
+#include "test_scene.hpp"
 
 namespace burnish::test {
 namespace {
@@ -58,7 +58,7 @@ class ImageLighting : public GpuTest {
 
 // White metal (F = 1) in constant light: what leaves is the albedo. Rotations turn a lobe that
 // keeps its energy, so nothing above 1 may leave but noise; the deformations and normal-map are no
-// rotations, and what they gain is theirs (docs/papers.md): here they have only to be bounded.
+// rotations, and what they gain is theirs (docs/theory/papers.md): here they have only to be bounded.
 TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
     Scene scene = one_object(uv_sphere(48, 24), white_metal(Method::none, {0.15f, 0.5f}));
     scene.textures.push_back(bump_texture(64, 6, 0.4f));

@@ -71,7 +71,7 @@ Environment gradient_sky() {
 
 class PrefilteredLight : public GpuTest {};
 
-// The budget of docs/image-light.md: error a quarter of the bent normal's, both against 4,096
+// The budget of docs/evidence/performance.md: error a quarter of the bent normal's, both against 4,096
 // samples.
 TEST_F(PrefilteredLight, ErrsAQuarterAsMuchAsBentNormals) {
     const std::filesystem::path folder = environment_folder();
@@ -175,7 +175,7 @@ TEST_F(PrefilteredLight, FurnaceAgreesWithImportanceSampling) {
     for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
         check(brdf, Mdf::ggx, Method::gram_schmidt, 0.02);
     }
-    // No rotation: its gains and losses are not followed (docs/image-light.md).
+    // No rotation: its gains and losses are not followed (docs/theory/image-light.md).
     check(Brdf::microfacet, Mdf::ggx, Method::deform_linear, 0.2);
 }
 

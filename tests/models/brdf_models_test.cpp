@@ -68,7 +68,7 @@ TEST(BrdfClosedForms, AtOnePair) {
            28 * 0.6 / (23 * kPi) * 0.7 * through(wi.z) * through(wo.z));
 }
 
-// Measured by an independent script at azimuth 20: docs/papers.md.
+// Measured by an independent script at azimuth 20: docs/theory/papers.md.
 TEST(BrdfFurnace, WardAndItsCorrections) {
     const auto at = [](std::string_view name, double theta) {
         return albedo({&model_named(name), {1, 0.15, 0.4}}, at_deg(theta, 20), 1 << 17);
@@ -157,7 +157,7 @@ TEST(BrdfSinglePrecision, NarrowLobesKeepTheirCore) {
 
 // ---- he -----------------------------------------------------------------------------------------
 
-// docs/papers.md: terms that leave less than 1e-6.
+// docs/theory/papers.md: terms that leave less than 1e-6.
 TEST(He, SeriesTakesTheTermsItShould) {
     const std::pair<double, int> wanted[] = {{1, 8}, {5, 18}, {20, 44}, {60, 99}};
     for (const auto& [g, terms] : wanted) {

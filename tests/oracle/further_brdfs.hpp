@@ -2,7 +2,7 @@
 //
 // Sources: Phong 1975, Ward 1992, Duer's form of it, Lafortune et al. 1997, Cook & Torrance 1982,
 // Ashikhmin, Premoze & Shirley 2000, He, Torrance, Sillion & Greenberg 1991; normalisations and
-// corrections as in docs/papers.md. As in oracle.hpp, everything is literal, slow, in `long double`
+// corrections as in docs/theory/papers.md. As in oracle.hpp, everything is literal, slow, in `long double`
 // and shares no code with `shading/` or `src/`.
 
 #pragma once

@@ -109,7 +109,7 @@ Frame frame_rotate_exact(Vec3 n) {
 }
 
 // K12 Eq 9 without its misprints: the two cross products that it names, not normalised
-// (docs/papers.md: v' and the sign of row 2).
+// (docs/theory/papers.md: v' and the sign of row 2).
 Frame frame_rotate_approx(Vec3 n) {
     const Vec3 u = cross(kY, n);
     return {u, cross(n, u), n};
@@ -136,7 +136,7 @@ Frame frame_rotate_arc(Vec3 n) {
 }
 
 // Where a groove along the unit vector g of the base plane runs on the displaced surface, whose
-// slopes are dz/dx = -n~x/n~z and dz/dy = -n~y/n~z: the push-forward of g (docs/papers.md
+// slopes are dz/dx = -n~x/n~z and dz/dy = -n~y/n~z: the push-forward of g (docs/theory/papers.md
 // section 4). At n~z <= 0 there are no slopes: take the line that the vertical plane through g
 // cuts from the plane of n~.
 Vec3 groove_direction(Vec3 g, Vec3 n) {
@@ -232,7 +232,7 @@ long double lobe(const std::string& mdf, long double p0, long double p1, Vec3 v)
         return sqrtl((p0 + 1) * (p1 + 1)) / (2 * kPi) * ashikhmin_shirley_shape(p0, p1, v);
     }
     const long double r2 = sqr(v.x / p0) + sqr(v.y / p1);
-    // K12 Eq 3, the squares put back (docs/papers.md).
+    // K12 Eq 3, the squares put back (docs/theory/papers.md).
     if (mdf == "ward") return expl(-2 * r2 / (1 + v.z));
     if (mdf == "beckmann") return expl(-r2 / sqr(v.z)) / (kPi * p0 * p1 * sqr(sqr(v.z)));
     if (mdf == "ggx") return 1 / (kPi * p0 * p1 * sqr(r2 + sqr(v.z)));
@@ -295,7 +295,7 @@ MdfValue mdf_eval(const std::string& mdf, long double p0, long double p1, const 
     if (method == "deform-smooth") {
         const Vec3 n = normalize(n_in);
         const long double d2 = sqr(n.x) + sqr(n.y);
-        // docs/papers.md, normaliser 3.
+        // docs/theory/papers.md, normaliser 3.
         value.D_conserving *= (4 - d2) / (4 - 2 * d2);
     }
     return value;

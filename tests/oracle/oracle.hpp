@@ -2,7 +2,7 @@
 // and the reflectance models, to test the shipped maths against.
 //
 // Everything is worked out from the papers (K11: MDF deformation, K12: MDF rotation; corrections
-// in docs/papers.md) in the most literal way, in `long double`, and shares no code with `shading/`
+// in docs/theory/papers.md) in the most literal way, in `long double`, and shares no code with `shading/`
 // or `src/`. It is slow on purpose: frames come from cross products, the deformation from an actual
 // intersection of a ray with the rim, the shadowing term from an integral.
 //

@@ -138,7 +138,7 @@ TEST(OracleFurther, WardAlbedoTwoWays) {
     }
 }
 
-// docs/papers.md: Ward 1992 loses energy, .80 to .16 from 0 to 85 degrees (alpha .15, .4), and
+// docs/theory/papers.md: Ward 1992 loses energy, .80 to .16 from 0 to 85 degrees (alpha .15, .4), and
 // Duer's form gains, .86 to 1.02: both at an azimuth of 20 degrees. Neither is bounded: as i.z goes
 // to 0 they grow as i.z^(-1/2) and 1/i.z, Ward's beyond 89 degrees only.
 TEST(OracleFurther, WardFurnace) {

@@ -38,7 +38,7 @@ TEST(OracleHe, SeriesInTheSpecularDirection) {
     }
 }
 
-// docs/papers.md: 8, 18, 44, 99 terms at g = 1, 5, 20, 60 for 1e-6.
+// docs/theory/papers.md: 8, 18, 44, 99 terms at g = 1, 5, 20, 60 for 1e-6.
 TEST(OracleHe, TermsThatTheSeriesNeeds) {
     const auto partial = [](long double g, int terms) {
         long double sum = 0;

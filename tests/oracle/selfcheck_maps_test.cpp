@@ -1,5 +1,5 @@
 // Is the oracle itself sane? Normalisation, rotations and deformations, each a property that
-// docs/papers.md claims or a textbook knows in closed form.
+// docs/theory/papers.md claims or a textbook knows in closed form.
 #include "selfcheck.hpp"
 
 namespace burnish::oracle {
@@ -7,7 +7,7 @@ namespace {
 
 // ---------------------------------------------------------------- normalisation
 
-// docs/papers.md: K11 Eq 1 is normalised per solid angle, D_proj per projected area.
+// docs/theory/papers.md: K11 Eq 1 is normalised per solid angle, D_proj per projected area.
 TEST(OracleSelf, AshikhminShirleyIsNormalisedBothWays) {
     const std::vector<std::pair<long double, long double>> exponents{
         {200, 10}, {0, 0}, {0, 10000}, {0.3L, 40}};
@@ -42,7 +42,7 @@ TEST(OracleSelf, TwoQuadraturesAgree) {
     expect_close(integrate_hemisphere(one, tilted(50, 20), 24, 4), 2 * kPi, 1e-16L);
 }
 
-// docs/papers.md, the row on K12 Eq 3's missing prefactor.
+// docs/theory/papers.md, the row on K12 Eq 3's missing prefactor.
 TEST(OracleSelf, WardPeakOneIntegrals) {
     EXPECT_EQ(value(kWard, "none", kUp, kUp).D, 1);
     EXPECT_NEAR(static_cast<double>(ward_projected_integral(0.1L, 0.5L) / (kPi * 0.05L)), 0.9350,
@@ -89,7 +89,7 @@ TEST(OracleSelf, UnperturbedNormalLeavesEveryLobeAlone) {
 
 // ---------------------------------------------------------------- rotations
 
-// docs/papers.md: corrected approximate matrix = diag(s, s, 1) R^T, s = sqrt(1 - n~y^2).
+// docs/theory/papers.md: corrected approximate matrix = diag(s, s, 1) R^T, s = sqrt(1 - n~y^2).
 TEST(OracleSelf, ApproximateRotationIsAScaledExactOne) {
     for (const auto& [n, h] : random_pairs(2, 1000)) {
         const Vec3 exact = transformed("rotate-exact", n, h).v;
@@ -211,7 +211,7 @@ TEST(OracleSelf, TwistBetweenFrames) {
     }
 }
 
-// docs/papers.md: K12's exact rotation for grooves along the tangent, Gram-Schmidt of
+// docs/theory/papers.md: K12's exact rotation for grooves along the tangent, Gram-Schmidt of
 // the tangent for grooves along the bitangent; grooves follow the sharper axis, x when equal.
 TEST(OracleSelf, FollowGrainIsTheFrameOfItsGrooves) {
     const auto same = [](const Lobe& l, const std::string& method, Vec3 n, Vec3 h) {
@@ -251,7 +251,7 @@ TEST(OracleSelf, ZeroWhereTheMethodsSaySo) {
     EXPECT_EQ(value(kGgx, "deform-smooth", n, tilted(85, 180)).D, 0);  // |q| > 1
 }
 
-// docs/papers.md: near h = n the normal-mapped lobe takes every value between
+// docs/theory/papers.md: near h = n the normal-mapped lobe takes every value between
 // cos(30)^200 and cos(30)^10; at the pole itself cos^2 phi = 1.
 TEST(OracleSelf, NormalMapPinch) {
     const Vec3 n = tilted(30, 40);
@@ -266,7 +266,7 @@ TEST(OracleSelf, NormalMapPinch) {
 
 // ---------------------------------------------------------------- deformation
 
-// docs/papers.md: k = |C'p| / |C'R|, and 1 - k = hz^2 / (1 - d.p + S).
+// docs/theory/papers.md: k = |C'p| / |C'R|, and 1 - k = hz^2 / (1 - d.p + S).
 TEST(OracleSelf, DeformRatioHasAClosedForm) {
     const auto closed = [](Vec3 n, Vec3 h) {
         const Vec3 v{h.x - n.x, h.y - n.y, 0};
@@ -356,7 +356,7 @@ Vec3 true_inverse(Vec3 d, Vec3 p) {
     return p - (1 - low) * d;
 }
 
-// docs/papers.md, Eq 5 against the true inverse. The largest distance is |d|^2, met where
+// docs/theory/papers.md, Eq 5 against the true inverse. The largest distance is |d|^2, met where
 // the ray along d leaves the disk: there Eq 5 has t = 0 and the inverse t = |d|.
 TEST(OracleSelf, SmoothDeformationIsNotTheInverse) {
     struct Row {

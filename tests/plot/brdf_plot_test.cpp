@@ -1,4 +1,4 @@
-// Plots of reflection models against the models, and albedo against docs/correctness.md.
+// Plots of reflection models against the models, and albedo against docs/evidence/correctness.md.
 #include "plot/brdf_plot.hpp"
 
 #include <fmt/format.h>
@@ -87,10 +87,10 @@ TEST(BrdfPlot, TheDrawnLineLiesAtF) {
     }
 }
 
-// docs/correctness.md: "| ward-gmd (1, 0.15, 0.4) | x, y | ..." at these angles.
+// docs/evidence/correctness.md: "| ward-gmd (1, 0.15, 0.4) | x, y | ..." at these angles.
 TEST(BrdfPlot, AlbedoCurvesAreTheTabulatedNumbers) {
     const std::vector<double> angles = {0, 15, 30, 45, 60, 75, 80, 85};
-    std::ifstream file(test::source_folder() / "docs/correctness.md");
+    std::ifstream file(test::source_folder() / "docs/evidence/correctness.md");
     std::string line;
     while (std::getline(file, line) && line.find("### Albedo over the angle") == line.npos) {
     }

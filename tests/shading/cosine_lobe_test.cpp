@@ -57,7 +57,7 @@ TEST(CosineLobe, RotationsTurnTheWholeModel) {
     }
 }
 
-// docs/papers.md, literally: (w_x, w_y, n~.w) for normal-map, K12 Eq 11 corrected for
+// docs/theory/papers.md, literally: (w_x, w_y, n~.w) for normal-map, K12 Eq 11 corrected for
 // rotate-approx, the mirror direction about n~ for phong in both.
 TEST(CosineLobe, OtherMethodsAreAsWritten) {
     Directions random;

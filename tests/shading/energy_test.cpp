@@ -67,7 +67,7 @@ TEST(Energy, PaperFormOfAshikhminShirleyIsPerSolidAngle) {
     EXPECT_NEAR(total, 1.0, 2e-5);
 }
 
-// Table of docs/papers.md: what the shipped and published forms do to energy.
+// Table of docs/theory/papers.md: what the shipped and published forms do to energy.
 TEST(Energy, KnownLossesAreReproduced) {
     const auto mean_over_azimuths = [](const LobeCase& c, int method, double tilt) {
         double sum = 0;

@@ -47,7 +47,7 @@ TEST(Highlight, FollowGrainIsThePlateReallyTilted) {
 }
 
 // The light angle of brightest reflection in the plane of the tilt, seen along the geometric normal
-// (docs/papers.md, "What engines ship"): GGX, height-correlated Smith.
+// (docs/theory/methods.md, "What engines ship"): GGX, height-correlated Smith.
 double brightest_in_plane_deg(double alpha_x, double alpha_y, int method, double tilt_deg,
                               bool along_x) {
     const double phi = along_x ? 0.0 : kPi / 2;

@@ -1,5 +1,5 @@
 // The published answers to directions that a normal map makes invalid, side by side: for the study
-// docs/invalid-directions.md and for tests. Double precision; Fresnel is 1.
+// docs/theory/invalid-directions.md and for tests. Double precision; Fresnel is 1.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Writes the tables of docs/invalid-directions.md and its picture.
+// Writes the tables of docs/evidence/invalid-directions.md and its picture.
 // Usage: study_invalid_directions PICTURE.jpg > tables.md
 #include <cstdio>
 #include <vector>

@@ -1,4 +1,4 @@
-// The parts of docs/correctness.md, as text.
+// The parts of docs/evidence/correctness.md, as text.
 #pragma once
 
 #include <functional>

@@ -95,7 +95,7 @@ std::string label(const Case& c) {
            std::to_string(c.sigma_x) + "," + std::to_string(c.sigma_y);
 }
 
-// Bounds: what docs/normal-map-mips.md says, which `BURNISH_PRINT_WIDEN=1` prints.
+// Bounds: what docs/theory/normal-filtering.md says, which `BURNISH_PRINT_WIDEN=1` prints.
 void expect_within(int mdf, double peak_low, double peak_high, double l1) {
     for (const Case& c : cases(mdf)) {
         const Error e = error_of(c);

@@ -20,7 +20,7 @@ using test::error_line;
 using test::ScratchFolder;
 
 std::string example_of_the_manual() {
-    std::ifstream file(test::source_folder() / "docs/scene-file.md");
+    std::ifstream file(test::source_folder() / "docs/reference/scene-file.md");
     const std::string text(std::istreambuf_iterator<char>(file), {});
     const std::size_t start = text.find("```json\n") + 8;
     return text.substr(start, text.find("```", start) - start);

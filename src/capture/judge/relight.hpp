@@ -1,5 +1,5 @@
 // What a fitted material looks like under the lights of a rig, in the units of its pictures
-// (docs/relight-export.md). In double precision.
+// (docs/theory/capture-model.md). In double precision.
 #pragma once
 
 #include <vector>

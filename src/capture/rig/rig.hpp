@@ -1,5 +1,5 @@
 // Rigs: where the camera and the lights of a capture stood, and what each picture of it is. Read
-// from our rig JSON, from `.lp` files and from relight's `.dome` JSON; docs/rig.md describes all
+// from our rig JSON, from `.lp` files and from relight's `.dome` JSON; docs/reference/rig-file.md describes all
 // three.
 //
 // Sample space: z = 0 is the flat sample, +x right, +y up, the origin at the image centre, row 0 at

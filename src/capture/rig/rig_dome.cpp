@@ -1,4 +1,4 @@
-// .dome files of relight: the lights of a dome, without pictures. docs/rig.md says what is read.
+// .dome files of relight: the lights of a dome, without pictures. docs/reference/rig-file.md says what is read.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Our rig JSON, read: docs/rig.md is the schema in words.
+// Our rig JSON, read: docs/reference/rig-file.md is the schema in words.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // Flat samples whose every texel is known, and what a camera sees of them: the truth of simulated
-// captures (docs/capture.md). In double precision through shading/.
+// captures (docs/theory/capture-model.md). In double precision through shading/.
 #pragma once
 
 #include <cstdint>

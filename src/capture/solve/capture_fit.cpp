@@ -26,7 +26,7 @@ namespace {
 
 // Bytes of training samples in memory at most.
 constexpr std::size_t kTrainingBytes = std::size_t{256} << 20;
-// Training points where nobody says how many: the figures of docs/capture.md are from a tenth of
+// Training points where nobody says how many: the figures of docs/evidence/capture-results.md are from a tenth of
 // these samples, and their cost is that of so many.
 constexpr std::size_t kUsualPoints = 8192, kUsualSamples = 4000000;
 constexpr std::size_t kCandidates = 3, kDoubtCandidates = 8;

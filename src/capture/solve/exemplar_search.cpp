@@ -437,7 +437,7 @@ void ExemplarSearch::run() {
 
 // Golden section over F(1) = ((eta-1)/(eta+1))^2 on a scale where steps of F's shape are even. Each
 // trial solves the exemplars anew for two rounds: F and D are told apart only by points that see
-// one facet at different angles (docs/capture.md).
+// one facet at different angles (docs/theory/capture-model.md).
 double ExemplarSearch::estimate_eta() {
     const Exemplars start = exemplars_;
     const std::vector<PointTurn> turns = turns_;

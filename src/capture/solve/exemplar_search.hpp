@@ -1,6 +1,6 @@
 // The exemplars of a sample from some of its points: partial distributions are clustered, then
 // exemplars, turns and strengths are solved for in turns from the points' samples themselves,
-// exemplars being joined, split and merged on the way (docs/capture.md).
+// exemplars being joined, split and merged on the way (docs/theory/capture-model.md).
 #pragma once
 
 #include <array>

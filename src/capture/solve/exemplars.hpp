@@ -1,5 +1,5 @@
 // Exemplars: the distributions that all points of a sample share, each point turned by its own
-// angle. Found by masked, rotation-aware k-means on partial distributions; docs/capture.md.
+// angle. Found by masked, rotation-aware k-means on partial distributions; docs/theory/capture-model.md.
 #pragma once
 
 #include <cstdint>

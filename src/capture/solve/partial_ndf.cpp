@@ -10,7 +10,7 @@ namespace burnish {
 
 namespace {
 
-// Areas vary slowly: worked out for few directions from few cells (error: docs/capture.md).
+// Areas vary slowly: worked out for few directions from few cells (error: docs/theory/capture-model.md).
 constexpr NdfGrid kCoarse = {8, 24};
 constexpr int kMostRounds = 10;
 constexpr float kTolerance = 1e-4f;

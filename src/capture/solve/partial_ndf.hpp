@@ -1,5 +1,5 @@
 // The part of a distribution that one point shows by itself: W08's solve, corrected
-// (docs/capture.md).
+// (docs/theory/capture-model.md).
 //
 //   rho_q = I_q / received_q; diffuse = the 2nd percentile of rho (the minimum reads low under
 //   noise); D(h_q) = 4 (rho_q - diffuse) g(i_q) g(o) / (F(c_q)/F(1)), g = Int max(h.k, 0) D over

@@ -1,6 +1,6 @@
 // How alike are two distributions, each known on a part of the hemisphere only, when one may be
 // turned and scaled? All turns at once, by correlation over azimuth in frequency space;
-// docs/capture.md derives it.
+// docs/theory/capture-model.md derives it.
 //
 // For a point's table T with weights m and an exemplar's C with weights n, over cells weighted by
 // cos(theta) times solid angle, at a turn of s columns:

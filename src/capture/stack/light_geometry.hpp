@@ -123,7 +123,7 @@ void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& o
 
 inline constexpr std::array<float, 3> kLuminance = {0.2126f, 0.7152f, 0.0722f};
 
-// F(c) / F(1) of a dielectric of index eta; 1 for eta = 0 (docs/capture.md).
+// F(c) / F(1) of a dielectric of index eta; 1 for eta = 0 (docs/theory/capture-model.md).
 class RelativeFresnel {
   public:
     explicit RelativeFresnel(float eta);

@@ -22,7 +22,7 @@ difference in
   log   ln(1 + f cos(theta_i)): Low et al. 2012. Peaks and the rest both count
 Both errors are printed, best model first. A .csv holds a row a model, its p0..p4 those of brdf eval;
 a .json also the curves, measured and fitted, in the plane of incidence.
-docs/measured.md shows what came out for some materials.
+docs/evidence/measured-fits.md shows what came out for some materials.
 
 Examples:
   burnish brdf fit paper_white_rgb.bsdf

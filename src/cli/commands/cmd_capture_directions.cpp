@@ -21,7 +21,7 @@ outline: its middle and radius in pixels, counted from the top left corner of th
 give the mean of their directions. Printed for each light: the direction, its angle theta from the normal
 and phi, counter-clockwise from +x, and how far the highlight spreads about it. RIG is JSON of ours (.json)
 or an .lp file. Balls that lie beside the sample are to be cut off the pictures, or masked, before a fit:
-docs/rig.md says how, and how exact the directions are.
+docs/guide/capture.md says how, and how exact the directions are.
 
 Examples:
   burnish capture directions ball/*.jpg --ball 412.5,388,160 --pictures sample/*.tif --width-mm 60 -o rig.json

@@ -14,7 +14,7 @@ constexpr const char* kFooter = R"(
 Writes into DIR: diffuse.exr, specular.exr, normal.exr (unit vectors), grain_angle.exr (degrees of the
 groove, counter-clockwise from +x, 0 to 180), alpha.exr (red: across the groove, green: along it, blue:
 distance of the table from that GGX lobe, 0 to 1) and material.gltf with its textures, a flat quad as
-large as the sample with KHR_materials_anisotropy. docs/relight-export.md says what each holds.
+large as the sample with KHR_materials_anisotropy. docs/reference/map-folders.md says what each holds.
 
 Examples:
   burnish capture export brass.exr -o brass

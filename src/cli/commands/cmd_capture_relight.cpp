@@ -15,7 +15,7 @@ constexpr const char* kFooter = R"(
 Writes into DIR: 0000.exr, 0001.exr ... (linear, in the units of the rig's intensities), rig.json, which
 names them; with --compare also compare.csv. A light of the rig that has a camera is seen from there.
 PSNR is relative to the brightest sample of the stack that is not clipped. --response, --camera, --flip-y
-and --width-mm as the fit had them, for both rigs. docs/relight-export.md says more.
+and --width-mm as the fit had them, for both rigs. docs/guide/relight-and-export.md says more.
 
 Examples:
   burnish capture relight brass.exr --rig dome.json -o relit

@@ -18,7 +18,7 @@ what the lights cover, the exemplars before and after completion, maps, three pi
 what the material and Ward's models make of them, and renderings. STACK is the rig that the material was
 fitted to. Without --hold-out it is as the material's file says; where that says nothing, lights judge
 that took part, and the page says so. --response, --camera, --flip-y and --width-mm as the fit had them.
-docs/capture.md says more.
+docs/guide/capture.md says more.
 
 Examples:
   burnish capture fit sample/rig.json -o sample.exr --hold-out 10

@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kFooter = R"(
 Writes DIR/images, DIR/rig.json (the stack, for `burnish capture fit`) and DIR/truth. The pictures are
 made from the analytic distributions in double precision, never from tables. Noise has a standard
-deviation of PERCENT of a pixel plus 2 % of a white diffuser. docs/capture.md has more.
+deviation of PERCENT of a pixel plus 2 % of a white diffuser. docs/guide/capture.md has more.
 
 Examples:
   burnish capture simulate classes -o sample --noise 1

@@ -30,7 +30,7 @@ With neither preset nor file the first layer starts as 40 round scratches/cm2 of
 
 Writes into DIR: height.exr (millimetres), height.png, normal.png (+y up), direction.png (groove, double
 angle), anisotropy.png (KHR_materials_anisotropy), moments.exr (mip map), preview.png, scratch.json.
-docs/scratch.md says what each holds.
+docs/reference/map-folders.md says what each holds.
 
 Examples:
   burnish scratch -o metal --preset brushed --size 4096

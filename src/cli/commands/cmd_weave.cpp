@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kFooter = R"(
 Writes into DIR: height.exr (millimetres), height.png, normal.png (+y up), direction.png (fibres, double
 angle), color.png (sRGB), id.png (warp or weft, number of the yarn), draft.wif, preview.png, weave.json.
-The tile repeats without a seam. docs/drafts.md says what each holds.
+The tile repeats without a seam. docs/reference/map-folders.md says what each holds.
 
 Examples:
   burnish weave twill-2-2 -o twill --repeats 4 --weave-twist 30

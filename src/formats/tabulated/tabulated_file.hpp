@@ -1,4 +1,4 @@
-// Files of tabulated materials: docs/tabulated-material.md describes the parts.
+// Files of tabulated materials: docs/reference/tabulated-file.md describes the parts.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// How a tabulated material lies in the parts of its file (docs/tabulated-material.md): what its
+// How a tabulated material lies in the parts of its file (docs/reference/tabulated-file.md): what its
 // reader and its writer share.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Weaving drafts from WIF files (Weaving Information File 1.1, Ravi Nielsen and others, 1997), and
-// back. docs/drafts.md says what is read, what is passed over, and how open points are decided.
+// back. docs/reference/drafts.md says what is read, what is passed over, and how open points are decided.
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-// Balls of one lamp that is far away agree to a degree (docs/rig.md).
+// Balls of one lamp that is far away agree to a degree (docs/guide/capture.md).
 constexpr double kApart = 3.0;
 // A second spot of this share is no reflection of the room.
 constexpr double kTwoLamps = 0.5;

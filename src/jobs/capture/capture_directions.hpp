@@ -1,4 +1,4 @@
-// burnish capture directions: a rig from pictures of mirror balls (docs/rig.md).
+// burnish capture directions: a rig from pictures of mirror balls (docs/guide/capture.md).
 #pragma once
 
 #include <filesystem>

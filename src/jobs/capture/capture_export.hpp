@@ -1,5 +1,5 @@
 // burnish capture export: a fitted material as maps for people and as a glTF for other programs
-// (docs/relight-export.md).
+// (docs/reference/map-folders.md).
 #pragma once
 
 #include <filesystem>

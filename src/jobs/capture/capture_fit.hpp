@@ -1,4 +1,4 @@
-// burnish capture fit: from a stack of pictures to a material file (docs/capture.md).
+// burnish capture fit: from a stack of pictures to a material file (docs/guide/capture.md).
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // burnish capture relight: pictures of a fitted material under the lights of a rig
-// (docs/relight-export.md).
+// (docs/guide/relight-and-export.md).
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // burnish capture report: a page of HTML that shows what a stack is, what a fit made of it and how
-// well that foretells pictures (docs/capture.md).
+// well that foretells pictures (docs/guide/capture.md).
 #pragma once
 
 #include <filesystem>

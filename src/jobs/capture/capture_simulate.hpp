@@ -1,5 +1,5 @@
 // burnish capture simulate: a stack of pictures of a sample that is known exactly, its rig and the
-// truth (docs/capture.md).
+// truth (docs/guide/capture.md).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// burnish scratch: from settings to a folder of maps (docs/scratch.md).
+// burnish scratch: from settings to a folder of maps (docs/reference/map-folders.md).
 #pragma once
 
 #include <cstdint>

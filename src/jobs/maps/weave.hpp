@@ -1,4 +1,4 @@
-// burnish weave: from a draft to a folder of maps (docs/drafts.md).
+// burnish weave: from a draft to a folder of maps (docs/reference/map-folders.md).
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ inline constexpr int kMostDraftYarns = 4096;              // ends or picks of a 
 inline constexpr std::int64_t kMostDraftCells = 1 << 20;  // ends times picks
 
 // plain, twill-2-1, twill-2-2, twill-3-1, herringbone, satin-5, satin-8, basket: one textbook
-// repeat each (docs/drafts.md), without colours.
+// repeat each (docs/reference/drafts.md), without colours.
 std::span<const std::string_view> draft_names();
 
 // Throws UsageError "<where>: unknown weave 'x'; did you mean 'y'? ..." for another name.

@@ -1,5 +1,5 @@
 // What the yarns of one family reflect together, seen from so far that none is told from another:
-// the mean of the lobe over the surface's normals as seen (docs/weave.md).
+// the mean of the lobe over the surface's normals as seen (docs/theory/cloth.md).
 #pragma once
 
 #include <array>

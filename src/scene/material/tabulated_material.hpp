@@ -1,5 +1,5 @@
 // Materials measured by `burnish capture fit`: exemplar distributions, and for every texel which
-// exemplar it has, turned by how much, with diffuse and specular colour. docs/tabulated-material.md
+// exemplar it has, turned by how much, with diffuse and specular colour. docs/reference/tabulated-file.md
 // describes the file: a multi-part OpenEXR whose parts any viewer of OpenEXR shows.
 #pragma once
 
