@@ -7,7 +7,7 @@ namespace burnish::dialect {
 template <typename Scalar>
 struct Precision;
 
-// Enough nodes for the Ward normaliser (mdf_ward.glsl) and steps for the root of K11 Eq 5 to reach
+// Enough nodes for the Ward normaliser (mdf/ward.glsl) and steps for the root of K11 Eq 5 to reach
 // rounding error. Cosines that BRDFs divide by are held above the one, and values and densities
 // below the other: nothing becomes infinite at the horizon.
 template <>

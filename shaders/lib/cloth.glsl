@@ -1,4 +1,4 @@
-// Woven cloth (CLOTH) at a point: shading/weave.glsl over the draft's cells. CLOTH_COLORS: yarns of one
+// Woven cloth (CLOTH) at a point: shading/surface/weave.glsl over the draft's cells. CLOTH_COLORS: yarns of one
 // family differ in colour. Slot 0 of every pair is the weft, 1 the warp. docs/weave.md.
 
 uniform highp usampler2D u_weave_cells;  // the bits of src/maps/weave_cells.hpp, a texel a cell

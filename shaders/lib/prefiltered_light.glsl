@@ -150,11 +150,6 @@ bool turns(Perturbation p) {
     return p.method != kMethodNormalMap && !deforms(p);
 }
 
-// The models with a Smith term.
-bool masks() {
-    return BRDF == kBrdfMicrofacet || BRDF == kBrdfMicrofacetSeparable;
-}
-
 vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     Lobe lobe = lobe_for_sampling(m.lobe, p);
     float ax = lobe_alpha_x(lobe);
@@ -173,7 +168,7 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     }
     vec3 eye = turns(p) ? v : wo;
     // Without masking all normals count, seen or not.
-    vec3 w = masks() ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
+    vec3 w = brdf_masks(BRDF) ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
     MappedHalf middle = mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z));
     MajorAxis axis = major_axis(eye, middle.h, turn_of(middle, map, p, vec3(ax, 0.0, 0.0)),
                                 turn_of(middle, map, p, vec3(0.0, ay, 0.0)));
@@ -199,7 +194,7 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
         // The cap is 2 cos(half the angle from its middle) as wide here as a unit step.
         float blur2 = reflected_dot(eye, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
         vec3 gi = turns(p) ? wi : perturb_direction(p, wi);
-        float share = masks() ? masking / (masking + smith_lambda(lobe, gi))
+        float share = brdf_masks(BRDF) ? masking / (masking + smith_lambda(lobe, gi))
                               : min(gi.z / max(go.z, 1e-3), 1.0);
         share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;
         vec3 radiance = lobe_radiance(from_axes(axes, wi), lobe_lod(kWidth * kWidth * blur2));

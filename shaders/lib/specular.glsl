@@ -24,7 +24,7 @@ float specular_eval(Shading m, Perturbation p, vec3 wi, vec3 wo) {
 }
 
 vec3 specular_sample(Shading m, Perturbation p, vec3 wo, vec2 xi, float select, out float pdf) {
-    return brdf_sample(m.lobe, p, wo, xi, select, pdf);
+    return brdf_sample(BRDF, m.lobe, p, wo, xi, select, pdf);
 }
 
 #endif

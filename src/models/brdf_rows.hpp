@@ -58,16 +58,18 @@ typename Maths<Float>::Lobe lobe_at(Parameters<Float> p) {
     return Maths<Float>::lobe(static_cast<int>(mdf), p[first], p[second]);
 }
 
-template <typename Float, Mdf mdf, std::size_t first, std::size_t second>
+template <typename Float, Brdf brdf, Mdf mdf, std::size_t first, std::size_t second>
 Direction<Float> sample_lobe(Parameters<Float> p, Direction<Float> wo, Uniforms<Float> xi,
                              Float& density) {
-    return brdf_sample(lobe_at<Float, mdf, first, second>(p), Maths<Float>::unperturbed(), wo,
-                       typename Maths<Float>::Vec2(xi[0], xi[1]), xi[2], density);
+    return brdf_sample(static_cast<int>(brdf), lobe_at<Float, mdf, first, second>(p),
+                       Maths<Float>::unperturbed(), wo, typename Maths<Float>::Vec2(xi[0], xi[1]),
+                       xi[2], density);
 }
 
-template <typename Float, Mdf mdf, std::size_t first, std::size_t second>
+template <typename Float, Brdf brdf, Mdf mdf, std::size_t first, std::size_t second>
 Float lobe_density(Parameters<Float> p, Direction<Float> wi, Direction<Float> wo) {
-    return brdf_pdf(lobe_at<Float, mdf, first, second>(p), Maths<Float>::unperturbed(), wi, wo);
+    return brdf_pdf(static_cast<int>(brdf), lobe_at<Float, mdf, first, second>(p),
+                    Maths<Float>::unperturbed(), wi, wo);
 }
 
 // p: the lobe's two numbers and F0.

@@ -74,12 +74,12 @@ void main() {
     o_values = vec4(wide.p0, wide.p1, wide.paper_norm, wide.projected_norm);
 #elif defined(SAMPLE)
     float pdf;
-    vec3 wi = brdf_sample(lobe, p, b.xyz, vec2(a.w, b.w), c.w, pdf);
+    vec3 wi = brdf_sample(BRDF, lobe, p, b.xyz, vec2(a.w, b.w), c.w, pdf);
     o_values = vec4(wi, pdf);
 #else
     vec3 h = normalize(a.xyz + b.xyz);
     o_values = vec4(lobe_D(lobe, p, h), brdf_eval(BRDF, lobe, p, a.xyz, b.xyz),
-                    brdf_pdf(lobe, p, a.xyz, b.xyz), fresnel_conductor(0.2, 3.9, dot(a.xyz, h)));
+                    brdf_pdf(BRDF, lobe, p, a.xyz, b.xyz), fresnel_conductor(0.2, 3.9, dot(a.xyz, h)));
 #endif
 }
 )";
@@ -178,8 +178,9 @@ class Parity : public GpuTest {
             worst.d = std::max(worst.d, error(device[i][0], d, 1e-6 * lobe.projected_norm));
             worst.f = std::max(worst.f, error(device[i][1], f32::brdf_eval(brdf, lobe, p, wi, wo),
                                               1e-5 * lobe.projected_norm));
-            worst.pdf = std::max(worst.pdf, error(device[i][2], f32::brdf_pdf(lobe, p, wi, wo),
-                                                  1e-6 * lobe.projected_norm));
+            worst.pdf =
+                std::max(worst.pdf, error(device[i][2], f32::brdf_pdf(brdf, lobe, p, wi, wo),
+                                          1e-6 * lobe.projected_norm));
             const double fresnel = f32::fresnel_conductor(0.2f, 3.9f, f32::dot(wi, h));
             worst.fresnel = std::max(worst.fresnel, std::abs(device[i][3] - fresnel));
         }
@@ -318,7 +319,7 @@ TEST_F(Parity, SamplesAgree) {
                     f32::perturb_make(method, xyz(inputs.n[i]), along_x, true);
                 float pdf = 0;
                 const vec3 wi =
-                    f32::brdf_sample(lobe, p, xyz(inputs.wo[i]),
+                    f32::brdf_sample(f32::kBrdfMicrofacet, lobe, p, xyz(inputs.wo[i]),
                                      vec2(inputs.wi[i][3], inputs.wo[i][3]), inputs.n[i][3], pdf);
                 errors.push_back(f32::length(wi - xyz(device[i])));
             }

@@ -1,4 +1,4 @@
-// shading/weave.glsl and the cells of drafts: the surface of woven cloth.
+// shading/surface/weave.glsl and the cells of drafts: the surface of woven cloth.
 #include <gtest/gtest.h>
 
 #include <cmath>

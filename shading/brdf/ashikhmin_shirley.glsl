@@ -1,6 +1,6 @@
 // Ashikhmin & Shirley, "An Anisotropic Phong BRDF Model", JGT 5(2), 2000: the diffuse term, whose
 // strength is what the specular one leaves. And Ashikhmin, Premoze & Shirley, "A Microfacet-Based
-// BRDF Generator", SIGGRAPH 2000. The specular term of the first is in brdf.glsl.
+// BRDF Generator", SIGGRAPH 2000. The specular term of the first is in half_vector.glsl.
 
 // 1 - (1 - cos/2)^5, multiplied out: no cancellation at grazing.
 FN Float ashikhmin_shirley_through(Float cosine) {

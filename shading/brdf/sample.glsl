@@ -37,76 +37,6 @@ FN Lobe lobe_for_sampling(Lobe lobe, Perturbation p) {
     return lobe;
 }
 
-FN Frame frame_for_sampling(Perturbation p) {
-    if (p.method == kMethodRotateApprox) { return frame_keep_bitangent(p.n); }
-    return p.frame;
-}
-
-FN LobePoint lobe_point_of(vec3 m) {
-    LobePoint q;
-    q.x = m.x;
-    q.y = m.y;
-    q.z = max(m.z, Float(0));
-    q.s2 = m.x * m.x + m.y * m.y;
-    q.weight = choose(m.z > Float(0), Float(1), Float(0));
-    return q;
-}
-
-FN vec3 disk_to_sphere(Float x, Float y) {
-    return vec3(x, y, sqrt(max(Float(1) - x * x - y * y, Float(0))));
-}
-
-// K11 Eq 3: p = q + (1 - |q|) d, with 1 - |q| = z^2/(1 + |q|).
-FN vec3 deform_linear_forward(vec3 n, vec3 m) {
-    Float rim = m.z * m.z / (Float(1) + sqrt(m.x * m.x + m.y * m.y));
-    return disk_to_sphere(m.x + rim * n.x, m.y + rim * n.y);
-}
-
-// The map of which K11 Eq 5 is the inverse: p = q + r d with |q + (r - r^2) d| = 1 - r^2, one root
-// in [0, 1]. Newton steps kept inside a shrinking bracket.
-FN vec3 deform_smooth_forward(vec3 n, vec3 m) {
-    Float low = Float(0);
-    Float high = Float(1);
-    Float r = sqrt(m.z * m.z / (Float(1) + sqrt(m.x * m.x + m.y * m.y)));
-    for (int i = 0; i < kDeformRootSteps; ++i) {
-        Float x = m.x + (r - r * r) * n.x;
-        Float y = m.y + (r - r * r) * n.y;
-        Float radius = sqrt(max(x * x + y * y, kTiny));
-        Float f = radius - (Float(1) - r * r);
-        Float slope = (Float(1) - Float(2) * r) * (x * n.x + y * n.y) / radius + Float(2) * r;
-        low = choose(f < Float(0), r, low);
-        high = choose(f < Float(0), high, r);
-        Float newton = r - f / choose(abs(slope) > kTiny, slope, kTiny);
-        r = choose(newton >= low && newton <= high, newton, Float(0.5) * (low + high));
-    }
-    return disk_to_sphere(m.x + r * n.x, m.y + r * n.y);
-}
-
-// |dq/dp| of the two deformations at h: 1/(1 - d.e), and 1 + d.e/(2 sqrt(1-k) (1 - d.e)).
-FN Float deform_jacobian(int method, vec3 n, vec3 h) {
-    LobePoint q = deform_linear_point(n, h);
-    Float k = sqrt(max(q.s2, kTiny));
-    Float de = (n.x * q.x + n.y * q.y) / k;
-    // 1e-6: |d| -> 1, a tilt of 90 degrees.
-    Float low = max(Float(1) - de, Float(1e-6));
-    if (method == kMethodDeformLinear) { return Float(1) / low; }
-    Float root = sqrt(max(deform_rim_fraction(n, h), kTiny));
-    return max(Float(1) + de / (Float(2) * root * low), Float(0));
-}
-
-// The image of base half vector m under a method (not for normal-map, which has none).
-FN vec3 perturb_forward(Perturbation p, vec3 m) {
-    vec3 h = m;
-    if (p.method == kMethodDeformLinear) {
-        h = deform_linear_forward(p.n, m);
-    } else if (p.method == kMethodDeformSmooth) {
-        h = deform_smooth_forward(p.n, m);
-    } else {
-        h = frame_to_outer(frame_for_sampling(p), m);
-    }
-    return h;
-}
-
 // Shares of the normal-map mixture: the lobe where it was, a round lobe about n~ as wide as the
 // wider axis, and the cosine hemisphere about n~, which bounds the weight D cos/pdf by 10 pi max D.
 CONSTANT(kMixtureBase, 0.5)
@@ -133,9 +63,7 @@ FN vec3 normal_map_mixture_sample(Lobe lobe, vec3 n, vec2 xi, Float select) {
     if (select < kMixtureBase + kMixtureRound) {
         return frame_to_outer(f, lobe_base_sample(lobe_rounded(lobe), xi));
     }
-    Float s = sqrt(xi.y);
-    Float psi = Float(2) * kPi * xi.x;
-    return frame_to_outer(f, vec3(s * cos(psi), s * sin(psi), sqrt(max(Float(1) - xi.y, Float(0)))));
+    return frame_to_outer(f, cosine_sample(xi));
 }
 
 // A half vector; `select` chooses the part of the normal-map mixture.
@@ -163,11 +91,17 @@ FN Float lobe_pdf(Lobe lobe, Perturbation p, vec3 h) {
     return pdf;
 }
 
+// The models with a Smith term.
+FN Bool brdf_masks(int brdf) {
+    return brdf == kBrdfMicrofacet || brdf == kBrdfMicrofacetSeparable;
+}
+
 // GGX turned by a rotation is sampled by the normals that wo sees (Heitz, "Sampling the GGX
-// Distribution of Visible Normals", JCGT 7(4), 2018): the weight f cos/pdf is F G2/G1(wo), at most 1.
-FN Bool samples_visible_normals(Lobe lobe, Perturbation p) {
-    return lobe.mdf == kMdfGgx && p.method != kMethodNormalMap && p.method != kMethodRotateApprox &&
-           p.method != kMethodDeformLinear && p.method != kMethodDeformSmooth;
+// Distribution of Visible Normals", JCGT 7(4), 2018) where the model masks: the weight f cos/pdf is
+// F G2/G1(wo), at most 1.
+FN Bool samples_visible_normals(int brdf, Lobe lobe, Perturbation p) {
+    return brdf_masks(brdf) && lobe.mdf == kMdfGgx && p.method != kMethodNormalMap &&
+           p.method != kMethodRotateApprox && p.method != kMethodDeformLinear && p.method != kMethodDeformSmooth;
 }
 
 // `v`: wo in the lobe's own space, unit, v.z > 0.
@@ -202,10 +136,10 @@ FN Float visible_normal_pdf(Lobe lobe, Perturbation p, vec3 wo, vec3 h) {
 // F G2 (wo.h)/((n~.wo) m.z), m the base half vector: bounded but for m.z -> 0, which the narrow lobes
 // all but never draw. 99.9 % of weights are below 6 (Beckmann, Ward, Ashikhmin-Shirley) or 12 (GGX
 // under rotate-approx and the deformations) over random views; normal-map: lobe_pdf.
-FN vec3 brdf_sample(Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select, OUT(Float) pdf) {
+FN vec3 brdf_sample(int brdf, Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select, OUT(Float) pdf) {
     vec3 h = vec3(Float(0), Float(0), Float(1));
     Float density = Float(0);
-    if (samples_visible_normals(lobe, p)) {
+    if (samples_visible_normals(brdf, lobe, p)) {
         vec3 v = perturb_direction(p, wo);
         v.z = max(v.z, Float(1e-6));  // below the horizon the density is 0, whatever is drawn
         h = frame_to_outer(p.frame, visible_normal_sample(lobe.p0, lobe.p1, v, xi));
@@ -219,10 +153,10 @@ FN vec3 brdf_sample(Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select, O
     return reflect_about(wo, h);
 }
 
-FN Float brdf_pdf(Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
+FN Float brdf_pdf(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     vec3 h = half_vector(wi + wo, p.n);
     Float density = Float(0);
-    if (samples_visible_normals(lobe, p)) {
+    if (samples_visible_normals(brdf, lobe, p)) {
         density = visible_normal_pdf(lobe, p, wo, h);
     } else {
         density = lobe_pdf(lobe, p, h);
