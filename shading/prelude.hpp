@@ -31,6 +31,7 @@ struct Vec3 {
 using std::abs;
 using std::cos;
 using std::exp;
+using std::floor;
 using std::log;
 using std::pow;
 using std::sin;

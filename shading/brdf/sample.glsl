@@ -49,51 +49,69 @@ FN Lobe lobe_rounded(Lobe lobe) {
     return lobe_make(lobe.mdf, wide, wide);
 }
 
-FN Float normal_map_mixture_pdf(Lobe lobe, vec3 n, vec3 h) {
-    Frame f = frame_shortest_arc(n);
-    LobePoint about_n = lobe_point_of(frame_to_local(f, h));
-    return kMixtureBase * lobe_base_pdf(lobe, lobe_point_of(h)) +
-           kMixtureRound * lobe_base_pdf(lobe_rounded(lobe), about_n) +
-           kMixtureCosine * about_n.z / kPi;
-}
+// Where the base density is read for half vector h. `round`: about n~, read by normal-map alone.
+struct BasePoints {
+    LobePoint at;
+    LobePoint round;
+};
 
-FN vec3 normal_map_mixture_sample(Lobe lobe, vec3 n, vec2 xi, Float select) {
-    Frame f = frame_shortest_arc(n);
-    if (select < kMixtureBase) { return lobe_base_sample(lobe, xi); }
-    if (select < kMixtureBase + kMixtureRound) {
-        return frame_to_outer(f, lobe_base_sample(lobe_rounded(lobe), xi));
-    }
-    return frame_to_outer(f, cosine_sample(xi));
-}
-
-// A half vector; `select` chooses the part of the normal-map mixture.
-FN vec3 lobe_sample(Lobe lobe, Perturbation p, vec2 xi, Float select) {
+FN BasePoints base_points(Perturbation p, vec3 h) {
+    BasePoints q;
     if (p.method == kMethodNormalMap) {
-        return normal_map_mixture_sample(lobe, p.n, xi, select);
+        q.at = lobe_point_of(h);
+        q.round = lobe_point_of(frame_to_local(frame_shortest_arc(p.n), h));
+    } else if (p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth) {
+        q.at = perturb_point(p, h);
+        q.at.weight = choose(q.at.weight > Float(0), Float(1), Float(0));  // a density, not an energy
+        q.round = q.at;
+    } else {
+        q.at = lobe_point_of(frame_to_local(frame_for_sampling(p), h));
+        q.round = q.at;
     }
-    return perturb_forward(p, lobe_base_sample(lobe_for_sampling(lobe, p), xi));
+    return q;
+}
+
+// The density of half vector h per solid angle, from the base density `base` at q.at and that of the round
+// part at q.round.
+FN Float perturbed_density(Perturbation p, vec3 h, BasePoints q, Float base, Float round) {
+    Float density = base;
+    if (p.method == kMethodNormalMap) {
+        density = kMixtureBase * base + kMixtureRound * round + kMixtureCosine * q.round.z / kPi;
+    } else if (p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth) {
+        density = base * deform_jacobian(p.method, p.n, h) * h.z / max(q.at.z, Float(1e-7));
+    }
+    return density;
+}
+
+// The half vector made of draws `base` and `round` from the two base distributions; `select` chooses the
+// part of the normal-map mixture.
+FN vec3 perturbed_sample(Perturbation p, vec3 base, vec3 round, vec2 xi, Float select) {
+    vec3 h = base;
+    if (p.method == kMethodNormalMap) {
+        vec3 about_n = choose(select < kMixtureBase + kMixtureRound, round, cosine_sample(xi));
+        h = choose(select < kMixtureBase, base,
+                   frame_to_outer(frame_shortest_arc(p.n), about_n));
+    } else {
+        h = perturb_forward(p, base);
+    }
+    return h;
+}
+
+// A half vector of the perturbed lobe.
+FN vec3 lobe_sample(Lobe lobe, Perturbation p, vec2 xi, Float select) {
+    vec3 base = lobe_base_sample(lobe_for_sampling(lobe, p), xi);
+    vec3 round = base;
+    if (p.method == kMethodNormalMap) { round = lobe_base_sample(lobe_rounded(lobe), xi); }
+    return perturbed_sample(p, base, round, xi, select);
 }
 
 // Its density per solid angle.
 FN Float lobe_pdf(Lobe lobe, Perturbation p, vec3 h) {
-    Float pdf = Float(0);
-    if (p.method == kMethodNormalMap) {
-        pdf = normal_map_mixture_pdf(lobe, p.n, h);
-    } else if (p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth) {
-        LobePoint q = perturb_point(p, h);
-        q.weight = choose(q.weight > Float(0), Float(1), Float(0));  // a density, not an energy
-        pdf = lobe_base_pdf(lobe, q) * deform_jacobian(p.method, p.n, h) * h.z /
-              max(q.z, Float(1e-7));
-    } else {
-        vec3 m = frame_to_local(frame_for_sampling(p), h);
-        pdf = lobe_base_pdf(lobe_for_sampling(lobe, p), lobe_point_of(m));
-    }
-    return pdf;
-}
-
-// The models with a Smith term.
-FN Bool brdf_masks(int brdf) {
-    return brdf == kBrdfMicrofacet || brdf == kBrdfMicrofacetSeparable;
+    BasePoints q = base_points(p, h);
+    Float base = lobe_base_pdf(lobe_for_sampling(lobe, p), q.at);
+    Float round = Float(0);
+    if (p.method == kMethodNormalMap) { round = lobe_base_pdf(lobe_rounded(lobe), q.round); }
+    return perturbed_density(p, h, q, base, round);
 }
 
 // GGX turned by a rotation is sampled by the normals that wo sees (Heitz, "Sampling the GGX
@@ -101,7 +119,8 @@ FN Bool brdf_masks(int brdf) {
 // F G2/G1(wo), at most 1.
 FN Bool samples_visible_normals(int brdf, Lobe lobe, Perturbation p) {
     return brdf_masks(brdf) && lobe.mdf == kMdfGgx && p.method != kMethodNormalMap &&
-           p.method != kMethodRotateApprox && p.method != kMethodDeformLinear && p.method != kMethodDeformSmooth;
+           p.method != kMethodRotateApprox && p.method != kMethodDeformLinear &&
+           p.method != kMethodDeformSmooth;
 }
 
 // `v`: wo in the lobe's own space, unit, v.z > 0.
@@ -131,35 +150,48 @@ FN Float visible_normal_pdf(Lobe lobe, Perturbation p, vec3 wo, vec3 h) {
                   Float(0));
 }
 
+// The half vector that a model draws, and its density per solid angle.
+FN vec3 brdf_half_sample(int brdf, Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select) {
+    vec3 h = vec3(Float(0), Float(0), Float(1));
+    if (samples_visible_normals(brdf, lobe, p)) {
+        vec3 v = perturb_direction(p, wo);
+        v.z = max(v.z, Float(1e-6));  // below the horizon the density is 0, whatever is drawn
+        h = frame_to_outer(p.frame, visible_normal_sample(lobe.p0, lobe.p1, v, xi));
+    } else {
+        h = lobe_sample(lobe, p, xi, select);
+    }
+    return h;
+}
+
+FN Float brdf_half_pdf(int brdf, Lobe lobe, Perturbation p, vec3 wo, vec3 h) {
+    Float density = Float(0);
+    if (samples_visible_normals(brdf, lobe, p)) {
+        density = visible_normal_pdf(lobe, p, wo, h);
+    } else {
+        density = lobe_pdf(lobe, p, h);
+    }
+    return density;
+}
+
+// From the density of half vectors to that of reflected directions; wo_h = wo.h > 0.
+FN Float reflected_pdf(Float density, Float wo_h) {
+    return min(density / max(Float(4) * wo_h, kTiny), kMostValue);
+}
+
 // wi by reflection of wo about a sampled half vector, and its density; pdf 0: throw the sample away.
 // Where the lobe itself is sampled (everything but rotated GGX) the weight f cos/pdf is
 // F G2 (wo.h)/((n~.wo) m.z), m the base half vector: bounded but for m.z -> 0, which the narrow lobes
 // all but never draw. 99.9 % of weights are below 6 (Beckmann, Ward, Ashikhmin-Shirley) or 12 (GGX
 // under rotate-approx and the deformations) over random views; normal-map: lobe_pdf.
-FN vec3 brdf_sample(int brdf, Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select, OUT(Float) pdf) {
-    vec3 h = vec3(Float(0), Float(0), Float(1));
-    Float density = Float(0);
-    if (samples_visible_normals(brdf, lobe, p)) {
-        vec3 v = perturb_direction(p, wo);
-        v.z = max(v.z, Float(1e-6));  // below the horizon the density is 0, whatever is drawn
-        h = frame_to_outer(p.frame, visible_normal_sample(lobe.p0, lobe.p1, v, xi));
-        density = visible_normal_pdf(lobe, p, wo, h);
-    } else {
-        h = lobe_sample(lobe, p, xi, select);
-        density = lobe_pdf(lobe, p, h);
-    }
+FN vec3 brdf_sample(int brdf, Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float select,
+                    OUT(Float) pdf) {
+    vec3 h = brdf_half_sample(brdf, lobe, p, wo, xi, select);
     Float wo_h = dot(wo, h);
-    pdf = choose(wo_h > Float(0), min(density / max(Float(4) * wo_h, kTiny), kMostValue), Float(0));
+    pdf = choose(wo_h > Float(0), reflected_pdf(brdf_half_pdf(brdf, lobe, p, wo, h), wo_h), Float(0));
     return reflect_about(wo, h);
 }
 
 FN Float brdf_pdf(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     vec3 h = half_vector(wi + wo, p.n);
-    Float density = Float(0);
-    if (samples_visible_normals(brdf, lobe, p)) {
-        density = visible_normal_pdf(lobe, p, wo, h);
-    } else {
-        density = lobe_pdf(lobe, p, h);
-    }
-    return min(density / max(Float(4) * dot(wo, h), kTiny), kMostValue);
+    return reflected_pdf(brdf_half_pdf(brdf, lobe, p, wo, h), dot(wo, h));
 }

@@ -36,7 +36,7 @@ struct Maths;
         static constexpr auto lafortune = ns::lafortune_eval;                                    \
         static constexpr auto lafortune_sample = ns::lafortune_sample;                           \
         static constexpr auto lafortune_pdf = ns::lafortune_pdf;                                 \
-        static constexpr auto premoze = ns::ashikhmin_premoze_shirley_value;                     \
+        static constexpr auto of_areas = ns::area_brdf;                                          \
         static constexpr auto diffuse = ns::ashikhmin_shirley_diffuse;                           \
         static constexpr auto cosine_sample = ns::cosine_sample;                                 \
         static constexpr auto cosine_pdf = ns::cosine_pdf;                                       \
@@ -105,7 +105,7 @@ Float ashikhmin_premoze_shirley(Parameters<Float> p, Direction<Float> wi, Direct
     };
     const Float D = lobe_D(lobe_at<Float, Mdf::ashikhmin_shirley, 0, 1>(p),
                            Maths<Float>::unperturbed(), normalize(wi + wo));
-    return Maths<Float>::premoze(D, g(wi), g(wo)) *
+    return Maths<Float>::of_areas(D, g(wi), g(wo)) *
            Maths<Float>::schlick(p[2], half_vector_cosine(wi, wo));
 }
 
