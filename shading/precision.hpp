@@ -1,5 +1,5 @@
 // What the texts take from the precision that they are compiled in, once for every build of them
-// (include/burnish/f32.hpp, f64.hpp, src/shading/mdf_batch_text.hpp). prelude.glsl has GLSL's own.
+// (include/burnish/f32.hpp, f64.hpp, src/models/batch/mdf_batch_text.hpp). prelude.glsl has GLSL's own.
 #pragma once
 
 namespace burnish::dialect {

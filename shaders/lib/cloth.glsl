@@ -1,7 +1,7 @@
 // Woven cloth (CLOTH) at a point: shading/surface/weave.glsl over the draft's cells. CLOTH_COLORS: yarns of one
 // family differ in colour. Slot 0 of every pair is the weft, 1 the warp. docs/weave.md.
 
-uniform highp usampler2D u_weave_cells;  // the bits of src/maps/weave_cells.hpp, a texel a cell
+uniform highp usampler2D u_weave_cells;  // the bits of src/maps/weave/weave_cells.hpp, a texel a cell
 uniform sampler2D u_weave_weft;          // where a family shows: rgb colour times share, a share
 uniform sampler2D u_weave_warp;
 uniform float u_weave_yarns;             // across the texture square

@@ -1,5 +1,5 @@
 // Woven cloth from afar: what a pixel sees of many cells is a sum over the two families of yarns. The
-// means of each family (src/maps/weave_mean.hpp) are fetched here, shading/surface/cloth.glsl evaluates
+// means of each family (src/maps/weave/weave_mean.hpp) are fetched here, shading/surface/cloth.glsl evaluates
 // them.
 
 uniform highp sampler2DArray u_weave_lobes;

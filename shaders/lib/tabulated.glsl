@@ -1,5 +1,5 @@
 // Distributions given as tables (TABULATED): the values that shading/mdf/tabulated.glsl asks for, fetched.
-// src/gpu/tabulated_maps.hpp says what the textures hold.
+// src/gpu/upload/tabulated_maps.hpp says what the textures hold.
 
 uniform highp sampler2D u_tabulated_tables;
 uniform highp sampler2D u_tabulated_areas;

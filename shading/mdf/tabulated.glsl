@@ -1,4 +1,4 @@
-// Distributions given as tables: src/scene/ndf_grid.hpp has their layout. Whoever has the tables looks
+// Distributions given as tables: src/scene/material/ndf_grid.hpp has their layout. Whoever has the tables looks
 // values up; here is where, and what the BRDF k_s F D / (4 g(i) g(o)) makes of them. The perturbation
 // is that of every lobe: D is read at perturb_point, g at perturb_direction.
 

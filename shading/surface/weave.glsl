@@ -112,7 +112,7 @@ FN Float weave_mean_share(Float size) {
     return t * t * (Float(3) - Float(2) * t);
 }
 
-// The coordinate of a slope in the tables of mean distributions (src/maps/weave_mean.hpp), within +-1:
+// The coordinate of a slope in the tables of mean distributions (src/maps/weave/weave_mean.hpp), within +-1:
 // `width` is the standard deviation of slopes, which the tables thereby resolve whatever it is.
 FN Float weave_table_coordinate(Float slope, Float width) {
     return slope / (abs(slope) + width);
