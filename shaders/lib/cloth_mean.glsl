@@ -94,10 +94,12 @@ float cloth_energy(Shading fibres, Shading wide, ClothFamily f, vec3 wo) {
 vec3 cloth_image_specular(Surface s, ClothFamily f) {
     Shading m = f.m;
     vec4 wide = u_weave_wide_lobes[f.family];
-    m.surface.lobe.p0 = wide.x;
-    m.surface.lobe.p1 = wide.y;
-    m.surface.lobe.paper_norm = wide.z;
-    m.surface.lobe.projected_norm = wide.w;
+    Lobe lobe = m.surface.lobe;
+    lobe.p0 = wide.x;
+    lobe.p1 = wide.y;
+    lobe.paper_norm = wide.z;
+    lobe.projected_norm = wide.w;
+    m.surface = surface_with_lobe(m.surface, lobe);
     Frame a = frame_rotated(f.a, u_weave_twist);
     Perturbation p = perturb_make(METHOD, vec3(0.0, 0.0, 1.0), GROOVES_ALONG_X, CONSERVE);
     vec3 wo = frame_to_local(a, s.to_eye);

@@ -125,7 +125,8 @@ void put_normal(inout Shading m, vec4 texel) {
     // normal-map leaves the lobe at the geometric normal: it does not move with n~, which shows in n~.h
     // alone, and is not widened by it.
     if (METHOD != kMethodNormalMap) {
-        m.surface.lobe = widen_lobe(m.surface.lobe, variance.x, variance.y);
+        Lobe wide = widen_lobe(m.surface.lobe, variance.x, variance.y);
+        m.surface = surface_with_lobe(m.surface, wide);
     }
 #elif defined(NORMAL_MAP_XY)
     m.n = normal_of_vector(vector_of_texel(texel.xy), u_normal_scale);

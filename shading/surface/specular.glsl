@@ -6,7 +6,9 @@
 struct SurfaceMaterial {
     int brdf;             // kBrdf..., a constant in shaders
     Lobe lobe;            // of brdf_mdf(brdf, mdf)
-    CosineLobe cosine;    // of phong and lafortune
+    Float ks;             // of phong and lafortune, as cosine_lobe_make takes it
+    vec3 c;               // of lafortune
+    CosineLobe cosine;    // made of these and the lobe: surface_with_lobe
     int fresnel;          // kFresnel..., a constant in shaders
     vec3 specular;        // reflectance at normal incidence; not of conductors
     vec3 eta;             // of conductors: eta + i k. Of kFresnelDielectric: x, and 1/F at normal
@@ -36,14 +38,23 @@ FN LobeValues no_lobe_values() {
     return v;
 }
 
-// A dielectric without a diffuse base; the caller sets what differs. `lobe`: of brdf_mdf. Phong and
-// lafortune get the exponent that belongs to its alphas, and ks and c as cosine_lobe_make takes them.
+// The material with another lobe, a widened one for example: of brdf_mdf(m.brdf, mdf). Phong and lafortune
+// have the exponent that belongs to its alphas.
+FN SurfaceMaterial surface_with_lobe(SurfaceMaterial m, Lobe lobe) {
+    m.lobe = lobe;
+    m.cosine = cosine_lobe_make(
+        m.brdf, m.ks, m.c, cosine_exponent_from_alpha(lobe_alpha_x(lobe), lobe_alpha_y(lobe)));
+    return m;
+}
+
+// A dielectric without a diffuse base; the caller sets what differs. `lobe`: of brdf_mdf. `ks`, `c`: of
+// phong and lafortune.
 FN SurfaceMaterial surface_material(int brdf, Lobe lobe, Float ks, vec3 c, Float dielectric_f0) {
     SurfaceMaterial m;
     m.brdf = brdf;
-    m.lobe = lobe;
-    m.cosine = cosine_lobe_make(
-        brdf, ks, c, cosine_exponent_from_alpha(lobe_alpha_x(lobe), lobe_alpha_y(lobe)));
+    m.ks = ks;
+    m.c = c;
+    m = surface_with_lobe(m, lobe);
     m.fresnel = kFresnelSchlick;
     m.specular = vec3(dielectric_f0, dielectric_f0, dielectric_f0);
     m.eta = vec3(Float(1), Float(1), Float(1));

@@ -166,6 +166,27 @@ TEST(Surface, TheTermsAddUp) {
     }
 }
 
+// A lobe widened after the material was made is the lobe of a material made with it.
+TEST(Surface, AnotherLobeIsThatOfAnotherMaterial) {
+    for (const SurfaceCase& c : surface_cases()) {
+        if (c.material.brdf > f64::kBrdfLafortune) continue;
+        const f64::Perturbation p = perturbation_of(c, f64::kMethodFollowGrain, kTilted);
+        const f64::Lobe wide = f64::widen_lobe(c.material.lobe, 0.02, 0.05);
+        const f64::SurfaceMaterial widened = f64::surface_with_lobe(c.material, wide);
+        f64::SurfaceMaterial made = f64::surface_material(c.material.brdf, wide, c.material.ks,
+                                                          c.material.c, c.material.dielectric_f0);
+        made.specular = c.material.specular;
+        const vec3 wi = direction(0.7, 5.5);
+        const f64::LobeValues v = f64::no_lobe_values();
+        EXPECT_EQ(f64::specular_eval(widened, p, v, wi, kView),
+                  f64::specular_eval(made, p, v, wi, kView))
+            << c.name;
+        EXPECT_NE(f64::specular_eval(widened, p, v, wi, kView),
+                  f64::specular_eval(c.material, p, v, wi, kView))
+            << c.name;
+    }
+}
+
 // Int f cos over wi of the diffuse term is diffuse_albedo.
 TEST(Surface, DiffuseAlbedoIsTheIntegral) {
     for (const int brdf : {f64::kBrdfMicrofacet, f64::kBrdfAshikhminShirley, f64::kBrdfTabulated}) {
