@@ -122,12 +122,7 @@ void put_normal(inout Shading m, vec4 texel) {
 #ifdef TURNED
     variance = variance_along(variance, m.direction);
 #endif
-    // normal-map leaves the lobe at the geometric normal: it does not move with n~, which shows in n~.h
-    // alone, and is not widened by it.
-    if (METHOD != kMethodNormalMap) {
-        Lobe wide = widen_lobe(m.surface.lobe, variance.x, variance.y);
-        m.surface = surface_with_lobe(m.surface, wide);
-    }
+    m.surface = surface_widened(m.surface, METHOD, variance);
 #elif defined(NORMAL_MAP_XY)
     m.n = normal_of_vector(vector_of_texel(texel.xy), u_normal_scale);
 #else

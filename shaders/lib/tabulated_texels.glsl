@@ -56,10 +56,8 @@ float put_texel(inout Shading m, vec2 whole) {
     m.surface.specular = color_of(colors.y >> 16, colors.z, colors.z >> 16);
     vec2 disk = pair_of(bits.y);
     m.n = normal_over(vector_of_disk(disk.x, disk.y), m.n);
-    // follow-grain is turned so that the groove runs along the lobe's x axis.
-    bool along_groove = METHOD == kMethodFollowGrain;
-    m.table.groove = along_groove ? float(int(bits.x >> 16)) * (1.0 / 65536.0) : 0.0;
-    m.direction = direction_added(pair_of(along_groove ? bits.w : bits.z), u_anisotropy_direction);
+    m.table.groove = tabulated_rotation(METHOD, float(int(bits.x >> 16)) * (1.0 / 65536.0));
+    m.direction = direction_added(pair_of(METHOD == kMethodFollowGrain ? bits.w : bits.z), u_anisotropy_direction);
     return measured ? 1.0 : 0.0;
 }
 

@@ -90,6 +90,13 @@ FN Float tabulated_area_row(vec3 w, int rows) {
     return tabulated_s(w) * Float(rows - 1);
 }
 
+// From the lobe's x axis to the table's, in turns: follow-grain takes the groove of the table as the lobe's x
+// axis, every other method the table as it is. `groove`: the groove's azimuth in the table, in turns.
+FN Float tabulated_rotation(int method, Float groove) {
+    if (method == kMethodFollowGrain) { return groove; }
+    return Float(0);
+}
+
 // ---- drawing from a table -----------------------------------------------------------------------
 
 // Draws are even within the cells of rings (u) and columns, of which column 0 lies about azimuth 0. The

@@ -47,6 +47,14 @@ FN SurfaceMaterial surface_with_lobe(SurfaceMaterial m, Lobe lobe) {
     return m;
 }
 
+// The material whose lobe is widened by detail too small to see: `variance` of its slopes along the lobe's
+// axes (variance_about). normal-map leaves the lobe at the geometric normal: it does not move with n~, which
+// shows in n~.h alone, and is not widened by it.
+FN SurfaceMaterial surface_widened(SurfaceMaterial m, int method, vec2 variance) {
+    if (method == kMethodNormalMap) { return m; }
+    return surface_with_lobe(m, widen_lobe(m.lobe, variance.x, variance.y));
+}
+
 // A dielectric without a diffuse base; the caller sets what differs. `lobe`: of brdf_mdf. `ks`, `c`: of
 // phong and lafortune.
 FN SurfaceMaterial surface_material(int brdf, Lobe lobe, Float ks, vec3 c, Float dielectric_f0) {

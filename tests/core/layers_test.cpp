@@ -58,9 +58,9 @@ const std::map<std::string, std::string> kPublic = {
     {"error", "core"},
     {"progress", "core"},
     {"image", "image"},
+    {"f32", "core"},  // nothing but the text of shading/, which is below every layer
+    {"f64", "core"},
     {"conductor", "models"},
-    {"f32", "models"},
-    {"f64", "models"},
     {"shading_names", "models"},
     {"mesh", "scene"},
     {"parameters", "scene"},

@@ -9,12 +9,12 @@
 #include <sstream>
 
 #include "burnish/f64.hpp"
+#include "burnish/render_settings.hpp"
 #include "flicker.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "maps/weave/draft.hpp"
 #include "test_scene.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {

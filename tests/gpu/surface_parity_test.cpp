@@ -5,6 +5,7 @@
 
 #include "burnish/f64.hpp"
 #include "device_values.hpp"
+#include "support/paths.hpp"
 
 // In this order.
 // clang-format off
@@ -52,7 +53,7 @@ void main() {
 )";
 
 std::string stage_text() {
-    std::ifstream in(std::string(BURNISH_SOURCE_DIR) + "/tests/gpu/surface_words.glsl");
+    std::ifstream in(test::source_folder() / "tests/gpu/surface_words.glsl");
     const std::string words{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     return "#include \"shading\"\n" + words + kMain;
 }
