@@ -166,6 +166,48 @@ TEST(Surface, TheTermsAddUp) {
     }
 }
 
+// A draw lies in the cell that it was drawn from, whose density is then its own.
+TEST(Surface, TablesFindTheCellOfADraw) {
+    constexpr int kRings = 12, kColumns = 40;
+    for (const double groove : {0.0, 0.13, 0.9}) {
+        for (int ring = 0; ring < kRings; ++ring) {
+            for (int column = 0; column < kColumns; ++column) {
+                for (const double part : {0.02, 0.5, 0.98}) {
+                    f64::TableDraw draw;
+                    draw.ring = ring;
+                    draw.column = column;
+                    draw.along = part;
+                    draw.across = 1 - part;
+                    const vec3 h = f64::tabulated_half_vector(draw, kColumns, kRings, groove);
+                    EXPECT_NEAR(f64::length(h), 1, 1e-5);
+                    const f64::TableDraw cell =
+                        f64::tabulated_cell(f64::lobe_point_of(h), kColumns, kRings, groove);
+                    EXPECT_EQ(cell.ring, ring);
+                    EXPECT_EQ(cell.column, column);
+                }
+            }
+        }
+    }
+}
+
+// docs/papers.md: deformations have nothing to act on where there are no half vectors; he knows one normal.
+TEST(Surface, TheRuleOfModelsAndMethods) {
+    for (int method = 0; method < kMethods; ++method) {
+        const bool deforms = is_deformation(static_cast<Method>(method));
+        for (int brdf = 0; brdf <= f64::kBrdfHe; ++brdf) {
+            const bool cosine =
+                brdf == static_cast<int>(Brdf::phong) || brdf == static_cast<int>(Brdf::lafortune);
+            const bool takes = brdf == f64::kBrdfHe ? method == 0 : !(cosine && deforms);
+            EXPECT_EQ(f64::brdf_takes_method(brdf, method), takes) << brdf << " " << method;
+            EXPECT_EQ(f64::brdf_is_cosine_lobe(brdf), cosine);
+        }
+    }
+    // The numbers of names.glsl are those of the enumerations.
+    EXPECT_EQ(f64::kBrdfLafortune, static_cast<int>(brdf_names().size()) - 1);
+    EXPECT_EQ(f64::kMethodDeformSmooth, static_cast<int>(method_names().size()) - 1);
+    EXPECT_EQ(f64::kMdfGgx, static_cast<int>(mdf_names().size()) - 1);
+}
+
 // A lobe widened after the material was made is the lobe of a material made with it.
 TEST(Surface, AnotherLobeIsThatOfAnotherMaterial) {
     for (const SurfaceCase& c : surface_cases()) {
