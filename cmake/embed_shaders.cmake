@@ -4,32 +4,37 @@
 # Run with cmake -P: MODE=embed writes the source, MODE=check validates a folder of assembled stages.
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)
-    set(BURNISH_STAGES
-        accumulate.frag background.frag fullscreen.vert gbuffer.frag gouraud.frag gouraud.vert
-        ground.frag ground.vert ground_add.frag
-        prefilter.frag resolve.frag shadow.frag surface.frag surface.vert
-        lib/cloth.glsl lib/cloth_mean.glsl lib/environment.glsl lib/ground.glsl lib/image_light.glsl lib/lights.glsl
-        lib/material.glsl
-        lib/output.glsl lib/pack.glsl lib/prefiltered_light.glsl lib/random.glsl lib/shade.glsl lib/specular.glsl lib/surface.glsl
-        lib/tabulated.glsl lib/tabulated_texels.glsl)
     set(BURNISH_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
-    # The order of the texts of shading/ is that of the #include lines of all.hpp.
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-                 ${PROJECT_SOURCE_DIR}/shading/all.hpp)
-    file(STRINGS ${PROJECT_SOURCE_DIR}/shading/all.hpp lines REGEX "^#include \"")
+    # Stages and what they include: a new file needs no list but its #include line.
+    file(GLOB BURNISH_STAGES CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
+         ${PROJECT_SOURCE_DIR}/shaders/*.vert ${PROJECT_SOURCE_DIR}/shaders/*.frag
+         ${PROJECT_SOURCE_DIR}/shaders/lib/*.glsl)
+
+    # Appends the texts of a list file in the order of its #include lines, those of lists that it
+    # includes among them.
+    function(burnish_append_texts texts list)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${list})
+        file(STRINGS ${PROJECT_SOURCE_DIR}/${list} lines REGEX "^#include \"")
+        set(found ${${texts}})
+        foreach(line IN LISTS lines)
+            string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" name "${line}")
+            if(name MATCHES "\\.hpp$")
+                burnish_append_texts(found ${name})
+            else()
+                list(APPEND found ${name})
+            endif()
+        endforeach()
+        set(${texts} ${found} PARENT_SCOPE)
+    endfunction()
     set(BURNISH_TEXTS shading/prelude.glsl)
-    foreach(line IN LISTS lines)
-        string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" name "${line}")
-        list(APPEND BURNISH_TEXTS ${name})
-    endforeach()
+    burnish_append_texts(BURNISH_TEXTS shading/all.hpp)
 
     function(burnish_embed_shaders source)
-        list(TRANSFORM BURNISH_STAGES PREPEND shaders/ OUTPUT_VARIABLE stages)
-        set(files ${BURNISH_TEXTS} ${stages})
+        set(files ${BURNISH_TEXTS} ${BURNISH_STAGES})
         list(TRANSFORM files PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE paths)
         string(REPLACE ";" "," texts "${BURNISH_TEXTS}")
-        string(REPLACE ";" "," stages "${stages}")
+        string(REPLACE ";" "," stages "${BURNISH_STAGES}")
         add_custom_command(OUTPUT ${source}
             COMMAND ${CMAKE_COMMAND} -DMODE=embed -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                 -DOUTPUT=${source} -DTEXTS=${texts} -DSTAGES=${stages} -P ${BURNISH_EMBED_SCRIPT}

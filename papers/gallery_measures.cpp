@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "burnish/f32.hpp"
+
 namespace burnish {
 namespace {
 
@@ -126,7 +128,7 @@ double bend_at_center_deg(const MdfSubject& subject) {
 
 float luminance(const Image& linear, std::size_t pixel) {
     const float* p = linear.pixels.data() + pixel * static_cast<std::size_t>(linear.channels);
-    return 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2];
+    return f32::luminance({p[0], p[1], p[2]});
 }
 
 double relative_difference(const Image& a, const Image& reference, const Image& mask) {

@@ -1,7 +1,6 @@
 // Lighting at the vertices, the measure of frame costs (K11 Fig 11, K12 Table I): Lambert and Phong.
-#define Float float
-const float kPi = 3.14159265358979323846;
 #include "shaders/lib/lights.glsl"
+#include "shading/frame.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;

@@ -1,5 +1,6 @@
 // The share of its light that the model leaves the ground.
 #include "shaders/lib/ground.glsl"
+#include "shading/display/color.glsl"
 
 in vec2 v_place;
 uniform sampler2D u_blocked;
@@ -18,6 +19,6 @@ void main() {
     float shown = 1.0 - smoothstep(0.7, 1.0, length(v_place));
     // 1e-6: where there is no light nothing is missing.
     vec3 left = 1.0 - shown * clamp(blocked / max(all, vec3(1e-6)), 0.0, 1.0);
-    float missing = 1.0 - dot(left, vec3(0.2126, 0.7152, 0.0722));
+    float missing = 1.0 - luminance(left);
     o_left = u_transparent > 0.5 ? vec4(0.0, 0.0, 0.0, missing) : vec4(left, 1.0);
 }

@@ -3,6 +3,9 @@
 #include "shaders/lib/random.glsl"
 #include "shaders/lib/output.glsl"
 #include "shaders/lib/surface.glsl"
+#ifdef TABULATED
+#include "shaders/lib/tabulated.glsl"
+#endif
 #include "shaders/lib/material.glsl"
 #include "shaders/lib/specular.glsl"
 #include "shaders/lib/lights.glsl"

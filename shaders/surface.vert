@@ -1,4 +1,7 @@
 // Vertices of a surface in world space, for surface.frag.
+#include "shading/prelude.glsl"
+#include "shading/surface/tangent.glsl"
+
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_tangent;
@@ -29,17 +32,12 @@ out vec4 v_color;
 void main() {
     vec4 world = u_world_from_local * vec4(a_position, 1.0);
     v_position = world.xyz;
-    // 1e-30: a zero normal stays zero (surface_axes knows what to do).
+    // 1e-30: a zero normal stays zero (surface_frame knows what to do).
     v_normal = u_normal_from_local * a_normal;
     v_normal *= inversesqrt(max(dot(v_normal, v_normal), 1e-30));
     vec3 t = mat3(u_world_from_local) * a_tangent.xyz;
     t *= inversesqrt(max(dot(t, t), 1e-30));
-    // A tangent that is missing or along the normal has no direction: any perpendicular one does.
-    vec3 across = t - v_normal * dot(v_normal, t);
-    vec3 spare = abs(v_normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    spare = spare - v_normal * dot(v_normal, spare);
-    t = dot(across, across) > 1e-10 ? t : spare;
-    v_tangent = vec4(t, a_tangent.w * u_mirror);
+    v_tangent = vec4(tangent_or_any(v_normal, t), a_tangent.w * u_mirror);
 #ifdef UV_PER_TEXTURE
     v_uv = vec4(a_texcoord0, a_texcoord1);
 #else

@@ -1,5 +1,5 @@
 // What the texts take from the precision that they are compiled in, once for every build of them
-// (include/burnish/f32.hpp, f64.hpp, src/shading/mdf_batch_text.hpp). prelude.glsl has GLSL's own.
+// (include/burnish/f32.hpp, f64.hpp, src/models/batch/mdf_batch_text.hpp). prelude.glsl has GLSL's own.
 #pragma once
 
 namespace burnish::dialect {
@@ -7,7 +7,7 @@ namespace burnish::dialect {
 template <typename Scalar>
 struct Precision;
 
-// Enough nodes for the Ward normaliser (mdf_ward.glsl) and steps for the root of K11 Eq 5 to reach
+// Enough nodes for the Ward normaliser (mdf/ward.glsl) and steps for the root of K11 Eq 5 to reach
 // rounding error. Cosines that BRDFs divide by are held above the one, and values and densities
 // below the other: nothing becomes infinite at the horizon.
 template <>

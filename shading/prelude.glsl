@@ -32,7 +32,7 @@ float erfc(float x) {
            exp(-x * x);
 }
 
-// Nodes of the Ward normaliser: 2e-5 relative to alpha = 1 (mdf_ward.glsl).
+// Nodes of the Ward normaliser: 2e-5 relative to alpha = 1 (mdf/ward.glsl).
 const int kWardNodes = 4;
 // Steps of deform_smooth_forward: within 1e-5 of the root for all but one in 1e5 (worst 5e-4).
 const int kDeformRootSteps = 10;

@@ -20,6 +20,11 @@ struct Vec3 {
     Float x{}, y{}, z{};
     constexpr Vec3() = default;
     constexpr Vec3(Float x_, Float y_, Float z_) : x(x_), y(y_), z(z_) {}
+    // From a vector of another library or precision: anything with x, y and z.
+    template <typename Other>
+    requires requires(const Other& v) { v.x, v.y, v.z; }
+    constexpr explicit Vec3(const Other& v)
+        : x(static_cast<Float>(v.x)), y(static_cast<Float>(v.y)), z(static_cast<Float>(v.z)) {}
     friend constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
@@ -31,6 +36,7 @@ struct Vec3 {
 using std::abs;
 using std::cos;
 using std::exp;
+using std::floor;
 using std::log;
 using std::pow;
 using std::sin;

@@ -2,3 +2,6 @@
 #undef FN
 #undef OUT
 #undef CONSTANT
+#pragma pop_macro("FN")
+#pragma pop_macro("OUT")
+#pragma pop_macro("CONSTANT")

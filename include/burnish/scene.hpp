@@ -49,7 +49,7 @@ struct TabulatedMaterial;  // scene/material/tabulated_material.hpp
 struct Cloth {
     std::shared_ptr<const Draft> draft;
     float yarns = 100.0f;  // of each family across the texture square
-    float crimp = 0.15f;   // WeaveShape of shading/weave.glsl
+    float crimp = 0.15f;   // WeaveShape of shading/surface/weave.glsl
     float bulge = 0.7f;
     float gap = 0.08f;
     float twist = 0.34906585f;  // radians

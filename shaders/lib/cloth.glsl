@@ -1,7 +1,7 @@
-// Woven cloth (CLOTH) at a point: shading/weave.glsl over the draft's cells. CLOTH_COLORS: yarns of one
+// Woven cloth (CLOTH) at a point: shading/surface/weave.glsl over the draft's cells. CLOTH_COLORS: yarns of one
 // family differ in colour. Slot 0 of every pair is the weft, 1 the warp. docs/theory/cloth.md.
 
-uniform highp usampler2D u_weave_cells;  // the bits of src/maps/weave_cells.hpp, a texel a cell
+uniform highp usampler2D u_weave_cells;  // the bits of src/maps/weave/weave_cells.hpp, a texel a cell
 uniform sampler2D u_weave_weft;          // where a family shows: rgb colour times share, a share
 uniform sampler2D u_weave_warp;
 uniform float u_weave_yarns;             // across the texture square
@@ -39,19 +39,13 @@ ivec2 cloth_cell(vec2 whole) {
 WeavePoint cloth_point(vec2 at, out ivec2 cell) {
     vec2 whole = floor(at);
     cell = cloth_cell(whole);
-    uint bits = texelFetch(u_weave_cells, cell, 0).r;
-    WeaveCell c;
-    c.warp_up = (bits & 1u) != 0u;
-    c.warp_start = (bits & 2u) != 0u;
-    c.warp_end = (bits & 4u) != 0u;
-    c.weft_start = (bits & 8u) != 0u;
-    c.weft_end = (bits & 16u) != 0u;
+    int bits = int(texelFetch(u_weave_cells, cell, 0).r);
     WeaveShape shape;
     shape.crimp = u_weave_shape.x;
     shape.bulge = u_weave_shape.y;
     shape.gap = u_weave_shape.z;
     shape.twist = u_weave_twist;
-    return weave_point(c, shape, at.x - whole.x - 0.5, at.y - whole.y - 0.5);
+    return weave_point(weave_cell_of_bits(bits), shape, at.x - whole.x - 0.5, at.y - whole.y - 0.5);
 }
 
 vec3 cloth_color(WeavePoint point, ivec2 cell) {
@@ -71,6 +65,7 @@ float put_yarn(inout Shading m, vec2 at) {
     ivec2 cell;
     WeavePoint point = cloth_point(at, cell);
     m.base_color *= cloth_color(point, cell);
+    put_colors(m);
     m.direction = point.fibre;
     m.n = point.n;
     return point.cover;

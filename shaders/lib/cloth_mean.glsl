@@ -1,6 +1,6 @@
-// Woven cloth from afar: what a pixel sees of many cells is a sum over the two families of yarns. Each
-// family's specular term is the mean of its lobe over the normals of its surface, from a table; its
-// diffuse term a sum over six normals with the same moments (src/maps/weave_mean.hpp).
+// Woven cloth from afar: what a pixel sees of many cells is a sum over the two families of yarns. The
+// means of each family (src/maps/weave/weave_mean.hpp) are fetched here, shading/surface/cloth.glsl evaluates
+// them.
 
 uniform highp sampler2DArray u_weave_lobes;
 uniform vec3 u_weave_nodes[2];   // normals: rms along and across the yarn, mean out of the cloth
@@ -12,71 +12,35 @@ struct ClothFamily {
     int family;     // 0 weft, 1 warp
     Shading m;      // with its colour
     float share;    // of the pixel's area
-    Axes a;         // x along the yarn
+    Frame a;         // x along the yarn
     vec3 wo;        // against them
 };
 
-ClothFamily cloth_family(int family, vec4 seen, Shading m, Axes a, vec3 to_eye) {
+ClothFamily cloth_family(int family, vec4 seen, Shading m, Frame a, vec3 to_eye) {
     ClothFamily f;
     f.family = family;
     f.m = m;
     f.m.base_color *= seen.rgb / max(seen.a, 1e-6);
+    put_colors(f.m);
     f.share = seen.a;
-    f.a = turned(a, family == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-    f.wo = to_axes(f.a, to_eye);
+    f.a = frame_rotated(a, family == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
+    f.wo = frame_to_local(f.a, to_eye);
     return f;
 }
 
-// Normals that stand for a family's: two along the yarn, where slopes pile up at their ends, times three
-// across, where the sine of the tilt is spread evenly: the points and weights of Gauss and Legendre.
-const int kClothNodes = 6;
-
-vec3 cloth_node(vec3 node, int i) {
-    // sqrt(3) sqrt(3/5) root mean squares.
-    return vec3(i < 3 ? node.x : -node.x, float(i % 3 - 1) * (1.3416408 * node.y), node.z);
-}
-
-float cloth_node_weight(int i) { return i % 3 == 1 ? 4.0 / 18.0 : 2.5 / 18.0; }
-
 #if LIGHTS > 0
+// Mean of f cos over the family's surface, without Fresnel.
+float cloth_specular(ClothFamily f, vec3 wi) {
 #ifdef COSINE_LOBE
-// No half vectors to tabulate over: the lobe at the normals.
-float cloth_specular(ClothFamily f, vec3 wi) {
-    float sum = 0.0;
-    for (int i = 0; i < kClothNodes; ++i) {
-        vec3 n = normal_facing(normalize(cloth_node(u_weave_nodes[f.family], i)), f.wo);
-        Perturbation p = perturb_make(METHOD, n, GROOVES_ALONG_X, CONSERVE);
-        sum += cloth_node_weight(i) * specular_eval(f.m, p, wi, f.wo) * max(dot(p.n, wi), 0.0);
-    }
-    return sum;
-}
+    return cloth_specular_of_nodes(f.m.surface, METHOD, GROOVES_ALONG_X, CONSERVE,
+                                   u_weave_nodes[f.family], wi, f.wo);
 #else
-// Mean of f cos over the family's surface. Masking and cosines are those of the mean normal of what
-// reflects at this half vector.
-float cloth_specular(ClothFamily f, vec3 wi) {
-    vec3 up = vec3(0.0, 0.0, 1.0);
-    vec3 h = half_vector(wi + f.wo, up);
     vec3 width = u_weave_widths[f.family];
-    // 1e-3: the table ends at 190 widths.
-    vec2 slope = h.xy / max(h.z, 1e-3);
-    vec2 place = vec2(weave_table_coordinate(slope.x, width.x), weave_table_coordinate(slope.y, width.y));
+    vec3 h = half_vector(wi + f.wo, vec3(0.0, 0.0, 1.0));
+    vec2 place = cloth_table_place(h, width.x, width.y);
     vec3 mean = textureLod(u_weave_lobes, vec3(0.5 + 0.5 * place, float(f.family)), 0.0).rgb;
-    Perturbation p = perturb_make(kMethodNone, up, GROOVES_ALONG_X, false);
-    p.n = normal_facing(vec3(mean.gb, sqrt(max(1.0 - dot(mean.gb, mean.gb), 0.0))), f.wo);
-    float value = brdf_of_factor(BRDF, f.m.lobe, mean.r * width.z, p, wi, f.wo);
-    return h.z > 0.0 ? value * max(dot(p.n, wi), 0.0) : 0.0;
-}
+    return cloth_specular_of_table(f.m.surface, mean.r * width.z, mean.g, mean.b, wi, f.wo);
 #endif
-
-// Mean of f cos of a white base.
-float cloth_diffuse(ClothFamily f, vec3 wi) {
-    float sum = 0.0;
-    for (int i = 0; i < kClothNodes; ++i) {
-        vec3 n = cloth_node(u_weave_nodes[f.family], i);
-        float cos_i = max(dot(n, wi), 0.0);
-        sum += cloth_node_weight(i) * diffuse_eval(cos_i, max(dot(n, f.wo), 0.0)) * cos_i;
-    }
-    return sum;
 }
 
 vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
@@ -87,13 +51,9 @@ vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
 #if SHADOW_MAPS > 0
         irradiance *= light_reaches(i, s.position, normal, towards);
 #endif
-        vec3 wi = to_axes(f.a, towards);
-        float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, f.wo), 0.0));
-        vec3 reflected = specular_fresnel(f.m, cos_h) * cloth_specular(f, wi);
-#ifndef METAL
-        reflected += diffuse_color(f.m) * cloth_diffuse(f, wi);
-#endif
-        sum += irradiance * reflected;
+        vec3 wi = frame_to_local(f.a, towards);
+        sum += irradiance *
+               cloth_eval(f.m.surface, cloth_specular(f, wi), u_weave_nodes[f.family], wi, f.wo);
     }
     return sum * f.share;
 }
@@ -105,10 +65,10 @@ vec3 cloth_lit_by_irradiance(ClothFamily f) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = normal_facing(normalize(cloth_node(u_weave_nodes[f.family], i)), f.wo);
-        sum += environment_irradiance(from_axes(f.a, n)) *
-               (cloth_node_weight(i) * diffuse_albedo(max(dot(n, f.wo), 0.0)));
+        sum += environment_irradiance(frame_to_outer(f.a, n)) *
+               (cloth_node_weight(i) * diffuse_albedo(BRDF, u_dielectric_f0, max(dot(n, f.wo), 0.0)));
     }
-    return diffuse_color(f.m) * sum * f.share;
+    return f.m.surface.diffuse * sum * f.share;
 }
 #endif
 
@@ -120,13 +80,12 @@ float cloth_energy(Shading fibres, Shading wide, ClothFamily f, vec3 wo) {
     float sum = 0.0;
     for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = normalize(cloth_node(u_weave_nodes[f.family], i));
-        n = vec3(n.x * u_weave_twist.x + n.y * u_weave_twist.y, n.y * u_weave_twist.x - n.x * u_weave_twist.y, n.z);
-        Perturbation p = perturb_make(METHOD, normal_facing(n, wo), GROOVES_ALONG_X, CONSERVE);
-        sum += cloth_node_weight(i) * albedo_towards(lobe_alpha_x(fibres.lobe),
-                                                     lobe_alpha_y(fibres.lobe),
+        Perturbation p = surface_perturbation(METHOD, n, u_weave_twist, GROOVES_ALONG_X, CONSERVE, wo);
+        sum += cloth_node_weight(i) * albedo_towards(lobe_alpha_x(fibres.surface.lobe),
+                                                     lobe_alpha_y(fibres.surface.lobe),
                                                      perturb_direction(p, wo));
     }
-    float one = albedo_towards(lobe_alpha_x(wide.lobe), lobe_alpha_y(wide.lobe), wo);
+    float one = albedo_towards(lobe_alpha_x(wide.surface.lobe), lobe_alpha_y(wide.surface.lobe), wo);
     return sum / max(one, 1e-3);
 }
 #endif
@@ -135,13 +94,15 @@ float cloth_energy(Shading fibres, Shading wide, ClothFamily f, vec3 wo) {
 vec3 cloth_image_specular(Surface s, ClothFamily f) {
     Shading m = f.m;
     vec4 wide = u_weave_wide_lobes[f.family];
-    m.lobe.p0 = wide.x;
-    m.lobe.p1 = wide.y;
-    m.lobe.paper_norm = wide.z;
-    m.lobe.projected_norm = wide.w;
-    Axes a = turned(f.a, u_weave_twist);
+    Lobe lobe = m.surface.lobe;
+    lobe.p0 = wide.x;
+    lobe.p1 = wide.y;
+    lobe.paper_norm = wide.z;
+    lobe.projected_norm = wide.w;
+    m.surface = surface_with_lobe(m.surface, lobe);
+    Frame a = frame_rotated(f.a, u_weave_twist);
     Perturbation p = perturb_make(METHOD, vec3(0.0, 0.0, 1.0), GROOVES_ALONG_X, CONSERVE);
-    vec3 wo = to_axes(a, s.to_eye);
+    vec3 wo = frame_to_local(a, s.to_eye);
     float energy = f.share;
 #if IMAGE_LIGHT == 3 && !defined(COSINE_LOBE)
     energy *= cloth_energy(f.m, m, f, wo);
@@ -153,7 +114,7 @@ vec3 cloth_image_specular(Surface s, ClothFamily f) {
 
 #if IMAGE_LIGHT == 1
 // Each sample at a point of its own within the pixel: cells, normals and colours as they are there.
-vec3 cloth_image_specular(Surface s, Shading cloth, Axes axes, ClothPlace place, int samples) {
+vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place, int samples) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     Rotation other = rotation_of_pixel(s.pixel, u_seed + 1u);
     float reach = exp2(place.size);
@@ -164,9 +125,9 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Axes axes, ClothPlace place,
         vec2 shift = vec2(unit_of(index * 1779033703u + other.x), unit_of(index * 3144134277u + other.y));
         Shading m = cloth;
         float cover = put_yarn(m, place.at + (shift - 0.5) * reach);
-        Axes a = axes;
+        Frame a = axes;
         Perturbation p = facing_perturbation(s, m, a);
-        sum += cover * image_sample(m, a, p, to_axes(a, s.to_eye), index, rotation);
+        sum += cover * image_sample(m, a, p, frame_to_local(a, s.to_eye), index, rotation);
     }
     return sum / float(u_image_samples);
 }
@@ -174,7 +135,7 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Axes axes, ClothPlace place,
 
 // Black where it is not `seen`. A loop whose length is not known beforehand is not written out, and costs
 // software renderers less, most of all where nothing is seen.
-vec3 cloth_from_afar(Surface s, Shading m, Axes a, ClothPlace place, bool seen) {
+vec3 cloth_from_afar(Surface s, Shading m, Frame a, ClothPlace place, bool seen) {
     int families = seen ? 2 : 0;
     vec2 uv = place.at / vec2(textureSize(u_weave_cells, 0));
     float lod = max(place.size, 0.0);
@@ -184,7 +145,7 @@ vec3 cloth_from_afar(Surface s, Shading m, Axes a, ClothPlace place, bool seen) 
     for (int family = 0; family < families; ++family) {
         ClothFamily f = cloth_family(family, family == 0 ? weft : warp, m, a, s.to_eye);
 #if LIGHTS > 0
-        sum += cloth_lit_by_lights(s, f, a.z);
+        sum += cloth_lit_by_lights(s, f, a.n);
 #endif
 #if IMAGE_LIGHT > 0 && !defined(METAL)
         sum += cloth_lit_by_irradiance(f) * occlusion_at(s);
@@ -195,7 +156,7 @@ vec3 cloth_from_afar(Surface s, Shading m, Axes a, ClothPlace place, bool seen) 
     }
 #if IMAGE_LIGHT == 1
     int samples = seen ? u_image_samples : 0;
-    sum += cloth_image_specular(s, m, a, place, samples) * specular_open(s, m, dot(a.z, s.to_eye));
+    sum += cloth_image_specular(s, m, a, place, samples) * specular_open(s, m, dot(a.n, s.to_eye));
 #endif
     return sum;
 }

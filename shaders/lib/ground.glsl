@@ -1,4 +1,4 @@
-// The square of the ground on which a shadow may be seen (src/gpu/ground.hpp).
+// The square of the ground on which a shadow may be seen (src/gpu/draw/ground.hpp).
 #include "shaders/lib/lights.glsl"
 
 uniform vec3 u_ground_center;

@@ -8,26 +8,25 @@ uniform uint u_frame;          // sub-pixel sample in progress
 uniform float u_total_samples; // image samples of all frames
 uniform uint u_seed;
 
-// Integral of f F cos L over wi by specular_sample. The points of frame k are k N .. (k+1) N - 1 of one
+// Integral of f F cos L over wi by specular_draw. The points of frame k are k N .. (k+1) N - 1 of one
 // sequence, so that frames together are as even as one frame of all of them. Filtered importance
 // sampling (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample stands for the solid angle
 // 1/(total pdf) and reads the mip of that size; as the total grows, mip 0 and the exact integral.
 // wi may lie below the geometric horizon, where the map tilts n~ far enough: a mapped bump must match
 // the modelled one (NormalTangentTest), so only the horizon of n~ counts.
-vec3 image_sample(Shading m, Axes a, Perturbation p, vec3 wo, uint index, Rotation rotation) {
+vec3 image_sample(Shading m, Frame a, Perturbation p, vec3 wo, uint index, Rotation rotation) {
     float pdf;
-    vec3 wi = specular_sample(m, p, wo, point_of(index, rotation), select_of(index, rotation), pdf);
+    vec3 wi = specular_draw(m, p, wo, point_of(index, rotation), select_of(index, rotation), pdf);
     float cos_i = dot(p.n, wi);
     bool counts = pdf > 0.0 && cos_i > 0.0;
-    float weight = specular_eval(m, p, wi, wo) * cos_i / max(pdf, kTiny);
+    float weight = specular_at(m, p, wi, wo) * cos_i / max(pdf, kTiny);
     float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
-    vec3 radiance = environment_radiance(from_axes(a, wi), lod);
-    float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));  // wi.h = cos of half the angle
-    vec3 term = specular_fresnel(m, cos_h) * radiance * weight;
+    vec3 radiance = environment_radiance(frame_to_outer(a, wi), lod);
+    vec3 term = specular_fresnel(m.surface, half_angle_cosine(wi, wo)) * radiance * weight;
     return counts ? finite_radiance(term) : vec3(0.0);
 }
 
-vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
+vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     vec3 sum = vec3(0.0);
 #ifdef TABULATED
@@ -60,17 +59,16 @@ vec3 round_lobe_radiance(vec3 w, float alpha) {
     return max(narrow * (4.0 / 3.0) - wide * (1.0 / 3.0), vec3(0.0));
 }
 
-vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
-    CosineLobe lobe = cosine_lobe_of(m);
+vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
+    CosineLobe lobe = m.surface.cosine;
     vec3 wi = cosine_lobe_mean(lobe, p, wo);
     // f cos of lafortune has one cosine more.
     float n = BRDF == kBrdfLafortune ? lobe.n + 1.0 : lobe.n;
     float alpha = kCosineLobeWidth * alpha_from_cosine_exponent(n);
-    vec3 towards = environment_direction(from_axes(a, wi));
+    vec3 towards = environment_direction(frame_to_outer(a, wi));
     vec3 radiance = round_lobe_radiance(towards, alpha) * u_environment_scale;
-    float cos_h = sqrt(max(0.5 + 0.5 * dot(wi, wo), 0.0));
     float albedo = dot(p.n, wo) > 0.0 ? cosine_lobe_albedo(lobe, p, wo) : 0.0;
-    return specular_fresnel(m, cos_h) * radiance * albedo;
+    return specular_fresnel(m.surface, half_angle_cosine(wi, wo)) * radiance * albedo;
 }
 
 #elif IMAGE_LIGHT == 2
@@ -86,9 +84,9 @@ vec3 split_sum(vec3 f0, float roughness, float cos_o) {
 // What Filament, three.js and the Khronos sample renderer do: the perturbed normal is bent towards
 // the one perpendicular to the grooves of the unperturbed frame, and one mip is read along its
 // reflection. For comparison only.
-vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
-    float alpha_x = lobe_alpha_x(m.lobe);
-    float alpha_y = lobe_alpha_y(m.lobe);
+vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
+    float alpha_x = lobe_alpha_x(m.surface.lobe);
+    float alpha_y = lobe_alpha_y(m.surface.lobe);
     float narrow = min(alpha_x, alpha_y);
     float roughness = sqrt(narrow);
     float strength = sqrt(clamp((max(alpha_x, alpha_y) - narrow) / max(1.0 - narrow, 1e-3), 0.0, 1.0));
@@ -100,9 +98,9 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
     vec3 bent = normalize(mix(across, p.n, keep * keep));
     vec3 wi = reflect(-wo, bent);
     // Perceptual roughness is sqrt(alpha): the lobe is as wide as alpha = roughness^2.
-    vec3 towards = environment_direction(from_axes(a, wi));
+    vec3 towards = environment_direction(frame_to_outer(a, wi));
     vec3 radiance = lobe_radiance(towards, lobe_lod(narrow * narrow)) * u_environment_scale;
-    return radiance * split_sum(specular_fresnel(m, 1.0), roughness, max(dot(p.n, wo), 0.0));
+    return radiance * split_sum(specular_fresnel(m.surface, 1.0), roughness, max(dot(p.n, wo), 0.0));
 }
 
 #elif IMAGE_LIGHT == 3

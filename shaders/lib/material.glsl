@@ -43,72 +43,20 @@ uniform float u_map_lod[6];  // log2 of each texture's longer side, plus u_lod_b
 #define MAP_AT(map, use) texture(map, s.uv.xy, u_lod_bias)
 #endif
 
-// KHR_materials_anisotropy squares roughness; below 1e-3 a lobe is narrower than the sun is wide a
-// hundred times over, and 1/alpha^4 of GGX's tail still fits single precision.
-const float kLowestAlpha = 1e-3;
-
 struct Shading {
+    SurfaceMaterial surface;  // its colors are set by put_colors
     vec3 base_color;
     float alpha;
     float metallic;
-    Lobe lobe;
-    Bool grooves_along_x;
+    bool grooves_along_x;
     vec2 direction;  // of the stretch, from the tangent: unit
     vec3 n;          // perturbed normal against tangent, bitangent and geometric normal
 #ifdef TABULATED
-    vec3 specular;  // reflectance at normal incidence
-    ivec2 table;    // tabulated.glsl
-    ivec2 areas;
-    float groove;
-    int tap;        // which of the texels that a pixel sees, and how many there are
+    TableBlock table;  // tabulated.glsl
+    int tap;           // which of the texels that a pixel sees, and how many there are
     int taps;
 #endif
 };
-
-#if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
-// Slopes and their variances (docs/theory/normal-filtering.md): how the lobe of a normal `n` = normal_of_slopes
-// is to be widened along the tangent and the bitangent. A step ds of the slope turns n by ds nz^2 in
-// the direction of the tilt and by ds nz across it, here resolved along the axes.
-// 1: beyond, lobes of alpha > sqrt(2) are all one, and the widest whose normaliser is good.
-vec2 variance_about(vec3 n, vec2 variance) {
-    vec2 tilted = variance * u_normal_scale * u_normal_scale;
-    return min(tilted * (n.z * n.z) * (1.0 - n.xy * n.xy), vec2(1.0));
-}
-
-vec3 normal_of_slopes(vec2 slopes) {
-    vec2 v = slopes * u_normal_scale;
-    // 0.03: tilts end at 88.8 degrees, short of where the frames of perturb.glsl are singular.
-    return normalize(vec3(v, max(1.0, 0.03 * max(abs(v.x), abs(v.y)))));
-}
-#elif defined(HAS_NORMAL_MAP)
-// A texel that is no direction out of the surface (zero, NaN, z <= 0) leaves it unperturbed. Infinite
-// ones do not get here: texture_upload.cpp.
-vec3 normal_of_texel(vec3 texel) {
-    vec3 v = texel * 2.0 - 1.0;
-#ifdef NORMAL_MAP_XY
-    v.z = sqrt(max(1.0 - dot(v.xy, v.xy), 0.0));
-#endif
-    v = v.z > 0.0 ? v : vec3(0.0, 0.0, 1.0);
-    v.xy *= u_normal_scale;
-    // 0.03: tilts end at 88.8 degrees, short of where the frames of perturb.glsl are singular.
-    v.z = max(v.z, 0.03 * max(abs(v.x), abs(v.y)));
-    return normalize(v);
-}
-#endif
-
-vec2 stretch_direction(vec3 texel) {
-    vec2 d = texel.xy * 2.0 - 1.0;
-    float l2 = dot(d, d);
-    // 1e-4: directions that cancel under filtering leave less than the step of an 8-bit texel.
-    d = l2 > 1e-4 ? d * inversesqrt(l2) : vec2(1.0, 0.0);
-    vec2 r = u_anisotropy_direction;
-    return vec2(d.x * r.x - d.y * r.y, d.x * r.y + d.y * r.x);
-}
-
-Lobe lobe_of_roughness(float roughness, float anisotropy) {
-    float alpha = max(roughness * roughness, kLowestAlpha);
-    return lobe_from_alpha(MDF, max(mix(alpha, 1.0, anisotropy * anisotropy), kLowestAlpha), alpha);
-}
 
 Lobe uniform_lobe() {
     Lobe lobe;
@@ -131,6 +79,58 @@ vec4 base_color_at(Surface s) {
     return base;
 }
 
+#ifdef LOBE_FROM_TEXTURE
+Lobe lobe_at(float roughness, float anisotropy) {
+    return lobe_of_roughness(MDF, clamp(roughness, 0.0, 1.0), clamp(anisotropy, 0.0, 1.0));
+}
+#else
+Lobe lobe_at(float roughness, float anisotropy) {
+    return uniform_lobe();
+}
+#endif
+
+// The Fresnel factor and the interface; METAL: nothing is diffuse.
+SurfaceMaterial material_of(Lobe lobe) {
+#ifdef TABULATED
+    SurfaceMaterial m = surface_material(kBrdfTabulated, lobe, u_ks, u_lafortune_c, u_dielectric_f0);
+    m.fresnel = kFresnelDielectric;
+    m.eta.x = u_tabulated_fresnel.x;
+    m.k.x = u_tabulated_fresnel.y;
+#else
+    SurfaceMaterial m = surface_material(BRDF, lobe, u_ks, u_lafortune_c, u_dielectric_f0);
+#endif
+#ifdef CONDUCTOR
+    m.fresnel = kFresnelConductor;
+    m.eta = u_eta;
+    m.k = u_k;
+#endif
+#ifndef METAL
+    m.has_diffuse = true;
+#endif
+    return m;
+}
+
+// After the last change of the base color.
+void put_colors(inout Shading m) { m.surface = surface_colored(m.surface, m.base_color, m.metallic); }
+
+#ifdef HAS_NORMAL_MAP
+// The normal, and with NORMAL_MOMENTS the lobe that the map's variances widen.
+void put_normal(inout Shading m, vec4 texel) {
+#ifdef NORMAL_MOMENTS
+    m.n = normal_of_slopes(texel.x * u_normal_scale.x, texel.y * u_normal_scale.y);
+    vec2 variance = variance_about(m.n, texel.zw, u_normal_scale);
+#ifdef TURNED
+    variance = variance_along(variance, m.direction);
+#endif
+    m.surface = surface_widened(m.surface, METHOD, variance);
+#elif defined(NORMAL_MAP_XY)
+    m.n = normal_of_vector(vector_of_texel(texel.xy), u_normal_scale);
+#else
+    m.n = normal_of_vector(vector_of_texel(texel.xyz), u_normal_scale);
+#endif
+}
+#endif
+
 Shading shading_at(Surface s) {
     Shading m;
     vec4 base = base_color_at(s);
@@ -147,43 +147,25 @@ Shading shading_at(Surface s) {
     m.direction = u_anisotropy_direction;
 #ifdef HAS_ANISOTROPY_MAP
     vec3 texel = MAP_AT(u_anisotropy_map, 5).rgb;
-    m.direction = stretch_direction(texel);
+    m.direction = stretch_direction(texel.rg, u_anisotropy_direction);
     anisotropy *= texel.b;
 #endif
+    m.surface = material_of(lobe_at(roughness, anisotropy));
 #ifdef LOBE_FROM_TEXTURE
-    m.lobe = lobe_of_roughness(clamp(roughness, 0.0, 1.0), clamp(anisotropy, 0.0, 1.0));
-#else
-    m.lobe = uniform_lobe();
-#endif
-#ifdef LOBE_FROM_TEXTURE
-    m.grooves_along_x = lobe_grooves_along_x(MDF, m.lobe.p0, m.lobe.p1);
+    m.grooves_along_x = lobe_grooves_along_x(MDF, m.surface.lobe.p0, m.surface.lobe.p1);
 #else
     m.grooves_along_x = GROOVES_ALONG_X;
 #endif
     m.n = vec3(0.0, 0.0, 1.0);
 #ifdef TABULATED
-    m.specular = vec3(0.0);
-    m.table = ivec2(0);
-    m.areas = ivec2(0);
-    m.groove = 0.0;
+    m.table = TableBlock(ivec2(0), ivec2(0), 0.0);
     m.tap = 0;
     m.taps = 1;
 #endif
-#if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
-    vec4 slopes = MAP_AT(u_normal_map, 2);
-    m.n = normal_of_slopes(slopes.xy);
-    vec2 variance = variance_about(m.n, slopes.zw);
-#ifdef TURNED
-    // Along the stretch and across it; of slopes that vary together nothing is kept.
-    vec2 along = m.direction * m.direction;
-    variance = vec2(dot(variance, along), dot(variance, along.yx));
+#ifdef HAS_NORMAL_MAP
+    put_normal(m, MAP_AT(u_normal_map, 2));
 #endif
-    // normal-map leaves the lobe at the geometric normal: it does not move with n~, which shows in n~.h
-    // alone, and is not widened by it.
-    if (METHOD != kMethodNormalMap) { m.lobe = widen_lobe(m.lobe, variance.x, variance.y); }
-#elif defined(HAS_NORMAL_MAP)
-    m.n = normal_of_texel(MAP_AT(u_normal_map, 2).rgb);
-#endif
+    put_colors(m);
     return m;
 }
 
@@ -202,18 +184,3 @@ float occlusion_at(Surface s) {
     return 1.0;
 #endif
 }
-
-vec3 normal_incidence(Shading m) {
-    return mix(vec3(u_dielectric_f0), m.base_color, m.metallic);
-}
-
-#ifndef TABULATED
-// The Fresnel factor of the specular term at the half vector.
-vec3 specular_fresnel(Shading m, float cos_h) {
-#ifdef CONDUCTOR
-    return fresnel_conductor(u_eta, u_k, cos_h);
-#else
-    return fresnel_schlick(normal_incidence(m), cos_h);
-#endif
-}
-#endif

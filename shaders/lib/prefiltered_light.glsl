@@ -150,37 +150,32 @@ bool turns(Perturbation p) {
     return p.method != kMethodNormalMap && !deforms(p);
 }
 
-// The models with a Smith term.
-bool masks() {
-    return BRDF == kBrdfMicrofacet || BRDF == kBrdfMicrofacetSeparable;
-}
-
-vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
-    Lobe lobe = lobe_for_sampling(m.lobe, p);
+vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
+    Lobe lobe = lobe_for_sampling(m.surface.lobe, p);
     float ax = lobe_alpha_x(lobe);
     float ay = lobe_alpha_y(lobe);
     LobeMapping map = mapping_of(p);
     vec3 v = vec3(dot(map.x, wo), dot(map.y, wo), dot(map.z, wo));
     vec3 go = turns(p) ? v : perturb_direction(p, wo);
-    Axes axes = a;
+    Frame axes = a;
     if (turns(p)) {
-        axes.x = from_axes(a, map.x);
-        axes.y = from_axes(a, map.y);
-        axes.z = from_axes(a, map.z);
+        axes.t = frame_to_outer(a, map.x);
+        axes.b = frame_to_outer(a, map.y);
+        axes.n = frame_to_outer(a, map.z);
         map.x = vec3(1.0, 0.0, 0.0);
         map.y = vec3(0.0, 1.0, 0.0);
         map.z = vec3(0.0, 0.0, 1.0);
     }
     vec3 eye = turns(p) ? v : wo;
     // Without masking all normals count, seen or not.
-    vec3 w = masks() ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
+    vec3 w = brdf_masks(BRDF) ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
     MappedHalf middle = mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z));
     MajorAxis axis = major_axis(eye, middle.h, turn_of(middle, map, p, vec3(ax, 0.0, 0.0)),
                                 turn_of(middle, map, p, vec3(0.0, ay, 0.0)));
     vec3 across = vec3(-ax * axis.along.y, ay * axis.along.x, 0.0);
-    axes.x = environment_direction(axes.x);
-    axes.y = environment_direction(axes.y);
-    axes.z = environment_direction(axes.z);
+    axes.t = environment_direction(axes.t);
+    axes.b = environment_direction(axes.b);
+    axes.n = environment_direction(axes.n);
     float masking = 1.0 + smith_lambda(lobe, go);
     vec3 sum = vec3(0.0);
     float energy = 0.0;
@@ -199,11 +194,11 @@ vec3 image_specular(Surface s, Shading m, Axes a, Perturbation p, vec3 wo) {
         // The cap is 2 cos(half the angle from its middle) as wide here as a unit step.
         float blur2 = reflected_dot(eye, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
         vec3 gi = turns(p) ? wi : perturb_direction(p, wi);
-        float share = masks() ? masking / (masking + smith_lambda(lobe, gi))
+        float share = brdf_masks(BRDF) ? masking / (masking + smith_lambda(lobe, gi))
                               : min(gi.z / max(go.z, 1e-3), 1.0);
         share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;
-        vec3 radiance = lobe_radiance(from_axes(axes, wi), lobe_lod(kWidth * kWidth * blur2));
-        sum += specular_fresnel(m, wo_h) * radiance * (share * energy_at(at, p, go, wo_h));
+        vec3 radiance = lobe_radiance(frame_to_outer(axes, wi), lobe_lod(kWidth * kWidth * blur2));
+        sum += specular_fresnel(m.surface, wo_h) * radiance * (share * energy_at(at, p, go, wo_h));
         energy += share;
     }
     // 1e-3: less than any look-up's share where the view is above the horizon.

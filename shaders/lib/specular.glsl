@@ -1,30 +1,27 @@
-// The specular term without Fresnel and without the cosine, and its sampling. BRDF: the model, over a
-// distribution of half vectors or, with COSINE_LOBE, a power of the cosine about a direction.
+// The specular term of a Shading, and its sampling: tables are looked up, the rest is
+// shading/surface/specular.glsl.
+
+LobeValues lobe_values(Shading m, Perturbation p, vec3 wi, vec3 wo) {
 #ifdef TABULATED
-#include "shaders/lib/tabulated.glsl"
-#elif defined(COSINE_LOBE)
-
-CosineLobe cosine_lobe_of(Shading m) {
-    float n = cosine_exponent_from_alpha(lobe_alpha_x(m.lobe), lobe_alpha_y(m.lobe));
-    return cosine_lobe_make(BRDF, u_ks, u_lafortune_c, n);
-}
-
-float specular_eval(Shading m, Perturbation p, vec3 wi, vec3 wo) {
-    return cosine_lobe_eval(cosine_lobe_of(m), p, wi, wo);
-}
-
-vec3 specular_sample(Shading m, Perturbation p, vec3 wo, vec2 xi, float select, out float pdf) {
-    return cosine_lobe_sample(cosine_lobe_of(m), p, wo, xi, pdf);
-}
-
+    return tabulated_values(m.table, p, wi, wo);
 #else
-
-float specular_eval(Shading m, Perturbation p, vec3 wi, vec3 wo) {
-    return brdf_eval(BRDF, m.lobe, p, wi, wo);
+    return no_lobe_values();
+#endif
 }
 
-vec3 specular_sample(Shading m, Perturbation p, vec3 wo, vec2 xi, float select, out float pdf) {
-    return brdf_sample(m.lobe, p, wo, xi, select, pdf);
+float specular_at(Shading m, Perturbation p, vec3 wi, vec3 wo) {
+    return specular_eval(m.surface, p, lobe_values(m, p, wi, wo), wi, wo);
 }
 
+#if IMAGE_LIGHT == 1
+vec3 specular_draw(Shading m, Perturbation p, vec3 wo, vec2 xi, float select, out float pdf) {
+#ifdef TABULATED
+    vec3 h = tabulated_sample(m.table, p, xi, select);
+    float wo_h = dot(wo, h);
+    pdf = wo_h > 0.0 ? reflected_pdf(tabulated_pdf(m.table, p, h), wo_h) : 0.0;
+    return reflect_about(wo, h);
+#else
+    return specular_sample(m.surface, p, wo, xi, select, pdf);
+#endif
+}
 #endif

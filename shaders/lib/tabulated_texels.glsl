@@ -28,13 +28,6 @@ vec2 pair_of(uint bits) {
     return (vec2(float(int(bits & 0xffffu)), float(int(bits >> 16))) - 32768.0) * (1.0 / 32767.0);
 }
 
-// Not unit where it is steep.
-vec3 texel_normal(uint bits) {
-    vec2 xy = pair_of(bits);
-    // 0.03: as normal_of_texel.
-    return vec3(xy, max(sqrt(max(1.0 - dot(xy, xy), 0.0)), 0.03));
-}
-
 // Of half floats that are not negative: their bits are those of a float 2^112 times as small.
 vec3 color_of(uint r, uint g, uint b) {
     return vec3(uintBitsToFloat((r & 0xffffu) << 13), uintBitsToFloat((g & 0xffffu) << 13),
@@ -55,18 +48,16 @@ float put_texel(inout Shading m, vec2 whole) {
     // By float, exact for 16 bits: software renderers divide integers one by one.
     int row = int((float(exemplar) + 0.5) / float(u_tabulated_columns));
     ivec2 block = ivec2(exemplar - row * u_tabulated_columns, row);
-    m.table = block * u_tabulated_grid;
-    m.areas = block * ivec2(kAreaGrid.x, u_tabulated_area_rows);
+    m.table.table = block * u_tabulated_grid;
+    m.table.areas = block * ivec2(kAreaGrid.x, u_tabulated_area_rows);
     uvec4 colors = texelFetch(u_tabulated_colors, at, 0);
     m.base_color = color_of(colors.x, colors.x >> 16, colors.y);
-    m.specular = color_of(colors.y >> 16, colors.z, colors.z >> 16);
-    m.n = tabulated_normal(texel_normal(bits.y), m.n);
-    // follow-grain is turned so that the groove runs along the lobe's x axis.
-    bool along_groove = METHOD == kMethodFollowGrain;
-    m.groove = along_groove ? float(int(bits.x >> 16)) * (1.0 / 65536.0) : 0.0;
-    vec2 d = pair_of(along_groove ? bits.w : bits.z);
-    vec2 r = u_anisotropy_direction;
-    m.direction = vec2(d.x * r.x - d.y * r.y, d.x * r.y + d.y * r.x);
+    put_colors(m);
+    m.surface.specular = color_of(colors.y >> 16, colors.z, colors.z >> 16);
+    vec2 disk = pair_of(bits.y);
+    m.n = normal_over(vector_of_disk(disk.x, disk.y), m.n);
+    m.table.groove = tabulated_rotation(METHOD, float(int(bits.x >> 16)) * (1.0 / 65536.0));
+    m.direction = direction_added(pair_of(METHOD == kMethodFollowGrain ? bits.w : bits.z), u_anisotropy_direction);
     return measured ? 1.0 : 0.0;
 }
 
@@ -78,10 +69,6 @@ vec2 tap_place(uvec2 pixel, int tap) {
     return vec2(unit_of(index * 1779033703u + rotation.y), unit_of(index * 3144134277u + rotation.z));
 }
 
-vec3 turned_direction(vec3 w, vec2 d) {
-    return vec3(w.x * d.x + w.y * d.y, w.y * d.x - w.x * d.y, w.z);
-}
-
 #if LIGHTS > 0
 // What all texels have in common; directions against the surface's axes.
 struct TexelLights {
@@ -91,18 +78,18 @@ struct TexelLights {
     float fresnel[LIGHTS];
 };
 
-TexelLights texel_lights(Surface s, Axes a, vec3 wo) {
+TexelLights texel_lights(Surface s, Frame a, vec3 wo) {
     TexelLights l;
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 irradiance;
         vec3 towards = light_direction(i, s.position, irradiance);
 #if SHADOW_MAPS > 0
-        irradiance *= light_reaches(i, s.position, a.z, towards);
+        irradiance *= light_reaches(i, s.position, a.n, towards);
 #endif
         l.irradiance[i] = irradiance;
-        l.wi[i] = to_axes(a, towards);
+        l.wi[i] = frame_to_local(a, towards);
         l.h[i] = half_vector(l.wi[i] + wo, vec3(0.0, 0.0, 1.0));
-        l.fresnel[i] = tabulated_fresnel(max(dot(l.h[i], wo), 0.0));
+        l.fresnel[i] = fresnel_rise(u_tabulated_fresnel.x, u_tabulated_fresnel.y, max(dot(l.h[i], wo), 0.0));
     }
     return l;
 }
@@ -110,23 +97,23 @@ TexelLights texel_lights(Surface s, Axes a, vec3 wo) {
 // Directions against the texel's axes but for those of `l`.
 vec3 lit_texel(TexelLights l, Shading m, Perturbation p, vec3 wo) {
     float cos_o = dot(p.n, wo);
-    float seen = tabulated_seen(m, perturb_direction(p, wo));
+    float seen = tabulated_seen(m.table, perturb_direction(p, wo));
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
-        vec3 wi = turned_direction(l.wi[i], m.direction);
+        vec3 wi = seen_from_rotated(l.wi[i], m.direction);
         float cos_i = dot(p.n, wi);
-        float D = tabulated_D(m, perturb_point(p, turned_direction(l.h[i], m.direction)));
-        float lit = tabulated_seen(m, perturb_direction(p, wi));
-        vec3 f = m.specular * (l.fresnel[i] * tabulated_brdf(D, lit, seen, cos_i, cos_o));
-        f += diffuse_color(m) * diffuse_eval(cos_i, cos_o);
+        float D = tabulated_D(m.table, perturb_point(p, seen_from_rotated(l.h[i], m.direction)));
+        float lit = tabulated_seen(m.table, perturb_direction(p, wi));
+        vec3 f = m.surface.specular * (l.fresnel[i] * tabulated_brdf(D, lit, seen, cos_i, cos_o));
+        f += m.surface.diffuse * diffuse_eval(kBrdfTabulated, u_dielectric_f0, cos_i, cos_o);
         sum += l.irradiance[i] * f * max(cos_i, 0.0);
     }
     return sum;
 }
 #endif
 
-vec3 reflected_by_texels(Surface s, Shading m, Axes a) {
-    vec3 wo = to_axes(a, s.to_eye);
+vec3 reflected_by_texels(Surface s, Shading m, Frame a) {
+    vec3 wo = frame_to_local(a, s.to_eye);
 #if LIGHTS > 0
     TexelLights lights = texel_lights(s, a, wo);
 #endif
@@ -161,9 +148,9 @@ vec3 reflected_by_texels(Surface s, Shading m, Axes a) {
         Shading t = m;
         t.tap = tap;
         weight *= put_texel(t, cell);
-        Axes turned_axes = a;
+        Frame turned_axes = a;
         Perturbation p = facing_perturbation(s, t, turned_axes);
-        vec3 turned_wo = turned_direction(wo, t.direction);
+        vec3 turned_wo = seen_from_rotated(wo, t.direction);
         vec3 radiance = vec3(0.0);
 #if LIGHTS > 0
         radiance += lit_texel(lights, t, p, turned_wo);

@@ -131,7 +131,7 @@ FitModel phong() {
     FitModel model = model_of("phong");
     Starts starts;
     for (const double a : kAlphas) starts.push_back({std::log1p(exponent_of_alpha(a) / 4)});
-    model.isotropic = {{{logarithmic_from_0(parameter_of(*model.brdf, "alpha"))},
+    model.isotropic = {{{logarithmic_from_0(parameter_of(*model.brdf, "n"))},
                         [](Q q) {
                             return LobeParameters{1, std::expm1(q[0])};
                         },

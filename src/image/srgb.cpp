@@ -1,17 +1,14 @@
-#include <cmath>
-
+#include "burnish/f32.hpp"
 #include "image/image_io.hpp"
 
 namespace burnish {
 
 float srgb_from_linear(float linear) {
-    constexpr float kBreak = 0.0031308f;
-    return linear <= kBreak ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    return f32::srgb_from_linear(linear);
 }
 
 float linear_from_srgb(float srgb) {
-    constexpr float kBreak = 0.04045f;
-    return srgb <= kBreak ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+    return f32::linear_from_srgb(srgb);
 }
 
 }  // namespace burnish

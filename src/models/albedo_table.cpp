@@ -27,7 +27,7 @@ float albedo(int brdf, const f32::Lobe& lobe, float cosine) {
         const f32::vec2 xi{unit_of(i * 3242174889u + 0x80000000u),
                            unit_of(i * 2447445414u + 0x80000000u)};
         float pdf = 0;
-        const f32::vec3 wi = f32::brdf_sample(lobe, flat, wo, xi, 0.5f, pdf);
+        const f32::vec3 wi = f32::brdf_sample(brdf, lobe, flat, wo, xi, 0.5f, pdf);
         if (!(pdf > 0.0f) || !(wi.z > 0.0f)) continue;
         sum += static_cast<double>(f32::brdf_eval(brdf, lobe, flat, wi, wo) * wi.z / pdf);
     }

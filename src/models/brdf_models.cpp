@@ -21,7 +21,7 @@ constexpr std::array<ShapeParameter, 3> kAlphasAndF0 = {{kAlphaX, kAlphaY, kF0}}
 constexpr std::array<ShapeParameter, 3> kStrengthAndAlphas = {{kShare, kAlphaX, kAlphaY}};
 constexpr std::array<ShapeParameter, 3> kCookTorrance = {
     {kShare, {"m", kLeastAlpha, kMostAlpha}, kF0}};
-constexpr std::array<ShapeParameter, 2> kPhong = {{kScale, {"alpha", 0.0, kMostExponent}}};
+constexpr std::array<ShapeParameter, 2> kPhong = {{kScale, {"n", 0.0, kMostExponent}}};
 constexpr std::array<ShapeParameter, 5> kLafortune = {{kScale,
                                                        {"Cx", -10.0, 10.0},
                                                        {"Cy", -10.0, 10.0},
@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 2> kSmithNames = {"correlated", "separabl
 // A function template of one precision, named once.
 #define BURNISH_BOTH(...) __VA_ARGS__<float>, __VA_ARGS__<double>
 
-template <Mdf mdf, std::size_t first, std::size_t second>
+template <Brdf brdf, Mdf mdf, std::size_t first, std::size_t second>
 constexpr BrdfModel with_lobe_sampler(std::string_view name,
                                       std::span<const ShapeParameter> parameters,
                                       BrdfFunction<float> value_f32,
@@ -44,21 +44,23 @@ constexpr BrdfModel with_lobe_sampler(std::string_view name,
             parameters,
             value_f32,
             value_f64,
-            {sample_lobe<float, mdf, first, second>, lobe_density<float, mdf, first, second>},
-            {sample_lobe<double, mdf, first, second>, lobe_density<double, mdf, first, second>}};
+            {sample_lobe<float, brdf, mdf, first, second>,
+             lobe_density<float, brdf, mdf, first, second>},
+            {sample_lobe<double, brdf, mdf, first, second>,
+             lobe_density<double, brdf, mdf, first, second>}};
 }
 
 template <Brdf brdf, Mdf mdf>
 constexpr BrdfModel lobe_model(std::string_view name) {
     const bool exponents = mdf == Mdf::ashikhmin_shirley;
-    return with_lobe_sampler<mdf, 0, 1>(name, exponents ? kExponentsAndF0 : kAlphasAndF0,
-                                        lobe_and_schlick<float, brdf, mdf>,
-                                        lobe_and_schlick<double, brdf, mdf>);
+    return with_lobe_sampler<brdf, mdf, 0, 1>(name, exponents ? kExponentsAndF0 : kAlphasAndF0,
+                                              lobe_and_schlick<float, brdf, mdf>,
+                                              lobe_and_schlick<double, brdf, mdf>);
 }
 
 template <Brdf brdf>
 constexpr BrdfModel ward_model(std::string_view name) {
-    return with_lobe_sampler<Mdf::beckmann, 1, 2>(
+    return with_lobe_sampler<brdf, Mdf::beckmann, 1, 2>(
         name, kStrengthAndAlphas, ward_family<float, brdf>, ward_family<double, brdf>);
 }
 
@@ -69,13 +71,13 @@ constexpr std::array<BrdfModel, 13> kModels = {{
      BURNISH_BOTH(coupled_diffuse),
      {sample_cosine<float>, cosine_density<float>},
      {sample_cosine<double>, cosine_density<double>}},
-    with_lobe_sampler<Mdf::ashikhmin_shirley, 0, 1>("ashikhmin-premoze-shirley", kExponentsAndF0,
-                                                    BURNISH_BOTH(ashikhmin_premoze_shirley)),
+    with_lobe_sampler<Brdf::ashikhmin_shirley, Mdf::ashikhmin_shirley, 0, 1>(
+        "ashikhmin-premoze-shirley", kExponentsAndF0, BURNISH_BOTH(ashikhmin_premoze_shirley)),
     ward_model<Brdf::ward>("ward"),
     ward_model<Brdf::ward_duer>("ward-duer"),
     ward_model<Brdf::ward_gmd>("ward-gmd"),
-    with_lobe_sampler<Mdf::beckmann, 1, 1>("cook-torrance", kCookTorrance,
-                                           BURNISH_BOTH(cook_torrance)),
+    with_lobe_sampler<Brdf::cook_torrance, Mdf::beckmann, 1, 1>("cook-torrance", kCookTorrance,
+                                                                BURNISH_BOTH(cook_torrance)),
     {"lafortune",
      kLafortune,
      BURNISH_BOTH(lafortune),

@@ -36,7 +36,7 @@ struct Maths;
         static constexpr auto lafortune = ns::lafortune_eval;                                    \
         static constexpr auto lafortune_sample = ns::lafortune_sample;                           \
         static constexpr auto lafortune_pdf = ns::lafortune_pdf;                                 \
-        static constexpr auto premoze = ns::ashikhmin_premoze_shirley_value;                     \
+        static constexpr auto of_areas = ns::area_brdf;                                          \
         static constexpr auto diffuse = ns::ashikhmin_shirley_diffuse;                           \
         static constexpr auto cosine_sample = ns::cosine_sample;                                 \
         static constexpr auto cosine_pdf = ns::cosine_pdf;                                       \
@@ -58,16 +58,18 @@ typename Maths<Float>::Lobe lobe_at(Parameters<Float> p) {
     return Maths<Float>::lobe(static_cast<int>(mdf), p[first], p[second]);
 }
 
-template <typename Float, Mdf mdf, std::size_t first, std::size_t second>
+template <typename Float, Brdf brdf, Mdf mdf, std::size_t first, std::size_t second>
 Direction<Float> sample_lobe(Parameters<Float> p, Direction<Float> wo, Uniforms<Float> xi,
                              Float& density) {
-    return brdf_sample(lobe_at<Float, mdf, first, second>(p), Maths<Float>::unperturbed(), wo,
-                       typename Maths<Float>::Vec2(xi[0], xi[1]), xi[2], density);
+    return brdf_sample(static_cast<int>(brdf), lobe_at<Float, mdf, first, second>(p),
+                       Maths<Float>::unperturbed(), wo, typename Maths<Float>::Vec2(xi[0], xi[1]),
+                       xi[2], density);
 }
 
-template <typename Float, Mdf mdf, std::size_t first, std::size_t second>
+template <typename Float, Brdf brdf, Mdf mdf, std::size_t first, std::size_t second>
 Float lobe_density(Parameters<Float> p, Direction<Float> wi, Direction<Float> wo) {
-    return brdf_pdf(lobe_at<Float, mdf, first, second>(p), Maths<Float>::unperturbed(), wi, wo);
+    return brdf_pdf(static_cast<int>(brdf), lobe_at<Float, mdf, first, second>(p),
+                    Maths<Float>::unperturbed(), wi, wo);
 }
 
 // p: the lobe's two numbers and F0.
@@ -103,7 +105,7 @@ Float ashikhmin_premoze_shirley(Parameters<Float> p, Direction<Float> wi, Direct
     };
     const Float D = lobe_D(lobe_at<Float, Mdf::ashikhmin_shirley, 0, 1>(p),
                            Maths<Float>::unperturbed(), normalize(wi + wo));
-    return Maths<Float>::premoze(D, g(wi), g(wo)) *
+    return Maths<Float>::of_areas(D, g(wi), g(wo)) *
            Maths<Float>::schlick(p[2], half_vector_cosine(wi, wo));
 }
 

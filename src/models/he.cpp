@@ -133,7 +133,8 @@ Direction<double> he_sample(HeSurface surface, Direction<double> wo, std::array<
                             double& pdf) {
     Direction<double> wi;
     if (xi[2] < 0.5) {
-        wi = brdf_sample(slopes_of(surface), unperturbed(), wo, {xi[0], xi[1]}, 0.0, pdf);
+        wi = brdf_sample(f64::kBrdfWardGmd, slopes_of(surface), unperturbed(), wo, {xi[0], xi[1]},
+                         0.0, pdf);
         if (!(pdf > 0)) return wi;
     } else {
         wi = f64::cosine_sample({xi[0], xi[1]});
@@ -143,7 +144,8 @@ Direction<double> he_sample(HeSurface surface, Direction<double> wo, std::array<
 }
 
 double he_pdf(HeSurface surface, Direction<double> wi, Direction<double> wo) {
-    return 0.5 * brdf_pdf(slopes_of(surface), unperturbed(), wi, wo) + 0.5 * f64::cosine_pdf(wi.z);
+    return 0.5 * brdf_pdf(f64::kBrdfWardGmd, slopes_of(surface), unperturbed(), wi, wo) +
+           0.5 * f64::cosine_pdf(wi.z);
 }
 
 }  // namespace burnish

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
 #include "formats/wif/wif.hpp"
 #include "maps/weave/draft.hpp"
 
@@ -54,9 +55,9 @@ void clear_for_cloth(Material& material, const ParameterValues& values) {
 // KHR_materials_anisotropy stretches across the grooves; here they run along x.
 void set_fibre_pair(Material& material) {
     if (material.alpha) return;
-    const float alpha = material.roughness * material.roughness;
-    const float strength = material.anisotropy_strength * material.anisotropy_strength;
-    material.alpha = glm::vec2(alpha, alpha + (1.0f - alpha) * strength);
+    const f32::vec2 alpha =
+        f32::alpha_of_roughness(material.roughness, material.anisotropy_strength);
+    material.alpha = glm::vec2(alpha.y, alpha.x);
 }
 
 void set_numbers(Cloth& cloth, const ParameterValues& values) {

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
 #include "image/image_io.hpp"
 #include "maps/normal/bumps.hpp"
@@ -205,7 +206,7 @@ void require_one_roughness(const ParameterValues& values, bool as_flags) {
 }
 
 void require_drawable(Brdf brdf, Method method) {
-    if (has_half_vectors(brdf) || !is_deformation(method)) return;
+    if (f32::brdf_takes_method(static_cast<int>(brdf), static_cast<int>(method))) return;
     throw UsageError("method", "",
                      "a rotation such as follow-grain for brdf " + std::string(name_of(brdf)) +
                          ", which has no half vectors to deform",

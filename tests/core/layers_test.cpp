@@ -54,20 +54,11 @@ Layers layers() {
 // The layer of each public header: it may include what that layer may, and only that layer and
 // those above it may include it.
 const std::map<std::string, std::string> kPublic = {
-    {"api", "core"},
-    {"error", "core"},
-    {"progress", "core"},
-    {"image", "image"},
-    {"conductor", "models"},
-    {"f32", "models"},
-    {"f64", "models"},
-    {"shading_names", "models"},
-    {"mesh", "scene"},
-    {"parameters", "scene"},
-    {"render_settings", "scene"},
-    {"scene", "scene"},
-    {"stage", "stage"},
-    {"render", "jobs"},
+    {"api", "core"},    {"error", "core"},       {"progress", "core"},
+    {"image", "image"}, {"f32", "core"},  // nothing but the text of shading/, which is below every layer
+    {"f64", "core"},    {"conductor", "models"}, {"shading_names", "models"},
+    {"mesh", "scene"},  {"parameters", "scene"}, {"render_settings", "scene"},
+    {"scene", "scene"}, {"stage", "stage"},      {"render", "jobs"},
 };
 
 std::string layer_of_include(const std::string& folder, const std::string& name) {

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "burnish/error.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "burnish/render_settings.hpp"
 #include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 

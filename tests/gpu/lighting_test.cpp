@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "burnish/f64.hpp"
-#include "gpu_fixture.hpp"
-#include "test_scene.hpp"
 #include "burnish/render_settings.hpp"
 #include "gpu/draw/renderer.hpp"
+#include "gpu_fixture.hpp"
+#include "test_scene.hpp"
 
 namespace burnish::test {
 namespace {

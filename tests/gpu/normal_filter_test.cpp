@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "flicker.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "maps/normal/bumps.hpp"
 #include "test_scene.hpp"
-#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {

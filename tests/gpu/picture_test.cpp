@@ -3,11 +3,11 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "burnish/render_settings.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish::test {
 namespace {

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "gpu_fixture.hpp"
-#include "test_scene.hpp"
 #include "burnish/render_settings.hpp"
 #include "gpu/draw/renderer.hpp"
+#include "gpu_fixture.hpp"
+#include "test_scene.hpp"
 
 namespace burnish::test {
 namespace {

@@ -3,10 +3,10 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
-#include "gpu_fixture.hpp"
-#include "test_scene.hpp"
 #include "burnish/render_settings.hpp"
 #include "gpu/draw/renderer.hpp"
+#include "gpu_fixture.hpp"
+#include "test_scene.hpp"
 
 namespace burnish::test {
 namespace {

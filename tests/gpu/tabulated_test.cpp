@@ -36,7 +36,6 @@ constexpr int kSide = 64;
 
 constexpr char kStage[] = R"(
 #include "shading"
-struct Shading { vec3 specular; ivec2 table; ivec2 areas; float groove; int tap; };
 #include "shaders/lib/tabulated.glsl"
 #include "burnish/render_settings.hpp"
 #include "gpu/draw/renderer.hpp"
@@ -47,21 +46,19 @@ layout(location = 0) out vec4 o_values;
 
 void main() {
     vec4 v = texelFetch(u_inputs, ivec2(gl_FragCoord.xy), 0);
-    Shading m;
     ivec2 block = ivec2(3 % u_tabulated_columns, 3 / u_tabulated_columns);
-    m.table = block * u_tabulated_grid;
-    m.areas = block * ivec2(kAreaGrid.x, u_tabulated_area_rows);
-    m.groove = 0.0;
+    TableBlock b = TableBlock(block * u_tabulated_grid,
+                              block * ivec2(kAreaGrid.x, u_tabulated_area_rows), 0.0);
 #ifdef DRAWS
     // tilted by 20 degrees
     vec3 n = vec3(0.2564, -0.2267, 0.9396);
     Perturbation p = perturb_make(METHOD, n, true, false);
-    vec3 h = tabulated_sample(m, p, v.xy, v.z);
-    o_values = vec4(h.z > 0.0 ? tabulated_D(m, perturb_point(p, h)) : 0.0, tabulated_pdf(m, p, h), h.z, 1.0);
+    vec3 h = tabulated_sample(b, p, v.xy, v.z);
+    o_values = vec4(h.z > 0.0 ? tabulated_D(b, perturb_point(p, h)) : 0.0, tabulated_pdf(b, p, h), h.z, 1.0);
 #else
     vec3 w = v.xyz;
-    o_values = vec4(tabulated_D(m, lobe_point_of(w)), tabulated_seen(m, w),
-                    tabulated_seen(m, w * 3.0), tabulated_base_pdf(m, lobe_point_of(w)));
+    o_values = vec4(tabulated_D(b, lobe_point_of(w)), tabulated_seen(b, w),
+                    tabulated_seen(b, w * 3.0), tabulated_base_pdf(b, lobe_point_of(w)));
 #endif
 }
 )";

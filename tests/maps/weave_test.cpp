@@ -1,4 +1,4 @@
-// shading/weave.glsl and the cells of drafts: the surface of woven cloth.
+// shading/surface/weave.glsl and the cells of drafts: the surface of woven cloth.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -152,7 +152,7 @@ TEST_P(Weave, SharesAndSlopesOfFamiliesAreThoseCounted) {
         EXPECT_NEAR(weave_coverage(family, 0.2f), c.area[k], 1e-6);
         double sum = 0, across2 = 0, along2 = 0, nz = 0;
         for (const WeaveSlope& s : weave_slopes(family, in_float(shape), 40, 20)) {
-            const f32::vec3 n = f32::normal_of_slopes(s.along, s.across);
+            const f32::vec3 n = f32::normal_of_slopes(-s.along, -s.across);
             const auto w = static_cast<double>(s.weight);
             sum += w;
             along2 += w * static_cast<double>(n.x * n.x);

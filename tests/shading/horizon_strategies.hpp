@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "lobes_under_test.hpp"
+#include "two_facets.hpp"
 
 namespace burnish::test {
 
@@ -63,11 +64,11 @@ inline f64::vec2 low_discrepancy(std::uint32_t i, double shift_x, double shift_y
     return {x - std::floor(x), y - std::floor(y)};
 }
 
-// The walk of horizon.glsl, cut after 24 facets, by which time next to nothing is left.
+// The walk of two_facets.hpp, cut after 24 facets, by which time next to nothing is left.
 template <typename Radiance>
 double two_facets_walk(const f64::Lobe& lobe, const f64::Perturbation& p, vec3 n, vec3 wo,
                        int samples, double shift_x, double shift_y, const Radiance& radiance) {
-    const f64::TwoFacets facets = f64::two_facets_make(n);
+    const TwoFacets facets = two_facets_make(n);
     double sum = 0;
     for (int i = 0; i < samples; ++i) {
         double weight = 1;
@@ -79,15 +80,15 @@ double two_facets_walk(const f64::Lobe& lobe, const f64::Perturbation& p, vec3 n
                 low_discrepancy(index, shift_x + 0.754877 * step, shift_y + 0.569840 * step);
             const auto choice = low_discrepancy(index * 7 + 3, shift_y + 0.430159 * step,
                                                 shift_x + 0.839286 * step);
-            vec3 along = f64::two_facets_mirrored(facets, back) * -1.0;
-            if (choice.x < f64::two_facets_share(facets, back)) {
+            vec3 along = two_facets_mirrored(facets, back) * -1.0;
+            if (choice.x < two_facets_share(facets, back)) {
                 double pdf = 0;
-                along = f64::brdf_sample(lobe, p, back, xi, 0.5, pdf);
+                along = f64::brdf_sample(f64::kBrdfMicrofacet, lobe, p, back, xi, 0.5, pdf);
                 if (pdf <= 0) break;
                 weight *= f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, along, back) *
                           std::max(f64::dot(n, along), 0.0) / pdf;
             }
-            const double leaves = f64::two_facets_masking(facets, along);
+            const double leaves = two_facets_masking(facets, along);
             sum += weight * leaves * radiance(along);
             weight *= 1 - leaves;
             back = along * -1.0;
@@ -124,8 +125,8 @@ double reflected(Strategy strategy, const f64::Lobe& lobe, vec3 n, vec3 wo, int 
         for (int i = 0; i < samples; ++i) {
             double pdf = 0;
             const vec3 wi = f64::brdf_sample(
-                lobe, p, wo, low_discrepancy(static_cast<std::uint32_t>(i), shift_x, shift_y), 0.5,
-                pdf);
+                f64::kBrdfMicrofacet, lobe, p, wo,
+                low_discrepancy(static_cast<std::uint32_t>(i), shift_x, shift_y), 0.5, pdf);
             if (pdf <= 0) continue;
             const double shadow = strategy == Strategy::flip ? bump_shadow(bent, wi) : 1.0;
             sum += shadow * f_cos(wi, wo) / pdf * radiance(wi);

@@ -1,4 +1,5 @@
-// What is done about directions below a horizon: shading/horizon.glsl and the study's strategies.
+// What is done about directions below a horizon: shading/perturb/facing.glsl and the study's
+// strategies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,7 +70,7 @@ TEST(NormalFacing, DoesNotJump) {
 TEST(TwoFacets, AreasAreThoseOfTheSurface) {
     for (const double tilt : {1.0, 30.0, 60.0, 85.0}) {
         const vec3 n = direction(degrees(tilt), 2.0);
-        const f64::TwoFacets f = f64::two_facets_make(n);
+        const TwoFacets f = two_facets_make(n);
         const vec3 mean = n * (1 / n.z) + f.upright * (f.sine / n.z);
         EXPECT_NEAR(mean.x, 0, 1e-12);
         EXPECT_NEAR(mean.y, 0, 1e-12);
@@ -77,15 +78,15 @@ TEST(TwoFacets, AreasAreThoseOfTheSurface) {
         for (double theta = 0; theta < 90; theta += 9) {
             for (double phi = 0; phi < 360; phi += 30) {
                 const vec3 w = direction(degrees(theta), degrees(phi));
-                const auto areas = f64::two_facets_areas(f, w);
+                const auto areas = two_facets_areas(f, w);
                 EXPECT_GE((areas.x + areas.y) / n.z, w.z - 1e-12);
-                EXPECT_NEAR(f64::two_facets_masking(f, w) * (areas.x + areas.y), w.z * n.z, 1e-12);
+                EXPECT_NEAR(two_facets_masking(f, w) * (areas.x + areas.y), w.z * n.z, 1e-12);
             }
         }
     }
-    const f64::TwoFacets flat = f64::two_facets_make({0, 0, 1});
-    EXPECT_EQ(f64::two_facets_share(flat, direction(1.0, 0.3)), 1.0);
-    EXPECT_EQ(f64::two_facets_masking(flat, direction(1.0, 0.3)), 1.0);
+    const TwoFacets flat = two_facets_make({0, 0, 1});
+    EXPECT_EQ(two_facets_share(flat, direction(1.0, 0.3)), 1.0);
+    EXPECT_EQ(two_facets_masking(flat, direction(1.0, 0.3)), 1.0);
 }
 
 double white(vec3) {

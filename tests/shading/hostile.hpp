@@ -55,47 +55,47 @@ std::vector<Vec3> hostile_normals() {
             {0, -1, 0}};
 }
 
-#define BURNISH_HOSTILE_FAILURES(ns)                                                             \
-    inline int hostile_failures_##ns(const LobeCase& c, int method) {                            \
-        using Float = ns::Float;                                                                 \
-        const auto p0 = static_cast<Float>(c.p0), p1 = static_cast<Float>(c.p1);                 \
-        const ns::Lobe own = ns::lobe_make(c.mdf, p0, p1);                                       \
-        const ns::Lobe beckmann =                                                                \
-            ns::lobe_make(ns::kMdfBeckmann, ns::lobe_alpha_x(own), ns::lobe_alpha_y(own));       \
-        const bool along_x = ns::lobe_grooves_along_x(c.mdf, p0, p1);                            \
-        const ns::vec3 odd{Float(-10), Float(0), Float(0.3)};                                    \
-        const std::vector<ns::CosineLobe> cosine_lobes = {                                       \
-            ns::cosine_lobe_make(ns::kBrdfPhong, Float(-1), odd, Float(1e5)),                    \
-            ns::cosine_lobe_make(ns::kBrdfPhong, Float(1e6), odd, Float(0)),                     \
-            ns::cosine_lobe_make(ns::kBrdfLafortune, Float(1e6), odd, Float(1e5)),               \
-            ns::cosine_lobe_make(ns::kBrdfLafortune, Float(-1), odd * Float(0), Float(3))};      \
-        int failures = 0;                                                                        \
-        const auto expect = [&](Float v) { failures += v >= 0 && v < HUGE_VALF ? 0 : 1; };       \
-        std::vector<ns::vec3> directions = hostile_directions<ns::vec3, Float>();                \
-        for (const ns::vec3& n : hostile_normals<ns::vec3, Float>()) {                           \
-            const ns::Perturbation p = ns::perturb_make(method, n, along_x, true);               \
-            directions.back() = n;                                                               \
-            for (const ns::vec3& wi : directions) {                                              \
-                expect(ns::lobe_D(own, p, wi));                                                  \
-                Float pdf = 0;                                                                   \
-                const ns::vec3 drawn =                                                           \
-                    ns::brdf_sample(own, p, wi, {Float(0.3), Float(0.999999)}, Float(0.7), pdf); \
-                expect(pdf);                                                                     \
-                expect(ns::dot(drawn, drawn));                                                   \
-                for (const ns::vec3& wo : directions) {                                          \
-                    expect(ns::brdf_pdf(own, p, wi, wo));                                        \
-                    for (int brdf = 0; brdf <= ns::kBrdfCookTorrance; ++brdf) {                  \
-                        const bool has_own = ns::brdf_mdf(brdf, c.mdf) == c.mdf;                 \
-                        expect(ns::brdf_eval(brdf, has_own ? own : beckmann, p, wi, wo));        \
-                    }                                                                            \
-                    for (const ns::CosineLobe& lobe : cosine_lobes) {                            \
-                        expect(ns::cosine_lobe_eval(lobe, p, wi, wo));                           \
-                        expect(ns::cosine_lobe_pdf(lobe, p, wi, wo));                            \
-                    }                                                                            \
-                }                                                                                \
-            }                                                                                    \
-        }                                                                                        \
-        return failures;                                                                         \
+#define BURNISH_HOSTILE_FAILURES(ns)                                                        \
+    inline int hostile_failures_##ns(const LobeCase& c, int method) {                       \
+        using Float = ns::Float;                                                            \
+        const auto p0 = static_cast<Float>(c.p0), p1 = static_cast<Float>(c.p1);            \
+        const ns::Lobe own = ns::lobe_make(c.mdf, p0, p1);                                  \
+        const ns::Lobe beckmann =                                                           \
+            ns::lobe_make(ns::kMdfBeckmann, ns::lobe_alpha_x(own), ns::lobe_alpha_y(own));  \
+        const bool along_x = ns::lobe_grooves_along_x(c.mdf, p0, p1);                       \
+        const ns::vec3 odd{Float(-10), Float(0), Float(0.3)};                               \
+        const std::vector<ns::CosineLobe> cosine_lobes = {                                  \
+            ns::cosine_lobe_make(ns::kBrdfPhong, Float(-1), odd, Float(1e5)),               \
+            ns::cosine_lobe_make(ns::kBrdfPhong, Float(1e6), odd, Float(0)),                \
+            ns::cosine_lobe_make(ns::kBrdfLafortune, Float(1e6), odd, Float(1e5)),          \
+            ns::cosine_lobe_make(ns::kBrdfLafortune, Float(-1), odd * Float(0), Float(3))}; \
+        int failures = 0;                                                                   \
+        const auto expect = [&](Float v) { failures += v >= 0 && v < HUGE_VALF ? 0 : 1; };  \
+        std::vector<ns::vec3> directions = hostile_directions<ns::vec3, Float>();           \
+        for (const ns::vec3& n : hostile_normals<ns::vec3, Float>()) {                      \
+            const ns::Perturbation p = ns::perturb_make(method, n, along_x, true);          \
+            directions.back() = n;                                                          \
+            for (const ns::vec3& wi : directions) {                                         \
+                expect(ns::lobe_D(own, p, wi));                                             \
+                Float pdf = 0;                                                              \
+                const ns::vec3 drawn = ns::brdf_sample(                                     \
+                    brdf, own, p, wi, {Float(0.3), Float(0.999999)}, Float(0.7), pdf);      \
+                expect(pdf);                                                                \
+                expect(ns::dot(drawn, drawn));                                              \
+                for (const ns::vec3& wo : directions) {                                     \
+                    expect(ns::brdf_pdf(ns::kBrdfMicrofacet, own, p, wi, wo));              \
+                    for (int brdf = 0; brdf <= ns::kBrdfCookTorrance; ++brdf) {             \
+                        const bool has_own = ns::brdf_mdf(brdf, c.mdf) == c.mdf;            \
+                        expect(ns::brdf_eval(brdf, has_own ? own : beckmann, p, wi, wo));   \
+                    }                                                                       \
+                    for (const ns::CosineLobe& lobe : cosine_lobes) {                       \
+                        expect(ns::cosine_lobe_eval(lobe, p, wi, wo));                      \
+                        expect(ns::cosine_lobe_pdf(lobe, p, wi, wo));                       \
+                    }                                                                       \
+                }                                                                           \
+            }                                                                               \
+        }                                                                                   \
+        return failures;                                                                    \
     }
 BURNISH_HOSTILE_FAILURES(f32)
 BURNISH_HOSTILE_FAILURES(f64)

@@ -49,7 +49,8 @@ TEST(Sampler, VisibleNormalsFollowTheirDensity) {
             const double p_value = sampler_p_value(
                 [&](vec3 h) { return f64::visible_normal_pdf(lobe, p, wo, h); },
                 [&](double a, double b, double s) {
-                    return f64::normalize(f64::brdf_sample(lobe, p, wo, {a, b}, s, pdf) + wo);
+                    return f64::normalize(
+                        f64::brdf_sample(f64::kBrdfMicrofacet, lobe, p, wo, {a, b}, s, pdf) + wo);
                 },
                 Axes(p.n), 99, integral);
             EXPECT_GT(p_value, kFamilyError / 8) << label(c, f64::kMethodFollowGrain);
@@ -69,14 +70,14 @@ TEST(Sampler, VisibleNormalsBoundTheWeight) {
         const f64::Perturbation p = perturbation(c, f64::kMethodFollowGrain, n);
         const vec3 wo = direction(1.5 * uniform(generator), 2 * kPi * uniform(generator));
         double pdf = 0;
-        const vec3 wi =
-            f64::brdf_sample(lobe, p, wo, {uniform(generator), uniform(generator)}, 0, pdf);
+        const vec3 wi = f64::brdf_sample(f64::kBrdfMicrofacet, lobe, p, wo,
+                                         {uniform(generator), uniform(generator)}, 0, pdf);
         if (pdf == 0 || f64::dot(n, wi) <= 0) {
             continue;
         }
         const double f = f64::brdf_eval(f64::kBrdfMicrofacet, lobe, p, wi, wo);
         EXPECT_LE(f * f64::dot(n, wi) / pdf, 1 + 1e-6);
-        EXPECT_NEAR(f64::brdf_pdf(lobe, p, wi, wo) / pdf, 1, 1e-6);
+        EXPECT_NEAR(f64::brdf_pdf(f64::kBrdfMicrofacet, lobe, p, wi, wo) / pdf, 1, 1e-6);
     }
 }
 

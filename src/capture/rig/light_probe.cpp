@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "burnish/f64.hpp"
 
 namespace burnish {
 
@@ -16,8 +17,7 @@ namespace {
 double luminance(const Image& image, int x, int y) {
     const float* p = image.at(x, y);
     if (image.channels < 3) return static_cast<double>(p[0]);
-    return 0.2126 * static_cast<double>(p[0]) + 0.7152 * static_cast<double>(p[1]) +
-           0.0722 * static_cast<double>(p[2]);
+    return f64::luminance({double{p[0]}, double{p[1]}, double{p[2]}});
 }
 
 // The part of the picture in which the ball shows directions with z > 0; elsewhere -1.

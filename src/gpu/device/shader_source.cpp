@@ -47,6 +47,7 @@ void append_expanded(ShaderStage& stage, std::string_view name, std::string_view
         const std::string_view file = rest.substr(0, rest.find('"'));
         if (file == "shading") {
             for (const ShaderText& one : shading_texts()) {
+                if (std::ranges::find(stage.files, one.name) != stage.files.end()) continue;
                 append_expanded(stage, one.name, text_of(one.name));
             }
         } else if (std::ranges::find(stage.files, file) == stage.files.end()) {

@@ -5,7 +5,7 @@
 // `#include "shading"` stands for the prelude and all texts of shading/ in the order of
 // shading/all.hpp; `#include "shaders/lib/x.glsl"` for one file. When the environment variable
 // BURNISH_SHADER_DIR names a folder, files that lie below it (<dir>/shaders/surface.frag,
-// <dir>/shading/brdf.glsl) are read from there instead: shaders can be edited without a build.
+// <dir>/shading/frame.glsl) are read from there instead: shaders can be edited without a build.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 namespace burnish::gpu {
 
 struct ShaderText {
-    std::string_view name;  // "shading/brdf.glsl", "shaders/surface.frag"
+    std::string_view name;  // "shading/frame.glsl", "shaders/surface.frag"
     std::string_view text;
 };
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -112,6 +113,34 @@ class Writer {
     int count_ = 0;
 };
 
+// The stages that are compiled with #defines, and with which; every other stage is compiled without.
+const std::map<std::string, std::vector<std::string>> kDefines = {
+    {"ground.vert",
+     {"#define LIGHTS 0\n#define POSITION\n", "#define LIGHTS 2\n#define POSITION\n"}},
+    {"ground.frag",
+     {"#define LIGHTS 0\n#define POSITION\n", "#define LIGHTS 2\n#define POSITION\n"}},
+    {"ground_add.frag",
+     {"#define LIGHTS 0\n#define POSITION\n", "#define LIGHTS 2\n#define POSITION\n"}},
+    {"gouraud.vert",
+     {"#define LIGHTS 0\n", "#define LIGHTS 2\n", "#define LIGHTS 2\n#define POSITION\n"}},
+    {"gbuffer.frag",
+     {"", "#define SHAPE\n", "#define POSITION\n#define SHAPE\n#define DOUBLE_SIDED\n"}},
+};
+
+bool is_of_variants(const std::string& stage) {
+    return stage == "surface.frag" || stage == "surface.vert" || stage == "resolve.frag";
+}
+
+// All stages of shaders/: a new one needs no line here.
+std::vector<std::string> stages() {
+    std::vector<std::string> names;
+    for (const ShaderText& text : shader_texts()) {
+        const std::string name(text.name.substr(text.name.rfind('/') + 1));
+        if (name.ends_with(".vert") || name.ends_with(".frag")) names.push_back(name);
+    }
+    return names;
+}
+
 void write_all(Writer& writer) {
     for (const ShaderDialect dialect : {ShaderDialect::gl330, ShaderDialect::es300}) {
         for (const SurfaceVariant& v : variants()) {
@@ -119,21 +148,15 @@ void write_all(Writer& writer) {
             writer.write(dialect, v.defines(), "surface.vert");
             if (v.can_resolve()) writer.write(dialect, v.defines(), "resolve.frag");
         }
-        for (const char* stage : {"fullscreen.vert", "background.frag", "accumulate.frag",
-                                  "gouraud.frag", "prefilter.frag", "shadow.frag"}) {
-            writer.write(dialect, "", stage);
+        for (const std::string& stage : stages()) {
+            if (is_of_variants(stage)) continue;
+            const auto found = kDefines.find(stage);
+            if (found == kDefines.end()) {
+                writer.write(dialect, "", stage);
+                continue;
+            }
+            for (const std::string& defines : found->second) writer.write(dialect, defines, stage);
         }
-        for (const char* stage : {"ground.vert", "ground.frag", "ground_add.frag"}) {
-            writer.write(dialect, "#define LIGHTS 0\n#define POSITION\n", stage);
-            writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", stage);
-        }
-        writer.write(dialect, "#define LIGHTS 0\n", "gouraud.vert");
-        writer.write(dialect, "#define LIGHTS 2\n", "gouraud.vert");
-        writer.write(dialect, "#define LIGHTS 2\n#define POSITION\n", "gouraud.vert");
-        writer.write(dialect, "", "gbuffer.frag");
-        writer.write(dialect, "#define SHAPE\n", "gbuffer.frag");
-        writer.write(dialect, "#define POSITION\n#define SHAPE\n#define DOUBLE_SIDED\n",
-                     "gbuffer.frag");
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -15,13 +16,10 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
     return l > 0.0f && std::isfinite(l) ? v / l : fallback;
 }
 
-// KHR_lights_punctual: the cone factor is clamp(cos angle * scale + offset)^2.
 glm::vec2 cone_of(const Light& light) {
     if (light.type != LightType::spot) return {0.0f, 1.0f};
-    const float inner = std::cos(light.inner_cone);
-    const float outer = std::cos(light.outer_cone);
-    const float scale = 1.0f / std::max(inner - outer, 0.001f);  // 0.001 as the extension has it
-    return {scale, -outer * scale};
+    const f32::vec2 cone = f32::spot_cone(std::cos(light.inner_cone), std::cos(light.outer_cone));
+    return {cone.x, cone.y};
 }
 
 }  // namespace
@@ -47,8 +45,7 @@ LightUniforms::LightUniforms(const std::vector<Light>& lights) {
 glm::vec3 LightUniforms::irradiance(int light, const glm::vec3& position) const {
     const auto i = static_cast<std::size_t>(light);
     const glm::vec3 away = glm::vec3(place_[i]) - place_[i].w * position;
-    // 1e-12 as in lights.glsl.
-    return glm::vec3(radiance_[i]) / std::max(glm::dot(away, away), 1e-12f);
+    return glm::vec3(radiance_[i]) / std::max(glm::dot(away, away), f32::kLeastDistance2);
 }
 
 void LightUniforms::set(Program& program) const {

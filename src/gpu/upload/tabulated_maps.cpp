@@ -233,8 +233,7 @@ void TabulatedMaps::bind(Program& program, const Material& material, bool draws)
     program.set("u_tabulated_area_rows", made->area_rows);
     program.set("u_tabulated_one", m.texels() == 1 ? 1 : 0);
     const auto eta = static_cast<float>(m.eta);
-    const float normal = f32::fresnel_conductor(std::max(eta, 1.0F), 0.0F, 1.0F);
-    program.set("u_tabulated_fresnel", glm::vec2(eta, 1.0F / std::max(normal, 1e-6F)));
+    program.set("u_tabulated_fresnel", glm::vec2(eta, f32::fresnel_inverse_at_normal(eta)));
 }
 
 }  // namespace burnish::gpu

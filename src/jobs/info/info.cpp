@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "burnish/f64.hpp"
 #include "capture/rig/rig.hpp"
 #include "core/text.hpp"
 #include "formats/bsdf/tensor_file.hpp"
@@ -36,9 +37,9 @@ std::string describe_radiance(const Image& image) {
         const double weight = std::sin((y + 0.5) / image.height * 3.14159265358979);
         for (int x = 0; x < image.width; ++x) {
             const float* p = image.at(x, y);
-            const double luminance = image.channels < 3
-                                         ? static_cast<double>(p[0])
-                                         : 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+            const double luminance =
+                image.channels < 3 ? static_cast<double>(p[0])
+                                   : f64::luminance({double{p[0]}, double{p[1]}, double{p[2]}});
             sum += weight * luminance;
             weights += weight;
             peak = std::max(peak, luminance);

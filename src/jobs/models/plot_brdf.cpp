@@ -93,7 +93,7 @@ class Defaults {
         if (name == "alpha_y") return alpha_.second;
         if (name == "m") return m;
         if (name == "F0") return f0_;
-        if (name == "n" || name == "alpha") return exponent;  // of lafortune and phong
+        if (name == "n") return exponent;  // of lafortune and phong
         if (name == "ks") return scale(model);
         if (name == "Cx" || name == "Cy") return -1;  // lafortune about the mirror direction
         if (name == "sigma") return 1;
@@ -106,7 +106,7 @@ class Defaults {
     // 1, or the ks of a power of a cosine whose albedo is 1 head-on.
     double scale(const BrdfModel& model) const {
         for (const ShapeParameter& p : model.parameters)
-            if (p.name == std::string_view("n") || p.name == std::string_view("alpha"))
+            if (p.name == std::string_view("n"))
                 // The exponent that is drawn: that of a narrow pair lies beyond the model's range.
                 return (std::clamp(of(model, p.name), p.low, p.high) + 2) / (2 * std::numbers::pi);
         return 1;

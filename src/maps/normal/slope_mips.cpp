@@ -29,11 +29,11 @@ float unit_value(float v) {
     return v;
 }
 
-SlopeTexel slopes_of(float x, float y, float z) {
+SlopeTexel slopes_of(f32::vec3 v) {
     // Not (z > 0) when NaN; an infinite x, y or z is no direction either.
-    if (!(z > 0.0f) || !std::isfinite(x + y + z)) return {};
-    const float inverse_z = 1.0f / std::max(z, std::max(std::abs(x), std::abs(y)) / kSteepestSlope);
-    return {x * inverse_z, y * inverse_z, 0.0f, 0.0f};
+    if (!(v.z > 0.0f) || !std::isfinite(v.x + v.y + v.z)) return {};
+    const f32::vec2 slopes = f32::slopes_of_normal(v);
+    return {slopes.x, slopes.y, 0.0f, 0.0f};
 }
 
 template <typename T>
@@ -44,12 +44,11 @@ void read_row(const Texture& map, std::size_t row, SlopeTexel* to) {
     for (std::size_t i = 0; i < width; ++i, from += n * sizeof(T)) {
         T texel[4] = {};
         std::memcpy(texel, from, n * sizeof(T));
-        const float x = 2.0f * unit_value(texel[0]) - 1.0f;
-        const float y = n == 1 ? x : 2.0f * unit_value(texel[1]) - 1.0f;
-        const float z = n == 1   ? x
-                        : n == 2 ? std::sqrt(std::max(1.0f - x * x - y * y, 0.0f))
-                                 : 2.0f * unit_value(texel[2]) - 1.0f;
-        to[i] = slopes_of(x, y, z);
+        const float red = unit_value(texel[0]);
+        const float green = n == 1 ? red : unit_value(texel[1]);
+        to[i] = slopes_of(n == 2 ? f32::vector_of_texel(f32::vec2(red, green))
+                                 : f32::vector_of_texel(
+                                       f32::vec3(red, green, n == 1 ? red : unit_value(texel[2]))));
     }
 }
 

@@ -4,12 +4,13 @@
 
 #include <vector>
 
+#include "burnish/f32.hpp"
 #include "burnish/image.hpp"
 
 namespace burnish {
 
-// Steeper texels are held to this slope (88.3 degrees), as shaders/lib/material.glsl holds them.
-inline constexpr float kSteepestSlope = 1.0f / 0.03f;
+// Steeper texels are held to this slope along an axis: 88.3 degrees.
+inline constexpr float kSteepestSlope = 1.0f / f32::kLeastNormalZ;
 
 // n.x/n.z and n.y/n.z of the normal: minus the slopes of the height.
 struct SlopeTexel {

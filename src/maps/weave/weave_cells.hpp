@@ -1,4 +1,4 @@
-// What a draft says of each crossing of yarns, in the words of shading/weave.glsl.
+// What a draft says of each crossing of yarns, in the words of shading/surface/weave.glsl.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Maps of woven cloth: a tile of a weave, every texel the point of shading/weave.glsl in its
-// middle.
+// Maps of woven cloth: a tile of a weave, every texel the point of shading/surface/weave.glsl in
+// its middle.
 //
 // Maps have row 0 at the top; x runs right along u and the weft, y UP the picture along v and the
 // warp, as glTF's tangent space has it. The first end is at the left, the first pick at the bottom.

@@ -11,12 +11,8 @@ namespace {
 using f32::vec2;
 using f32::vec3;
 
-vec3 turned(vec3 w, vec2 by) {
-    return {w.x * by.x - w.y * by.y, w.y * by.x + w.x * by.y, w.z};
-}
-
-vec2 opposite(vec2 turn) {
-    return {turn.x, -turn.y};
+vec2 opposite(vec2 rotation) {
+    return {rotation.x, -rotation.y};
 }
 
 // What the mean at one half vector is made of.
@@ -31,10 +27,11 @@ std::vector<Facet> facets_of(std::span<const WeaveSlope> slopes, const WeaveLobe
     std::vector<Facet> facets;
     facets.reserve(slopes.size());
     for (const WeaveSlope& s : slopes) {
-        const vec3 n = turned(f32::normal_of_slopes(s.along, s.across), opposite(lobe.twist));
+        const vec3 n =
+            f32::seen_from_rotated(f32::normal_of_slopes(-s.along, -s.across), lobe.twist);
         Facet f;
         f.p = f32::perturb_make(lobe.method, n, along_x, lobe.conserve);
-        f.n = turned(f.p.n, lobe.twist);
+        f.n = f32::seen_from_rotated(f.p.n, opposite(lobe.twist));
         f.weight = s.weight;
         facets.push_back(f);
     }
@@ -68,7 +65,7 @@ glm::vec2 widths_of(const WeaveLobe& lobe, glm::vec2 variance) {
 
 std::array<float, 4> texel_at(std::span<const Facet> facets, const WeaveLobe& lobe, vec3 h,
                               float peak) {
-    const vec3 in_fibres = turned(h, opposite(lobe.twist));
+    const vec3 in_fibres = f32::seen_from_rotated(h, lobe.twist);
     double sum = 0, nx = 0, ny = 0;
     for (const Facet& f : facets) {
         const f32::LobePoint q = f32::perturb_point(f.p, in_fibres);

@@ -7,16 +7,8 @@ inline constexpr int kWardNodes = dialect::Precision<Scalar>::ward_nodes;
 #define FN BURNISH_INLINE
 #define OUT(T) T&
 #define CONSTANT(name, value) inline constexpr Scalar name = static_cast<Scalar>(value);
-// The order in which they build on each other, as in shading/all.hpp.
 // clang-format off
-#include "shading/names.glsl"
-#include "shading/frame.glsl"
-#include "shading/perturb.glsl"
-#include "shading/mdf_ashikhmin_shirley.glsl"
-#include "shading/mdf_ward.glsl"
-#include "shading/mdf_beckmann.glsl"
-#include "shading/mdf_ggx.glsl"
-#include "shading/lobe.glsl"
+#include "shading/closed_forms.hpp"
 #include "shading/prelude_end.hpp"
 // clang-format on
 

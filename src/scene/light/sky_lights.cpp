@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "burnish/f64.hpp"
+
 namespace burnish {
 namespace {
 
@@ -19,7 +21,7 @@ glm::dvec3 radiance_at(const Image& map, int x, int y) {
 }
 
 double luminance(const glm::dvec3& c) {
-    return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+    return f64::luminance(f64::vec3(c));
 }
 
 // Sums of the weights before each entry; one more entry than there are weights.

@@ -1,15 +1,8 @@
 #include "scene/material/material_lobe.hpp"
 
-#include <algorithm>
 #include <glm/common.hpp>
 
 namespace burnish {
-namespace {
-
-// shaders/lib/material.glsl says why.
-constexpr float kLowestAlpha = 1e-3f;
-
-}  // namespace
 
 f32::Lobe lobe_of(const Material& material) {
     const int mdf = f32::brdf_mdf(static_cast<int>(material.brdf), static_cast<int>(material.mdf));
@@ -21,10 +14,9 @@ f32::Lobe lobe_of(const Material& material) {
 }
 
 glm::vec2 alpha_of(const Material& m) {
-    if (m.alpha) return glm::max(*m.alpha, glm::vec2(kLowestAlpha));
-    const float alpha = std::max(m.roughness * m.roughness, kLowestAlpha);
-    const float strength = m.anisotropy_strength * m.anisotropy_strength;
-    return {alpha + (1.0f - alpha) * strength, alpha};
+    if (m.alpha) return glm::max(*m.alpha, glm::vec2(f32::kLowestAlpha));
+    const f32::vec2 alpha = f32::alpha_of_roughness(m.roughness, m.anisotropy_strength);
+    return {alpha.x, alpha.y};
 }
 
 }  // namespace burnish

@@ -1,15 +1,5 @@
-// BRDFs over a perturbed lobe: specular only, per steradian, without the cosine and without Fresnel
+// BRDFs over a perturbed lobe of half vectors: specular only, per steradian, without the cosine and without Fresnel
 // (which the caller multiplies, evaluated at wi.h). Directions in the unperturbed tangent space.
-
-// The distribution a model is built on: its own, or `mdf` for the microfacet models. Phong and
-// lafortune have none; GGX stands for it, whose parameters are the roughness pair as it is.
-FN int brdf_mdf(int brdf, int mdf) {
-    if (brdf == kBrdfAshikhminShirley) { return kMdfAshikhminShirley; }
-    if (brdf == kBrdfWardGmd || brdf == kBrdfWard || brdf == kBrdfWardDuer) { return kMdfBeckmann; }
-    if (brdf == kBrdfCookTorrance) { return kMdfBeckmann; }
-    if (brdf == kBrdfPhong || brdf == kBrdfLafortune) { return kMdfGgx; }
-    return mdf;
-}
 
 // `sum`: wi + wo. Where they cancel both stand at the horizon of n, opposite one another.
 FN vec3 half_vector(vec3 sum, vec3 n) {
@@ -66,4 +56,9 @@ FN Float brdf_of_factor(int brdf, Lobe lobe, Float factor, Perturbation p, vec3 
 FN Float brdf_eval(int brdf, Lobe lobe, Perturbation p, vec3 wi, vec3 wo) {
     LobePoint q = perturb_point(p, half_vector(wi + wo, p.n));
     return brdf_of_factor(brdf, lobe, brdf_lobe_factor(brdf, lobe, q), p, wi, wo);
+}
+
+// The cosine between the half vector and wi or wo: that of half the angle between them.
+FN Float half_angle_cosine(vec3 wi, vec3 wo) {
+    return sqrt(max(Float(0.5) + Float(0.5) * dot(wi, wo), Float(0)));
 }

@@ -1,6 +1,5 @@
 // Ashikhmin & Shirley, "An Anisotropic Phong BRDF Model", JGT 5(2), 2000: the diffuse term, whose
-// strength is what the specular one leaves. And Ashikhmin, Premoze & Shirley, "A Microfacet-Based
-// BRDF Generator", SIGGRAPH 2000. The specular term of the first is in brdf.glsl.
+// strength is what the specular one leaves. The specular term is in half_vector.glsl.
 
 // 1 - (1 - cos/2)^5, multiplied out: no cancellation at grazing.
 FN Float ashikhmin_shirley_through(Float cosine) {
@@ -14,10 +13,4 @@ FN Float ashikhmin_shirley_diffuse(Float diffuse, Float specular, Float cos_i, F
     Float scale = Float(28) / (Float(23) * kPi) * diffuse * (Float(1) - specular);
     Float f = scale * ashikhmin_shirley_through(cos_i) * ashikhmin_shirley_through(cos_o);
     return choose(cos_i > Float(0) && cos_o > Float(0), f, Float(0));
-}
-
-// D / (4 g(wi) g(wo)) without Fresnel. g(w) = Int over w.h > 0 of (w.h) D dh comes from a table, so
-// the caller brings it (src/shading/projected_area.hpp).
-FN Float ashikhmin_premoze_shirley_value(Float D, Float g_i, Float g_o) {
-    return D / (Float(4) * max(g_i, kLeastCosine) * max(g_o, kLeastCosine));
 }

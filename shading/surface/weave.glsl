@@ -13,6 +13,17 @@ struct WeaveCell {
     Bool weft_end;
 };
 
+// From five bits: 1 warp_up, 2 warp_start, 4 warp_end, 8 weft_start, 16 weft_end.
+FN WeaveCell weave_cell_of_bits(int bits) {
+    WeaveCell cell;
+    cell.warp_up = (bits & 1) != 0;
+    cell.warp_start = (bits & 2) != 0;
+    cell.warp_end = (bits & 4) != 0;
+    cell.weft_start = (bits & 8) != 0;
+    cell.weft_end = (bits & 16) != 0;
+    return cell;
+}
+
 struct WeaveShape {
     Float crimp;      // how far a yarn's middle line rises and falls: its amplitude
     Float bulge;      // sine of the tilt of a yarn's surface at its edges, 0 (ribbons) to 0.95
@@ -57,12 +68,6 @@ FN YarnPoint yarn_point(WeaveShape shape, Float across, Float along, Float side,
     return y;
 }
 
-// The surface with slopes (u, v): unit.
-FN vec3 normal_of_slopes(Float u, Float v) {
-    Float scale = Float(1) / sqrt(Float(1) + u * u + v * v);
-    return vec3(-u * scale, -v * scale, scale);
-}
-
 // (x, y) from the middle of the cell, within +-1/2. Over a gap of the upper yarn the lower one shows.
 FN WeavePoint weave_point(WeaveCell cell, WeaveShape shape, Float x, Float y) {
     Float half_width = Float(0.5) * (Float(1) - shape.gap);
@@ -80,7 +85,7 @@ FN WeavePoint weave_point(WeaveCell cell, WeaveShape shape, Float x, Float y) {
     p.warp = choose(warp, Float(1), Float(0));
     p.cover = choose(on_warp || on_weft, Float(1), Float(0));
     p.height = yarn.height;
-    p.n = normal_of_slopes(choose(warp, yarn.across, yarn.along), choose(warp, yarn.along, yarn.across));
+    p.n = normal_of_slopes(-choose(warp, yarn.across, yarn.along), -choose(warp, yarn.along, yarn.across));
     p.fibre = vec2(choose(warp, -shape.twist.y, shape.twist.x), choose(warp, shape.twist.x, shape.twist.y));
     return p;
 }
@@ -107,7 +112,7 @@ FN Float weave_mean_share(Float size) {
     return t * t * (Float(3) - Float(2) * t);
 }
 
-// The coordinate of a slope in the tables of mean distributions (src/maps/weave_mean.hpp), within +-1:
+// The coordinate of a slope in the tables of mean distributions (src/maps/weave/weave_mean.hpp), within +-1:
 // `width` is the standard deviation of slopes, which the tables thereby resolve whatever it is.
 FN Float weave_table_coordinate(Float slope, Float width) {
     return slope / (abs(slope) + width);

@@ -4,7 +4,7 @@
 FN Float mdf_ggx_shape(Float alpha_x, Float alpha_y, LobePoint q) {
     Float x = q.x * (Float(1) / alpha_x);
     Float y = q.y * (Float(1) / alpha_y);
-    // 1e-16: as in mdf_beckmann.glsl; reached only by normal-map, at h = n under a 90 degree tilt.
+    // 1e-16: as in beckmann.glsl; reached only by normal-map, at h = n under a 90 degree tilt.
     Float r = max(x * x + y * y + q.z * q.z, Float(1e-16));
     return Float(1) / (r * r);
 }

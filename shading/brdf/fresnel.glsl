@@ -31,3 +31,15 @@ FN vec3 fresnel_conductor(vec3 eta, vec3 k, Float cos_i) {
     return vec3(fresnel_conductor(eta.x, k.x, cos_i), fresnel_conductor(eta.y, k.y, cos_i),
                 fresnel_conductor(eta.z, k.z, cos_i));
 }
+
+// 1/F at normal incidence of a dielectric; 1e-6: of no interface (eta 1).
+FN Float fresnel_inverse_at_normal(Float eta) {
+    return Float(1) / max(fresnel_conductor(max(eta, Float(1)), Float(0), Float(1)), Float(1e-6));
+}
+
+// A smooth dielectric's reflectance relative to normal incidence, for reflectances that were measured
+// there. `inverse_at_normal`: of fresnel_inverse_at_normal. eta <= 0: 1, without Fresnel.
+FN Float fresnel_rise(Float eta, Float inverse_at_normal, Float cos_i) {
+    Float rise = fresnel_conductor(max(eta, Float(1)), Float(0), cos_i) * inverse_at_normal;
+    return choose(eta > Float(0), rise, Float(1));
+}
