@@ -58,8 +58,10 @@ function(burnish_mpl_eigen)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_DEFINITIONS EIGEN_MPL2_ONLY)
 endfunction()
 
-# Sources of inner loops over several values at a time: no value depends on errno or traps.
+# Sources of inner loops over several values at a time: no value depends on errno or traps. GCC does
+# not take a header that was precompiled without these options.
 function(burnish_vector_loops)
     set_source_files_properties(${ARGN} PROPERTIES
-                                COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
+                                COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math"
+                                SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
