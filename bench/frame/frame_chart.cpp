@@ -39,7 +39,7 @@ using Panels = std::array<std::vector<plot::Bar>, kinds>;
 
 plot::Bar bar_of(const TechniqueCost& cost, const Estimate& value) {
     plot::Bar bar{
-        cost.technique.name,          value.median, value.spread, "", color_of(cost.technique),
+        std::string(cost.technique.name), value.median, value.spread, "", color_of(cost.technique),
         k12_cost(cost.technique.name)};
     // Gouraud shading is the unit: it has no samples of its own.
     bar.text =

@@ -1,5 +1,6 @@
-// Reading and writing pictures through OpenImageIO. Formats are a list we allow: PNG, JPEG, TIFF,
-// OpenEXR and Radiance HDR, told by content, with OpenImageIO's size limits set.
+// Reading and writing pictures through OpenImageIO. The formats are PNG, JPEG, TIFF, OpenEXR and
+// Radiance HDR, told by content. Nothing process-wide is changed: OpenImageIO's own limits stay as
+// the program has set them.
 #pragma once
 
 #include <filesystem>

@@ -13,7 +13,7 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 #include "image/image_metadata.hpp"
 #include "image/memory_proxy.hpp"
 
@@ -124,7 +124,8 @@ ImagePart read_part(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int in
 }
 
 std::vector<ImagePart> read_parts(std::span<const std::byte> bytes, const std::string& name) {
-    check_image_structure(ImageFormat::exr, bytes, name);
+    if (check_image_structure(ImageFormat::exr, bytes, name).subsampled)
+        fail(name, "a subsampled channel");
     MemoryReader source(bytes);
     const auto input = OIIO::ImageInput::create(oiio_format_name(ImageFormat::exr));
     if (!input || !input->supports("ioproxy")) fail(name, "no support for the format");

@@ -12,11 +12,12 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
+#include "image/guard/png_chunks.hpp"
 #include "image/image_io.hpp"
 #include "image/image_metadata.hpp"
 #include "image/memory_proxy.hpp"
-#include "image/png_chunks.hpp"
+#include "image/subsampled_exr.hpp"
 
 namespace burnish {
 namespace {
@@ -26,25 +27,29 @@ constexpr std::uint64_t kBandBytes = std::uint64_t{32} << 20;
 
 constexpr int kMaxChannels = 64;
 
-// OpenImageIO's own limits, for the decoders that look at them; ours are checked besides.
-void set_library_limits() {
-    static const bool done = [] {
-        OIIO::attribute("limits:channels", kMaxChannels);
-        OIIO::attribute("limits:imagesize_MB", static_cast<int>(kMaxImageBytes >> 20));
-        return true;
-    }();
-    static_cast<void>(done);
-}
+// A file whose container has been walked.
+struct CheckedFile {
+    CheckedFile(std::span<const std::byte> bytes_, const std::string& name_)
+        : bytes(bytes_),
+          name(name_),
+          format(require_image_format(bytes, name)),
+          structure(check_image_structure(format, bytes, name)) {}
+
+    std::span<const std::byte> bytes;
+    const std::string& name;
+    ImageFormat format;
+    ImageStructure structure;
+};
 
 // An image file open in memory. The decoder reads through `source`, which must outlive it.
 class Reader {
   public:
-    Reader(std::span<const std::byte> bytes, const std::string& name)
-        : name_(name),
-          format_(require_image_format(bytes, name)),
-          filtered_(checked_and_filtered(format_, bytes, name)),
-          source_(filtered_.empty() ? bytes : std::span<const std::byte>(filtered_)) {
-        set_library_limits();
+    explicit Reader(const CheckedFile& file)
+        : name_(file.name),
+          format_(file.format),
+          filtered_(format_ == ImageFormat::png ? without_unused_chunks(file.bytes)
+                                                : std::vector<std::byte>{}),
+          source_(filtered_.empty() ? file.bytes : std::span<const std::byte>(filtered_)) {
         input_ = OIIO::ImageInput::create(oiio_format_name(format_));
         if (!input_ || !input_->supports("ioproxy")) {
             fail("no OpenImageIO support for the format");
@@ -53,7 +58,7 @@ class Reader {
         OIIO::ImageSpec config;
         config.attribute("oiio:UnassociatedAlpha", 1);
         if (!input_->open("", spec_, config)) fail(input_->geterror());
-        check_spec(bytes.size());
+        check_spec(file.bytes.size());
     }
 
     [[noreturn]] void fail(std::string_view reason) const {
@@ -93,14 +98,6 @@ class Reader {
     }
 
   private:
-    static std::vector<std::byte> checked_and_filtered(ImageFormat format,
-                                                       std::span<const std::byte> bytes,
-                                                       const std::string& name) {
-        check_image_structure(format, bytes, name);
-        if (format != ImageFormat::png) return {};
-        return without_unused_chunks(bytes);
-    }
-
     bool read_rows(int begin, int end, int channels, OIIO::TypeDesc type, std::byte* to) {
         if (spec_.tile_width > 0) {
             return input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
@@ -255,6 +252,16 @@ Texture decode(Reader& reader, ColorSpace color_space, bool finite_only) {
     return texture;
 }
 
+Texture decode(const CheckedFile& file, ColorSpace color_space) {
+    if (!file.structure.subsampled) {
+        Reader reader(file);
+        return decode(reader, color_space, true);
+    }
+    const Texture texture = decode_subsampled_exr(file.bytes, file.name);
+    require_finite(texture);
+    return texture;
+}
+
 // The linear value of every code of an integer type.
 template <typename T>
 std::vector<float> value_table(bool srgb) {
@@ -308,6 +315,17 @@ std::vector<float> with_grey_spread(const std::vector<float>& pairs) {
     return pixels;
 }
 
+Image image_of_subsampled(const CheckedFile& file, const ReadOptions& options) {
+    const Texture texture = decode_subsampled_exr(file.bytes, file.name);
+    if (options.finite_only) require_finite(texture);
+    Image image;
+    image.width = texture.width;
+    image.height = texture.height;
+    image.channels = texture.channels;
+    image.pixels = values_of(texture, false);
+    return image;
+}
+
 bool says_linear(const OIIO::ImageSpec& spec) {
     return OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
 }
@@ -318,7 +336,9 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options) 
     const std::string name = path.string();
     return with_errors_of(name, [&] {
         const std::vector<std::byte> bytes = read_image_file(path);
-        Reader reader(bytes, name);
+        const CheckedFile file(bytes, name);
+        if (file.structure.subsampled) return image_of_subsampled(file, options);
+        Reader reader(file);
         if (reader.spec().nchannels == 2 && reader.spec().alpha_channel != 1) {
             throw Error(name, "channels", "1, 3 or 4, or grey with alpha", "2 of other names");
         }
@@ -342,18 +362,25 @@ Texture read_texture(const std::filesystem::path& path, ColorSpace color_space) 
 
 Texture decode_texture(std::span<const std::byte> bytes, const std::string& name,
                        ColorSpace color_space) {
-    return with_errors_of(name, [&] {
-        Reader reader(bytes, name);
-        return decode(reader, color_space, true);
-    });
+    return with_errors_of(name, [&] { return decode(CheckedFile(bytes, name), color_space); });
 }
 
 ImageInfo read_image_info(const std::filesystem::path& path) {
     const std::string name = path.string();
     return with_errors_of(name, [&] {
         const std::vector<std::byte> bytes = read_image_file(path);
-        const Reader reader(bytes, name);
+        const CheckedFile file(bytes, name);
         ImageInfo info;
+        if (file.structure.subsampled) {
+            const Texture texture = decode_subsampled_exr(bytes, name);
+            return ImageInfo{std::string(format_name(file.format)),
+                             texture.width,
+                             texture.height,
+                             texture.channels,
+                             "half",
+                             {}};
+        }
+        const Reader reader(file);
         info.format = format_name(reader.format());
         info.width = reader.spec().width;
         info.height = reader.spec().height;

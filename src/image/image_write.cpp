@@ -11,7 +11,7 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 #include "image/image_io.hpp"
 #include "image/image_metadata.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "burnish/error.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 #include "plot/canvas.hpp"
 
 namespace burnish {
