@@ -1,6 +1,6 @@
-// The result of `burnish bench frame` as bars: a row of panels a case, one panel each for one light,
-// image light and tables, whose costs are of different orders of magnitude. Panels of one kind share
-// one scale over all cases.
+// The result of `burnish bench frame` as bars: a row of panels a case, one panel each for one
+// light, image light and tables, whose costs are of different orders of magnitude. Panels of one
+// kind share one scale over all cases.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Words for people.
+// Parts of messages.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// "1 mesh", "2 meshes"
+// The count with its noun: "1 mesh", "2 meshes".
 std::string plural(std::size_t count, std::string_view word);
 
 }  // namespace burnish

@@ -22,7 +22,7 @@
 namespace burnish {
 namespace {
 
-// Rows are decoded in bands, so that a file whose first rows are broken costs no more than these.
+// Bytes that are decoded at a time, so that a file whose first rows are broken costs no more.
 constexpr std::uint64_t kBandBytes = std::uint64_t{32} << 20;
 
 constexpr int kMaxChannels = 64;
@@ -91,7 +91,7 @@ class Reader {
             const bool done =
                 read_rows(static_cast<int>(y) + spec_.y, static_cast<int>(end) + spec_.y, channels,
                           type, pixels.data() + offset);
-            // Some decoders complain and go on with an empty picture.
+            // Some decoders report an error and return an empty picture.
             if (!done || input_->has_error()) fail(input_->geterror());
         }
         return pixels;
@@ -103,7 +103,7 @@ class Reader {
             return input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
                                       spec_.z + 1, 0, channels, type, to);
         }
-        // Nothing to convert: without the copy through a buffer of 64 MiB.
+        // Without a conversion, read_scanlines would still copy through a buffer of 64 MiB.
         if (type == spec_.format && spec_.channelformats.empty() && channels == spec_.nchannels) {
             return input_->read_native_scanlines(0, 0, begin, end, spec_.z, to);
         }
@@ -133,7 +133,7 @@ class Reader {
     std::unique_ptr<OIIO::ImageInput> input_;  // after source_: closed before it goes
 };
 
-// The library and the standard library throw their own; callers know only ours.
+// OpenImageIO and the standard library throw exceptions of their own; callers get Error.
 template <typename Work>
 auto with_errors_of(const std::string& name, Work&& work) {
     try {
@@ -148,12 +148,12 @@ auto with_errors_of(const std::string& name, Work&& work) {
 }
 
 std::vector<std::byte> read_image_file(const std::filesystem::path& path) {
-    // By its first bytes, so that no film is read into memory to find that it is one.
+    // The first bytes tell the format, so that a video is refused before it is read into memory.
     require_image_format(read_file_head(path, kImageHeadBytes), path.string());
     return read_file(path);
 }
 
-// All channels, or the leading ones that are colour.
+// The number of leading channels to read: all of them up to four, else those named R, G, B and A.
 int channels_to_read(const Reader& reader) {
     const OIIO::ImageSpec& spec = reader.spec();
     if (spec.nchannels <= 4) return spec.nchannels;
@@ -187,7 +187,7 @@ OIIO::TypeDesc oiio_type(TexelType type) {
     return OIIO::TypeUnknown;
 }
 
-// Divides colour by alpha, in place; where alpha is 0 the colour stays (it may be emission).
+// Divides color by alpha, in place. Where alpha is 0 the color stays (it may be emission).
 template <typename T>
 void unpremultiply(std::span<std::byte> texels, int channels) {
     const std::size_t step = static_cast<std::size_t>(channels) * sizeof(T);
@@ -203,7 +203,7 @@ void unpremultiply(std::span<std::byte> texels, int channels) {
                 texel[c] = static_cast<T>(std::min(scaled, kLargest));
             } else {
                 const float divided = texel[c] / alpha;
-                // A denormal alpha; the stored number is as good as any.
+                // A subnormal alpha makes the quotient overflow; then the stored value is kept.
                 if (std::isfinite(divided)) texel[c] = divided;
             }
         }
@@ -274,7 +274,7 @@ std::vector<float> value_table(bool srgb) {
     return table;
 }
 
-// All channels of `texture` as floats; alpha, the last of 2 and 4, is never decoded.
+// All channels of `texture` as floats. Alpha, the last of 2 or 4 channels, is linear in every file.
 template <typename T>
 void append_values(const Texture& texture, bool srgb, std::vector<float>& values) {
     const std::vector<float> color = value_table<T>(srgb), plain = value_table<T>(false);
@@ -305,7 +305,7 @@ std::vector<float> values_of(const Texture& texture, bool srgb) {
     return values;
 }
 
-// Grey and alpha as RGBA.
+// RGBA from pairs of grey and alpha.
 std::vector<float> with_grey_spread(const std::vector<float>& pairs) {
     std::vector<float> pixels;
     pixels.reserve(pairs.size() * 2);

@@ -5,8 +5,8 @@
 namespace burnish {
 namespace {
 
-// Classes: .verdict and its four colors, .numbers (a table of names and numbers), .cards (figures in
-// a grid), .shots (a table of pictures of one size), .swatch (a color before a word), .notes.
+// Classes: .verdict and its four colors, .numbers (a table of names and numbers), .cards (figures
+// in a grid), .shots (a table of pictures of one size), .swatch (a color before a word), .notes.
 constexpr std::string_view kStyle = R"(
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 80rem; margin: 2rem auto; padding: 0 1rem; color: #1c1c1c; background: #fff; }
 h1, h2, h3 { line-height: 1.2; }

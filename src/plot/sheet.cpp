@@ -14,8 +14,8 @@
 namespace burnish {
 namespace {
 
-// Height of a line of a label, and the distance from the last baseline to the image, in units of the
-// font size: descenders of Latin text reach 0.25 below the baseline, capitals 0.75 above.
+// Height of a line of a label, and the distance from the last baseline to the image, in units of
+// the font size: descenders of Latin text reach 0.25 below the baseline, capitals 0.75 above.
 constexpr double kLineHeight = 1.3;
 constexpr double kDescent = 0.4;
 

@@ -22,9 +22,9 @@ struct SheetOptions {
     float text = 0.86f;
 };
 
-// RGB, display values. Rows may differ in length; columns are as wide as their widest image (or word
-// of a label), rows as high as their highest image. Labels are UTF-8, marked up as Canvas::text says.
-// Throws Error when the sheet would be larger than an image may be.
+// RGB, display values. Rows may differ in length; columns are as wide as their widest image (or
+// word of a label), rows as high as their highest image. Labels are UTF-8, marked up as
+// Canvas::text says. Throws Error when the sheet would be larger than an image may be.
 Image compose_sheet(const std::vector<std::vector<SheetCell>>& rows,
                     const SheetOptions& options = {});
 

@@ -36,8 +36,8 @@ Graph linked_layers() {
     return graph;
 }
 
-// The nodes of `graph` from top to bottom, each before all that lie below it; nodes of one height by
-// name. Empty when the graph has a circle.
+// The nodes of `graph` from top to bottom, each before all that lie below it; nodes of one height
+// by name. Empty when the graph has a circle.
 std::vector<std::string> from_top_to_bottom(Graph graph) {
     std::vector<std::string> order;
     while (!graph.empty()) {
@@ -157,8 +157,8 @@ TEST(Layers, AreThoseOfThePage) {
         << architecture_page() << ": the block that starts with ```layers";
 }
 
-// Sub-folders of a layer form no circle. Files that lie in the layer's own folder are the face of the
-// whole layer and do not count.
+// Sub-folders of a layer form no circle. Files that lie in the layer's own folder are the face of
+// the whole layer and do not count.
 TEST(Layers, FoldersOfALayerHaveNoCircle) {
     const std::regex include(R"(^\s*#include\s+\"([a-z]+)/([a-z]+)/[^\"]*\")");
     const fs::path root = test::source_folder() / "src";

@@ -1,6 +1,6 @@
-// Numbers at offsets of an untrusted file. Private to the walks of this folder, and
-// superfluous with them. Offsets are 64-bit and files at most 4 GiB, so sums of an offset and a 32-bit
-// length from the file cannot overflow.
+// Numbers at offsets of an untrusted file. Private to the walks of this folder, and superfluous
+// with them. Offsets are 64-bit and files at most 4 GiB, so sums of an offset and a 32-bit length
+// from the file cannot overflow.
 #pragma once
 
 #include <fmt/format.h>

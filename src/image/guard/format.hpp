@@ -1,9 +1,10 @@
-// The picture formats that we read, told by their content, and the checks of a file that come before
-// a decoder sees it. The decoders of OpenImageIO 2.4 trust their input: some fill a truncated picture
-// with grey, some allocate what a header of 40 bytes asks for. This folder walks each container
-// first: complete to its end marker, sizes within bounds, no more pixels than the bytes can stand
-// for. Each file of the folder says what OpenImageIO must do before the file can go: the
-// tests of tests/image/image_hostile_test.cpp and `scripts/fuzz.sh image` then pass without it.
+// The picture formats that we read, told by their content, and the checks of a file that come
+// before a decoder sees it. The decoders of OpenImageIO 2.4 trust their input: some fill a
+// truncated picture with grey, some allocate what a header of 40 bytes asks for. This folder walks
+// each container first: complete to its end marker, sizes within bounds, no more pixels than the
+// bytes can stand for. Each file of the folder says what OpenImageIO must do before the file can
+// go: the tests of tests/image/image_hostile_test.cpp and `scripts/fuzz.sh image` then pass without
+// it.
 #pragma once
 
 #include <cstddef>
@@ -40,7 +41,8 @@ struct ImageStructure {
 ImageStructure check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
                                      const std::string& name);
 
-// Throws Error for more than kMaxImageBytes of pixels, and for more than `file_bytes` can stand for.
+// Throws Error for more than kMaxImageBytes of pixels, and for more than `file_bytes` can stand
+// for.
 void check_decoded_bytes(std::uint64_t decoded, std::uint64_t file_bytes, const std::string& name);
 
 // Throws Error unless 1 <= side <= kMaxImageSide.

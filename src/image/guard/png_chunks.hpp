@@ -1,5 +1,5 @@
-// The chunks of a PNG file, from IHDR to IEND. Needed until OpenImageIO hands libpng's complaints to
-// its caller and refuses damaged files: 2.4 lets libpng print them.
+// The chunks of a PNG file, from IHDR to IEND. Needed until OpenImageIO hands libpng's complaints
+// to its caller and refuses damaged files: 2.4 lets libpng print them.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // check_image_structure: one walk a container; PNG has a file of its own. Needed until OpenImageIO
-// refuses truncated JPEG and TIFF files, and reports what libjpeg, libtiff and OpenEXR throw or abort
-// at, instead of passing it on: 2.4 does neither.
+// refuses truncated JPEG and TIFF files, and reports what libjpeg, libtiff and OpenEXR throw or
+// abort at, instead of passing it on: 2.4 does neither.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -135,8 +135,8 @@ void check_exr_attribute(const ByteCursor& file, std::string_view name, std::uin
 }
 
 // A list of names with 16 bytes each, ended by an empty name: pixel type (0 to 2: whole numbers,
-// half, float), a flag and padding, pixels a sample in x and in y. OpenImageIO 2.4 aborts at another
-// pixel type.
+// half, float), a flag and padding, pixels a sample in x and in y. OpenImageIO 2.4 aborts at
+// another pixel type.
 std::uint64_t length_of_exr_channels(const ByteCursor& file, std::uint64_t value,
                                      ExrHeader& header) {
     constexpr std::uint32_t kMaxSampling = 64;
