@@ -1,5 +1,5 @@
-// Pages of HTML that stand for themselves: one style sheet inside, no scripts, nothing from
-// elsewhere.
+// Self-contained pages of HTML: the one style sheet is inside, there are no scripts, and nothing is
+// loaded from elsewhere.
 #pragma once
 
 #include <string>

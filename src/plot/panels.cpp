@@ -10,7 +10,7 @@ namespace burnish::plot {
 namespace {
 
 Point placed(const LinePlot& plot, const Box& box, Point p) {
-    // Far outside stays outside without overflowing what cairo can hold.
+    // Points far outside are moved nearer, still outside: cairo's coordinates overflow at 2^23.
     const double x = std::clamp(plot.x.scale.position(p.x), -8.0, 9.0);
     const double y = std::clamp(plot.y.scale.position(p.y), -8.0, 9.0);
     return {box.x + x * box.width, box.bottom() - y * box.height};
@@ -37,8 +37,9 @@ void draw_line(Canvas& canvas, const LinePlot& plot, const Series& line, const B
     flush();
 }
 
-// Where a line leaves through the top: a small arrow in its colour, just inside.
-// `others`: how many have been marked, so that their marks stand beside one another. True: marked.
+// Marks the place where a line leaves at the top by a small arrow in its color, just inside the
+// box. `others`: the number of lines marked before, whose marks stand beside this one. True when
+// marked.
 bool mark_cut(Canvas& canvas, const LinePlot& plot, const Series& line, const Box& box,
               int others) {
     // 1.002: a line that only touches the top is not cut.
@@ -170,7 +171,7 @@ Panel picture_panel(const Image& image, std::string title, double width) {
     panel.title = std::move(title);
     panel.width = width;
     panel.height = image.width > 0 ? width * image.height / image.width : width;
-    // Shared: a panel is copied with its figure.
+    // Shared, because a panel is copied with its figure.
     panel.draw = [kept = std::make_shared<const Image>(image)](Canvas& canvas, const Box& box) {
         canvas.image(box, *kept);
         canvas.mark_area("picture", box);

@@ -1,4 +1,4 @@
-// Panels that know nothing of shading: pictures, lines over an axis, bars.
+// Panels of any data: pictures, lines over an axis, bars.
 #pragma once
 
 #include <optional>
@@ -31,8 +31,7 @@ struct Series {
 Series series(std::size_t index, std::string label, std::vector<Point> points);
 std::vector<LegendEntry> legend_of(const std::vector<Series>& all);
 
-// Lines over an axis. What lies above or below the axes is cut off, and arrows at the edge say
-// where.
+// Lines over an axis. Parts beyond the axes are cut off, and arrows at the edge mark them.
 struct LinePlot {
     Axis x, y;
     std::vector<Series> lines;

@@ -1,4 +1,4 @@
-// Pictures of pictures: labelled contact sheets and difference images, for comparing by eye.
+// Contact sheets of labeled pictures, and difference images, for comparison by eye.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct SheetCell {
 struct SheetOptions {
     int padding_px = 12;  // around and between the cells
     int font_px = 16;
-    float background = 0.16f;  // display values: neutral and dark, so that it does not sway the eye
+    float background = 0.16f;  // display values: neutral and dark, so that it does not bias the eye
     float text = 0.86f;
 };
 
@@ -28,7 +28,7 @@ struct SheetOptions {
 Image compose_sheet(const std::vector<std::vector<SheetCell>>& rows,
                     const SheetOptions& options = {});
 
-// Where and how much `b` differs from `a` (same size; display values): black where they agree,
+// The difference of `b` from `a` (same size; display values): black where they agree,
 // through orange to pale yellow where b is brighter, through blue to pale cyan where it is darker;
 // the full colour is reached at a difference of 1/gain. Of the three channels the one that differs
 // most counts, so that a shift of hue shows too. Alpha is ignored; NaN in either shows magenta.
