@@ -21,7 +21,7 @@ double median(std::vector<double> values) {
     return quantile(std::move(values), 0.5);
 }
 
-double half_quartile_distance(std::vector<double> values) {
+double half_quartile_distance(const std::vector<double>& values) {
     return 0.5 * (quantile(values, 0.75) - quantile(values, 0.25));
 }
 

@@ -12,6 +12,6 @@ double quantile(std::vector<double> values, double share);
 double median(std::vector<double> values);
 
 // Half the distance between the first and the third quartile. Tables call it the spread.
-double half_quartile_distance(std::vector<double> values);
+double half_quartile_distance(const std::vector<double>& values);
 
 }  // namespace burnish

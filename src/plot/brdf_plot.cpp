@@ -83,6 +83,7 @@ BrdfPeak peak_of(const BrdfSubject& subject, Direction<double> wi) {
 
 std::vector<Point> albedo_curve(const BrdfSubject& subject, double azimuth_deg) {
     std::vector<Point> curve;
+    curve.reserve(32 + 19);
     for (int i = 0; i < 32; ++i) curve.push_back({2.5 * i, 0});
     for (int i = 0; i <= 18; ++i) curve.push_back({80 + 0.5 * i, 0});
     parallel_for(curve.size(), 1, [&](std::size_t begin, std::size_t end) {

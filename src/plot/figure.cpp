@@ -241,7 +241,7 @@ void draw(Canvas& canvas, const Figure& figure, const Layout& layout) {
 
 Layout checked_layout(const Figure& figure, double pixel_ratio) {
     check(figure);
-    const Layout layout = lay_out(figure);
+    Layout layout = lay_out(figure);
     const double width = layout.width * pixel_ratio, height = layout.height * pixel_ratio;
     if (!(pixel_ratio > 0) || !(std::max(width, height) <= kMostSidePx) ||
         width * height > kMostPixels || std::min(width, height) < 1)

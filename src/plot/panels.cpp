@@ -185,6 +185,7 @@ Series series(std::size_t index, std::string label, std::vector<Point> points) {
 
 std::vector<LegendEntry> legend_of(const std::vector<Series>& all) {
     std::vector<LegendEntry> legend;
+    legend.reserve(all.size());
     for (const Series& one : all) legend.push_back({one.label, one.color, one.dash});
     return legend;
 }
