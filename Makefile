@@ -2,9 +2,13 @@
 #   make demo    render the demo pictures into demo/ and say where to look
 #   make test    build and run every test
 #   make build   the program, at build/release/bin/burnish
+#   make check   format, shell scripts, links of the pages, map of the layers
 #   make bench   budgets and what was reached, into bench/results/
+#   make dev     build with assertions; LAYER=capture runs the tests of one folder
+#   make tidy    clang-tidy over what changed since main; ALL=1 over everything
 #   make asan    the tests under address and undefined-behaviour sanitizers
 #   make docs    the documentation as a site, build/site/index.html
+#   make tsan    the parallel parts under the thread sanitizer
 #   make format  clang-format over the tree
 #   make clean   remove what was built
 
@@ -12,26 +16,47 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 JOBS ?= $(shell nproc)
 BURNISH := $(BUILD)/bin/burnish
+CONFIGURE = [ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
 
-.PHONY: demo test build bench asan docs format clean packages
+.PHONY: demo test build all dev bench check tidy asan tsan docs format clean packages packages_check
 
 build: packages
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
+	@$(CONFIGURE)
+	cmake --build $(BUILD) -j $(JOBS) --target burnish_cli
+
+all: packages
+	@$(CONFIGURE)
 	cmake --build $(BUILD) -j $(JOBS)
 
 packages:
-	@scripts/install_packages.sh
+	@scripts/install_packages.sh packages.txt
 
-demo: packages
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
-	cmake --build $(BUILD) -j $(JOBS) --target burnish_cli
+packages_check:
+	@scripts/install_packages.sh packages_check.txt
+
+demo: build
 	scripts/demo.sh $(BURNISH) demo
 
-test: build
+test: all
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
-bench: build
+# The tests of one folder of tests/, or of all of them: make dev LAYER=capture.
+dev:
+	$(MAKE) all PRESET=dev
+	ctest --test-dir build/dev --output-on-failure -j $(JOBS) $(if $(LAYER),-L '^$(LAYER)$$')
+
+bench: all
 	scripts/bench.sh $(BUILD)
+
+check: packages packages_check
+	scripts/check.sh
+	@$(CONFIGURE)
+	cmake --build $(BUILD) -j $(JOBS) --target burnish_check_tests
+	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -R '^Layers\.'
+	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L '^docs$$'
+
+tidy: packages packages_check
+	scripts/tidy.sh $(if $(ALL),all)
 
 # Without the search for leaks: Mesa leaves a few blocks behind when its driver is unloaded, which
 # no suppression can name by then (docs/develop/testing.md).
@@ -42,9 +67,11 @@ docs:
 	@scripts/install_packages.sh packages_docs.txt
 	scripts/docs.sh
 
-format:
-	@command -v clang-format >/dev/null || { echo "burnish: clang-format is not installed"; exit 1; }
-	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+tsan: packages
+	scripts/tsan.sh
+
+format: packages_check
+	git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
 
 clean:
 	rm -rf build demo

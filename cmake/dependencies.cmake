@@ -12,6 +12,7 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 # Headers only; its CMake target would link xtl, which Debian does not have as a library.
 find_path(XSIMD_INCLUDE_DIR xsimd/xsimd.hpp REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(OpenEXR REQUIRED)
 pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(openblas REQUIRED IMPORTED_TARGET openblas)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo cairo-svg)

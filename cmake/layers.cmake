@@ -1,9 +1,40 @@
-# Layers and tests as CMake targets.
+# Layers as CMake targets.
+
+# Two precompiled headers serve the library: the headers of packages that most sources include. One
+# is compiled as the layers of inner loops are, the other as the light layers below.
+set(BURNISH_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fmt/format.h> <fstream>
+    <functional> <glm/glm.hpp> <map> <memory> <numbers> <optional> <span> <string> <string_view>
+    <vector>)
+
+# Layers without inner loops of their own: a Release compiles them for a short build.
+set(BURNISH_LIGHT_LAYERS formats stage plot export jobs)
+set(BURNISH_LIGHT_OPTIONS $<$<CONFIG:Release>:-O1>)
+
+# burnish_headers(<target> [<headers>]) adds the target that compiles BURNISH_COMMON_HEADERS and
+# <headers>.
+function(burnish_headers target)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "")
+    add_library(${target} OBJECT ${source})
+    target_link_libraries(${target} PRIVATE burnish_flags glm::glm fmt::fmt)
+    target_precompile_headers(${target} PRIVATE ${BURNISH_COMMON_HEADERS} ${ARGN})
+endfunction()
+
+# burnish_light(<target>): the target is compiled as the light layers are.
+function(burnish_light target)
+    target_compile_options(${target} PRIVATE ${BURNISH_LIGHT_OPTIONS})
+    target_precompile_headers(${target} REUSE_FROM burnish_light_headers)
+endfunction()
+
+burnish_headers(burnish_loop_headers)
+burnish_headers(burnish_light_headers <nlohmann/json.hpp>)
+target_compile_options(burnish_light_headers PRIVATE ${BURNISH_LIGHT_OPTIONS})
 
 # burnish_layer(<name> SOURCES ... [BELOW <layers>] [PACKAGES <targets>] [PRECOMPILE <headers>])
 # adds the object library burnish_<name> of the folder src/<name>. BELOW names the layers that it may
-# include; what they may include comes with them. tests/core/layers_test.cpp reads the same lists and
-# scans the includes. PRECOMPILE names headers of packages that most sources of the layer include.
+# include; what they may include comes with them. build/<preset>/layers.txt receives these names, and
+# tests/core/layers_test.cpp holds the includes against it. PRECOMPILE names headers of packages that
+# most sources of the layer include; the layer then has a precompiled header of its own.
 function(burnish_layer name)
     cmake_parse_arguments(ARG "" "" "SOURCES;BELOW;PACKAGES;PRECOMPILE" ${ARGN})
     add_library(burnish_${name} OBJECT ${ARG_SOURCES})
@@ -11,7 +42,11 @@ function(burnish_layer name)
     target_link_libraries(burnish_${name} PUBLIC burnish_flags glm::glm ${below}
                           PRIVATE ${ARG_PACKAGES})
     if(ARG_PRECOMPILE)
-        target_precompile_headers(burnish_${name} PRIVATE ${ARG_PRECOMPILE})
+        target_precompile_headers(burnish_${name} PRIVATE ${BURNISH_COMMON_HEADERS} ${ARG_PRECOMPILE})
+    elseif(name IN_LIST BURNISH_LIGHT_LAYERS)
+        burnish_light(burnish_${name})
+    else()
+        target_precompile_headers(burnish_${name} REUSE_FROM burnish_loop_headers)
     endif()
     set_property(GLOBAL APPEND PROPERTY BURNISH_LAYERS ${name})
     string(REPLACE ";" " " below_names "${ARG_BELOW}")
@@ -23,8 +58,10 @@ function(burnish_mpl_eigen)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_DEFINITIONS EIGEN_MPL2_ONLY)
 endfunction()
 
-# Sources of inner loops over several values at a time: no value depends on errno or traps.
+# Sources of inner loops over several values at a time: no value depends on errno or traps. GCC does
+# not take a header that was precompiled without these options.
 function(burnish_vector_loops)
     set_source_files_properties(${ARGN} PROPERTIES
-                                COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
+                                COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math"
+                                SKIP_PRECOMPILE_HEADERS ON)
 endfunction()

@@ -61,7 +61,7 @@ plot::Panel bars_of(const FrameCost& cost, const FrameCaseCost& in) {
         bars.push_back({name, e.median, e.spread, fmt::format("{:.2f}", e.median)});
     }
     return plot::bar_panel(
-        std::move(bars), "cost, Gouraud = 1",
+        {std::move(bars), "cost, Gouraud = 1"},
         fmt::format("{} triangles, {} x {}", in.triangles, in.asked.width, in.asked.height), 430);
 }
 
@@ -105,14 +105,16 @@ std::optional<GalleryPage> k12_fig7(GalleryTools& tools) {
     const Estimate approx = added(1), exact = added(2);
     page.figure.rows = {
         {"",
-         {plot::bar_panel({{"accurate", 54, 0, "54"}, {"approximate", 11, 0, "11"}},
-                          "microseconds a frame", "as printed", 330),
+         {plot::bar_panel(
+              {{{"accurate", 54, 0, "54"}, {"approximate", 11, 0, "11"}}, "microseconds a frame"},
+              "as printed", 330),
           plot::bar_panel(
-              {{"rotate-exact", std::max(1e6 * exact.median, 0.0), 1e6 * exact.error,
-                fmt::format("{:.0f} ± {:.0f}", 1e6 * exact.median, 1e6 * exact.error)},
-               {"rotate-approx", std::max(1e6 * approx.median, 0.0), 1e6 * approx.error,
-                fmt::format("{:.0f} ± {:.0f}", 1e6 * approx.median, 1e6 * approx.error)}},
-              "microseconds a frame more than normal-map", "here", 430)},
+              {{{"rotate-exact", std::max(1e6 * exact.median, 0.0), 1e6 * exact.error,
+                 fmt::format("{:.0f} ± {:.0f}", 1e6 * exact.median, 1e6 * exact.error)},
+                {"rotate-approx", std::max(1e6 * approx.median, 0.0), 1e6 * approx.error,
+                 fmt::format("{:.0f} ± {:.0f}", 1e6 * approx.median, 1e6 * approx.error)}},
+               "microseconds a frame more than normal-map"},
+              "here", 430)},
          {}}};
     page.commands = {command_of(tools)};
     const double pixels = std::max<double>(1.0, static_cast<double>(in.covered_pixels));
@@ -154,8 +156,8 @@ std::optional<GalleryPage> k12_table1(GalleryTools& tools) {
     }
     page.figure.rows = {
         {"",
-         {plot::bar_panel(std::move(printed), "cost, Gouraud = 1", "as printed", 400),
-          plot::bar_panel(std::move(here), "cost, Gouraud = 1", "here", 400)},
+         {plot::bar_panel({std::move(printed), "cost, Gouraud = 1"}, "as printed", 400),
+          plot::bar_panel({std::move(here), "cost, Gouraud = 1"}, "here", 400)},
          {}}};
     page.commands = {command_of(tools)};
     const double rotation = worst_over_normal_map(cost, {"rotate-approx"});

@@ -6,34 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/version.hpp"
-#include "jobs/html_text.hpp"
+#include "plot/html.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr const char* kHead = R"(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Burnish: the papers, figure by figure</title>
-<style>
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem; color: #1c1c1c; background: #fff; }
-h1, h2 { line-height: 1.2; }
-section { border-top: 1px solid #ccc; padding: 1rem 0 2rem; }
-img { max-width: 100%; height: auto; }
-dt { font-weight: 600; margin-top: .5rem; }
-dd { margin: 0; }
-pre { background: #f4f4f2; padding: .75rem; overflow-x: auto; font-size: .85rem; white-space: pre-wrap; }
-.verdict { display: inline-block; padding: 0 .5rem; border-radius: .25rem; }
-.borne_out { background: #d7ecd9; } .partly { background: #fbeec4; } .contradicted { background: #f6d4cf; }
-.undecided { background: #e4e4e4; }
-nav ul { columns: 3; padding-left: 1.2rem; }
-@media (max-width: 45rem) { nav ul { columns: 1; } }
-</style>
-</head>
-<body>
-)";
 
 std::string_view class_of(Verdict verdict) {
     switch (verdict) {
@@ -57,10 +33,9 @@ std::string badge(Verdict verdict) {
 std::string section(const GalleryItem& item) {
     const GalleryPage& page = item.page;
     std::string text = fmt::format(
-        "<section id=\"{0}\">\n<h2>{1}</h2>\n<p><a href=\"{2}\"><img src=\"{2}\" alt=\"{1}: {3}\" "
-        "loading=\"lazy\"></a></p>\n",
-        item.entry.id, escaped_html(page.figure.title), item.picture,
-        escaped_html(item.entry.claim));
+        "<section id=\"{}\">\n<h2>{}</h2>\n<p>{}</p>\n", item.entry.id,
+        escaped_html(page.figure.title),
+        html_picture(item.picture, page.figure.title + ": " + std::string(item.entry.claim)));
     if (!item.vector.empty())
         text += fmt::format("<p><a href=\"{}\">as vector graphics</a></p>\n", item.vector);
     text += fmt::format("<dl>\n<dt>Claim</dt><dd>{}</dd>\n<dt>Verdict</dt><dd>{}</dd>\n",
@@ -99,8 +74,7 @@ std::string_view verdict_text(Verdict verdict) {
 
 std::string gallery_html(std::span<const GalleryItem> items, const std::string& device,
                          const std::string& command) {
-    std::string text = kHead;
-    text +=
+    std::string text =
         "<h1>The papers, figure by figure</h1>\n"
         "<p>K11: Kang &amp; Cho, Plausible and Realtime Rendering of Scratched Metal by Deforming "
         "MDF of "
@@ -116,7 +90,7 @@ std::string gallery_html(std::span<const GalleryItem> items, const std::string& 
                             badge(item.page.verdict));
     text += "</ul></nav>\n";
     for (const GalleryItem& item : items) text += section(item);
-    return text + "</body>\n</html>\n";
+    return html_page("Burnish: the papers, figure by figure", text);
 }
 
 std::string gallery_json(std::span<const GalleryItem> items, const std::string& device,

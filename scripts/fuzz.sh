@@ -11,6 +11,7 @@ readers=${*:-gltf obj scene csv scratch bsdf image rig tabulated wif}
 build=build/fuzz
 data=${BURNISH_DATA:-../shared/data}
 
+scripts/install_packages.sh packages_check.txt
 [ -f $build/build.ninja ] || cmake --preset fuzz
 cmake --build $build -j "${JOBS:-$(nproc)}" --target burnish_fuzzers
 mkdir -p $build/corpus $build/findings $build/logs

@@ -1,9 +1,10 @@
 #!/bin/sh
-# Installs the packages of a list that are missing, and nothing when none is.
-# Usage: install_packages.sh [LIST]    a file of this folder, packages.txt when left out
+# Installs the packages of a list in this folder that are missing, and nothing when none is.
+# Usage: install_packages.sh [LIST]   (default: packages.txt)
 set -eu
+list=${1:-packages.txt}
 folder=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
-wanted=$(sed 's/#.*//' "$folder/${1:-packages.txt}" | tr -s ' \n' ' ')
+wanted=$(sed 's/#.*//' "$folder/$list" | tr -s ' \n' ' ')
 
 missing=""
 for package in $wanted; do

@@ -1,3 +1,4 @@
+# shellcheck shell=sh disable=SC2034  # sourced: the scripts that source it use its variables
 # Sourced by the scripts that render pictures of their own: NAME.sh BURNISH FOLDER [SIDE [SAMPLES]].
 # $default_side: pixels a side when none is given.
 set -eu

@@ -11,6 +11,10 @@
 #include "bench/frame/timer_check.hpp"
 #include "burnish/progress.hpp"
 
+namespace burnish::plot {
+struct Figure;
+}
+
 namespace burnish {
 
 struct FrameCostRequest {
@@ -89,7 +93,8 @@ FrameCost measure_frame_cost(const FrameCostRequest& request, const Progress& pr
 std::string frame_cost_json(const FrameCost& cost);
 // Tables beside the papers' figures.
 std::string frame_cost_markdown(const FrameCost& cost);
-// Bars, one panel a case; SVG 1.1, fonts by family only.
+// Bars, a row of panels a case.
+plot::Figure frame_cost_figure(const FrameCost& cost);
 std::string frame_cost_svg(const FrameCost& cost);
 
 // Measures and writes OUT.json, OUT.md and OUT.svg, all or none, and says which.

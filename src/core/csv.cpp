@@ -32,8 +32,8 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-// The place after the closing quote of the quoted field that starts at `begin`; npos when there is
-// none. A doubled quote is one quote of the text.
+// The offset behind the closing quote of the quoted field that starts at `begin`; npos when the
+// quote is missing. A doubled quote is one quote of the text.
 std::size_t end_of_quotes(std::string_view text, std::size_t begin) {
     std::size_t quote = text.find('"', begin + 1);
     while (quote != std::string_view::npos && quote + 1 < text.size() && text[quote + 1] == '"') {
@@ -129,8 +129,8 @@ std::span<const CsvRecord> CsvReader::next_block() {
     return records_;
 }
 
-// Waits for bytes in short sleeps: a signal between a look at the flag and a read that blocks would
-// otherwise go unnoticed until the next bytes come.
+// Waits for bytes in short sleeps. A signal that arrives between the test of the flag and a read
+// that blocks would otherwise go unnoticed until the next bytes arrive.
 void CsvReader::wait_for_bytes() const {
     constexpr int kSleepMs = 100;
     pollfd waiting{descriptor_, POLLIN, 0};
@@ -142,7 +142,7 @@ void CsvReader::wait_for_bytes() const {
     }
 }
 
-// Moves what is left to the front and reads until the buffer is full or the file ends.
+// Moves the unread bytes to the front and reads until the buffer is full or the file ends.
 void CsvReader::fill() {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;

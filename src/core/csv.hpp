@@ -14,16 +14,16 @@ namespace burnish {
 inline constexpr std::size_t kLongestCsvRecord = std::size_t{1} << 20;
 inline constexpr std::string_view kCsvByteOrderMark = "\xEF\xBB\xBF";
 
-// One record (or comment, or blank line) as it stands in the file.
+// One record, comment or blank line, byte for byte as in the file.
 struct CsvRecord {
     std::string_view text;  // without its line end
     std::string_view end;   // "\n", "\r\n" or "" at the end of the file
-    std::size_t line = 0;   // where it starts, from 1
+    std::size_t line = 0;   // number of its first line, from 1
 
     bool is_data() const;  // neither a comment nor blank
 };
 
-// Where a record is, for messages: "line 12".
+// The place of a record in messages: "line 12".
 std::string place_of(const CsvRecord& record);
 
 // Reads a file or, for "-", the standard input. Throws Error for what cannot be read and for a
@@ -35,12 +35,12 @@ class CsvReader {
     CsvReader& operator=(const CsvReader&) = delete;
     ~CsvReader();
 
-    // The next records, whole; empty at the end of the file. They stay valid until the next call.
+    // The next whole records; empty at the end of the file. They stay valid until the next call.
     std::span<const CsvRecord> next_block();
 
     const std::string& name() const { return name_; }  // for messages
     bool has_byte_order_mark() const { return has_byte_order_mark_; }
-    double done() const;  // share of the file that was read; 0 for pipes
+    double done() const;  // share of the file that has been read, 0..1; 0 for pipes
 
   private:
     void wait_for_bytes() const;
@@ -52,7 +52,7 @@ class CsvReader {
     std::size_t file_bytes_ = 0;
     std::size_t read_bytes_ = 0;
     std::vector<char> buffer_;
-    std::size_t begin_ = 0;  // of what is in the buffer and not yet handed out
+    std::size_t begin_ = 0;  // of the bytes in the buffer that no block has held yet
     std::size_t end_ = 0;
     bool at_end_of_file_ = false;
     bool has_byte_order_mark_ = false;
@@ -60,12 +60,12 @@ class CsvReader {
     std::vector<CsvRecord> records_;
 };
 
-// Splits a record at its commas into `fields`, which stay as they are written, quotes included.
-// False for a quoted field that is not closed or goes on after its closing quote.
+// Splits a record at its commas into `fields`, which keep their quotes. Returns false for a quoted
+// field that is not closed or goes on after its closing quote.
 bool split_csv_record(std::string_view text, std::vector<std::string_view>& fields);
 
-// What a field says: spaces around it and its quotes taken away. Doubled quotes inside stay
-// doubled: no name and no number has one.
+// The content of a field, without the spaces around it and its quotes. Doubled quotes inside stay
+// doubled: no name and no number contains a quote.
 std::string_view csv_content(std::string_view field);
 
 }  // namespace burnish

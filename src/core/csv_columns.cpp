@@ -17,7 +17,8 @@
 namespace burnish {
 namespace {
 
-// Rows a task of the parallel loop: long against its overhead, short against a block.
+// Rows of one task of the parallel loop: enough to outweigh the cost of a task, and few enough that
+// a block has many tasks.
 constexpr std::size_t kRowsAtOnce = 512;
 
 std::string listed(std::span<const std::string_view> names) {
@@ -86,7 +87,7 @@ CsvLayout layout_of(const CsvRecord& header, const std::string& file, const CsvT
 
 // ---- the rows -----------------------------------------------------------------------------------
 
-// Consecutive rows on their way through one task of the parallel loop.
+// Consecutive rows, which one task of the parallel loop evaluates.
 struct Chunk {
     std::string text;
     std::exception_ptr error;
@@ -106,7 +107,7 @@ void append_fields(const CsvRecord& record, const CsvLayout& layout,
     fields.insert(fields.end(), row_fields.begin(), row_fields.end());
 }
 
-// What is to be added to each data record before `bad`, the first one with broken fields.
+// The text to add to each data record before `bad`, the first record with broken fields.
 std::vector<std::string> added_to(std::span<const CsvRecord> records, const CsvLayout& layout,
                                   const CsvTask& task, std::exception_ptr& bad) {
     std::vector<std::string_view> fields, row_fields;
@@ -146,7 +147,7 @@ void evaluate_rows(std::span<const CsvRecord> records, const CsvLayout& layout, 
             chunk.text += record.end;
         }
     } catch (...) {
-        // Kept for its turn: rows before this one may have gone wrong as well.
+        // Kept until all tasks have ended: an earlier row may have failed as well.
         chunk.error = std::current_exception();
     }
 }
@@ -164,8 +165,8 @@ void evaluate_block(std::span<const CsvRecord> records, const CsvLayout& layout,
     }
 }
 
-// Copies what stands before the header, and the header with the added names. Returns what is left
-// of the block.
+// Copies the records before the header, and the header with the added names. Returns the rest of
+// the block.
 std::span<const CsvRecord> take_header(std::span<const CsvRecord> records, const CsvReader& reader,
                                        const CsvTask& task, std::optional<CsvLayout>& layout,
                                        OutputStream& output) {
@@ -204,7 +205,8 @@ void transform_table(CsvReader& reader, const CsvTask& task, OutputStream& outpu
     progress.step(kStage, 1.0);
 }
 
-// What std::from_chars leaves open: infinity for the one, zero or a subnormal number for the other.
+// A number out of range, for which std::from_chars gives no value: infinity when it is too large,
+// zero or a subnormal number when it is too small.
 template <typename Float>
 Float too_large_or_too_small(const std::string& digits) {
     if constexpr (std::is_same_v<Float, float>) {

@@ -1,6 +1,5 @@
-// Adding computed columns to a table, row by row, in parallel and in bounded memory. Everything
-// that was in the table stays as it is written and where it is: comments, blank lines, quotes, line
-// ends, columns nobody asked for.
+// Adding computed columns to a table, row by row, in parallel and in bounded memory. The table
+// itself keeps every byte: comments, blank lines, quotes, line ends, columns that no task reads.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +14,11 @@
 
 namespace burnish {
 
-// Where the columns that a task reads stand in the table at hand.
+// The places of the columns that a task reads, in one table.
 struct CsvLayout {
     struct Column {
         std::string_view name;
-        std::size_t place;  // kAbsent for an optional one that the table does not have
+        std::size_t place;  // kAbsent for an optional column that the table does not have
     };
     static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
 
@@ -44,7 +43,7 @@ class CsvRow {
     template <typename Float>
     Float number(std::size_t column) const;
 
-    // The index of the text in `names`; an unknown one suggests the nearest.
+    // The index of the text in `names`. For an unknown text the error suggests the nearest name.
     std::size_t choice(std::size_t column, std::span<const std::string_view> names) const;
 
     [[noreturn]] void fail(std::size_t column, std::string_view expected,

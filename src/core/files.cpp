@@ -117,7 +117,7 @@ int write_all(const Descriptor& file, const std::byte* from, std::size_t size) {
 
 int flush_to_disk(const Descriptor& file) {
     if (::fsync(file.get()) == 0) return 0;
-    // Not every file system can; that is no loss of data.
+    // Not every file system can flush; no data are lost by that.
     return errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
 
@@ -125,10 +125,11 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-// A new, empty file of a name nobody else uses; removed again unless it was kept.
+// A new, empty file with a name that no other file has. It is removed at the end unless it was
+// kept.
 class Temporary {
   public:
-    // `path` is what messages name.
+    // Messages name `path`.
     Temporary(const fs::path& folder, const fs::path& extension, const fs::path& path) {
         constexpr int kAttempts = 100;
         std::random_device random;
@@ -166,7 +167,7 @@ std::optional<mode_t> mode_of(const fs::path& path) {
     return status.st_mode;
 }
 
-// Devices, pipes and the process's own descriptors take bytes; no name of theirs can be replaced.
+// Devices, pipes and the process's own descriptors take bytes, but cannot be replaced by a rename.
 bool takes_a_stream(const fs::path& path) {
     const std::string text = path.lexically_normal().string();
     if (text == "/dev/stdout" || text == "/dev/stderr" || text.starts_with("/dev/fd/") ||
@@ -177,7 +178,7 @@ bool takes_a_stream(const fs::path& path) {
     return mode && !S_ISREG(*mode) && !S_ISDIR(*mode);
 }
 
-// What a rename must replace: the file behind a symbolic link, not the link.
+// The file that a rename must replace: the file behind a symbolic link, not the link.
 fs::path replaced_file(const fs::path& path) {
     std::error_code error;
     if (!fs::is_symlink(path, error)) return path;
@@ -189,7 +190,7 @@ void require_replaceable(const fs::path& path) {
     if (path.empty()) throw_unwritable("(empty name)", "no name");
     const std::optional<mode_t> mode = mode_of(path);
     if (mode && S_ISDIR(*mode)) throw_unwritable(path, "a folder");
-    // A rename would walk over the write protection.
+    // A rename would ignore the write protection.
     if (mode && ::access(path.c_str(), W_OK) != 0) throw_unwritable(path, reason_of(errno));
 }
 
@@ -201,7 +202,7 @@ void stream_bytes(const fs::path& path, std::span<const std::byte> bytes) {
     if (error != 0) throw_unwritable(path, reason_of(error));
 }
 
-// Gives the finished temporary the name and the permissions of what it replaces.
+// Gives the finished temporary file the name and the permissions of the file that it replaces.
 void commit(Temporary& temporary, const fs::path& target, const fs::path& path) {
     {
         Descriptor file(::open(temporary.name().c_str(), O_RDONLY | O_CLOEXEC));
@@ -216,7 +217,7 @@ void commit(Temporary& temporary, const fs::path& target, const fs::path& path) 
         throw_unwritable(path, reason_of(errno));
     }
     temporary.keep();
-    // Makes the new name last through a power cut; the contents are safe already.
+    // The new name then survives a power cut; the contents do already.
     const Descriptor folder(::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder) flush_to_disk(folder);
 }
@@ -227,7 +228,7 @@ fs::path folder_for_streams() {
     return error ? fs::path("/tmp") : folder;
 }
 
-// A file that is written under another name until it gets its own.
+// A file that is written under a temporary name and then renamed.
 class Pending {
   public:
     explicit Pending(const fs::path& path)
@@ -235,7 +236,7 @@ class Pending {
           target_(checked_target(path)),
           temporary_(folder(), path.extension(), path) {}
 
-    // Errors name the file that was asked for: the temporary's name tells nobody anything.
+    // Errors name the file that the caller asked for, not the temporary one.
     void write(const std::function<void(const fs::path&)>& writer) {
         try {
             writer(temporary_.name());
@@ -266,7 +267,7 @@ class Pending {
     }
     fs::path folder() const { return target_.empty() ? folder_for_streams() : folder_of(target_); }
 
-    fs::path path_, target_;  // target_: empty for a device or a pipe
+    fs::path path_, target_;  // target_ is empty for a device or a pipe
     Temporary temporary_;
 };
 

@@ -1,5 +1,5 @@
-// Large arrays on large pages: a page of 2 MB is handed out, and cleared, 512 times less often than
-// one of 4 kB, which a generated map of hundreds of megabytes is otherwise slowed down by.
+// Large arrays on large pages. The kernel hands out and clears a page at a time: 512 times fewer
+// pages of 2 MB than of 4 kB, which is faster for a generated map of hundreds of megabytes.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace burnish {
 
-// Asks the kernel for large pages under memory that is not in use yet. Changes no byte, and does
-// nothing where there are none or the memory is smaller than one.
+// Asks the kernel for large pages for memory that has not been written yet. It changes no byte. It
+// does nothing where the kernel has no large pages or the memory is smaller than one page.
 void ask_for_large_pages(void* data, std::size_t bytes);
 
-// `count` zeros.
+// An array of `count` zeros.
 template <typename T>
 std::vector<T> zeros_on_large_pages(std::size_t count) {
     std::vector<T> zeros;

@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-// Lock-free, or it could not be set inside a signal handler.
+// Lock-free: only then may a signal handler set it.
 std::atomic<bool> interrupt_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-// "1 mesh", "2 meshes"
+// The count with its noun: "1 mesh", "2 meshes".
 std::string plural(std::size_t count, std::string_view word);
 
 // Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'? known: ..."

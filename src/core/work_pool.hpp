@@ -1,5 +1,6 @@
-// Working memory that outlives the pieces of a parallel loop: each piece borrows one, so that no
-// more are made than pieces run at a time, however they are nested.
+// Working memory that outlives the ranges of a parallel loop. Each range borrows one object, so
+// that the pool holds at most as many objects as ranges run at a time, nested loops included.
+// Thread-safe.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,8 @@ namespace burnish {
 template <typename T>
 class WorkPool {
   public:
-    // Holds one until it goes out of scope. What is in it is what its last borrower left.
+    // Holds one object of the pool until it goes out of scope. The object is as its last borrower
+    // left it.
     class Lease {
       public:
         explicit Lease(WorkPool& pool) : pool_(pool), work_(pool.take()) {}

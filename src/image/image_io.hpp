@@ -1,5 +1,6 @@
-// Reading and writing pictures through OpenImageIO. Formats are a list we allow: PNG, JPEG, TIFF,
-// OpenEXR and Radiance HDR, told by content, with OpenImageIO's size limits set.
+// Reading and writing pictures through OpenImageIO. The formats are PNG, JPEG, TIFF, OpenEXR and
+// Radiance HDR, told by content. Nothing process-wide is changed: OpenImageIO's own limits stay as
+// the program has set them.
 #pragma once
 
 #include <filesystem>
@@ -11,30 +12,31 @@
 
 namespace burnish {
 
-// All readers: thread-safe; the first picture of a file that holds several; pixels in stored order
-// (an Exif orientation is not applied), row 0 at the top; alpha not premultiplied (files that store
-// it premultiplied are divided); of more than four channels the leading RGBA or RGB, found by name.
-// Each throws Error naming the file for missing, truncated, hostile or huge files (a side over
-// 32768, over 4 GiB decoded).
+// All readers are thread-safe. They read the first picture of a file that holds several. Pixels
+// come in stored order (an Exif orientation is not applied), row 0 at the top. Alpha is not
+// premultiplied: files that store color premultiplied are divided. Of more than four channels the
+// leading RGBA or RGB are read, found by name. OpenEXR's subsampled chroma becomes RGB. Each reader
+// throws Error naming the file for missing, truncated, hostile or huge files (a side over 32768,
+// over 4 GiB decoded).
 
-// Any allowed format to linear float, 1, 3 or 4 channels (grey with alpha becomes RGBA). Integer
-// formats (8- and 16-bit PNG, JPEG, TIFF) hold sRGB-encoded colour, which is linearised unless
-// `as_data` or the file says that it is linear; alpha never is. NaN and infinities throw when
-// `finite_only`.
+// Reads any of the formats as linear float, 1, 3 or 4 channels (grey with alpha becomes RGBA).
+// Integer formats (8- and 16-bit PNG, JPEG, TIFF) hold sRGB-encoded color, which is decoded unless
+// `as_data` is set or the file says that it is linear. Alpha is never decoded. NaN and infinities
+// throw when `finite_only`.
 struct ReadOptions {
     bool as_data = false;
     bool finite_only = true;
 };
 Image read_image(const std::filesystem::path& path, const ReadOptions& options = {});
 
-// A texture at its own depth (u8, u16, f32), from a file or from the bytes of one (glTF buffers).
-// Palettes are expanded; half and double become f32, which is always linear and finite.
+// Reads a texture at its own depth (u8, u16, f32), from a file or from the bytes of one (glTF
+// buffers). Palettes are expanded; half and double become f32, which is always linear and finite.
 Texture read_texture(const std::filesystem::path& path, ColorSpace color_space);
 Texture decode_texture(std::span<const std::byte> bytes, const std::string& name,
                        ColorSpace color_space);
 
-// What a file holds, without decoding its pixels: for `burnish info`. `metadata` has what
-// write_image was given, whatever the format, and what else the file says of itself.
+// The contents of a file, without decoding its pixels, for `burnish info`. `metadata` holds the
+// metadata that write_image was given, in every format, and the file's other attributes.
 struct ImageInfo {
     std::string format;
     int width = 0, height = 0, channels = 0;

@@ -11,13 +11,14 @@ namespace {
 
 constexpr const char* kDescription = "ImageDescription";
 
-// JPEG keeps its description in one segment of at most 64 KiB, twice.
+// Bytes of a description: JPEG stores it twice in one segment of at most 64 KiB.
 constexpr std::size_t kMaxDescription = 30000;
 
-// Longest value that is shown of an attribute: profiles and thumbnails come as megabytes.
+// Bytes that are shown of the value of an attribute: profiles and thumbnails hold megabytes.
 constexpr std::size_t kMaxShown = 30000;
 
-// A plain description may well have an equals sign, hardly a colon before it.
+// Only our names have a colon: a description in plain words may have an equals sign, but hardly a
+// colon before it.
 bool is_our_name(std::string_view name) {
     return name.find(':') != std::string_view::npos;
 }

@@ -13,7 +13,7 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 #include "image/image_metadata.hpp"
 #include "image/memory_proxy.hpp"
 
@@ -23,10 +23,10 @@ namespace {
 constexpr int kMaxParts = 64, kMaxChannels = 64;
 constexpr const char* kPartName = "oiio:subimagename";
 
-// Rows are decoded in bands, so that a file whose first rows are broken costs no more than these.
+// Bytes that are decoded at a time, so that a file whose first rows are broken costs no more.
 constexpr std::uint64_t kBandBytes = std::uint64_t{32} << 20;
 
-// Attributes that OpenImageIO and the format add for themselves.
+// Attributes that OpenImageIO and OpenEXR add.
 bool is_of_the_format(std::string_view name) {
     constexpr std::string_view kOwn[] = {"compression", "PixelAspectRatio", "screenWindowCenter",
                                          "screenWindowWidth", "Software"};
@@ -40,7 +40,7 @@ bool is_of_the_format(std::string_view name) {
                 found.empty() ? "broken data" : found);
 }
 
-// The bytes that the parts so far stand for, checked before anything of that size is allocated.
+// The bytes of all parts so far, decoded. They are checked before memory of that size is allocated.
 class Budget {
   public:
     Budget(std::uint64_t file_bytes, const std::string& name)
@@ -124,7 +124,8 @@ ImagePart read_part(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int in
 }
 
 std::vector<ImagePart> read_parts(std::span<const std::byte> bytes, const std::string& name) {
-    check_image_structure(ImageFormat::exr, bytes, name);
+    if (check_image_structure(ImageFormat::exr, bytes, name).subsampled)
+        fail(name, "a subsampled channel");
     MemoryReader source(bytes);
     const auto input = OIIO::ImageInput::create(oiio_format_name(ImageFormat::exr));
     if (!input || !input->supports("ioproxy")) fail(name, "no support for the format");
@@ -137,7 +138,7 @@ std::vector<ImagePart> read_parts(std::span<const std::byte> bytes, const std::s
         specs.push_back(input->spec(i));
         budget.spend(specs.back());
     }
-    static_cast<void>(input->geterror());  // that there is no further part
+    static_cast<void>(input->geterror());  // "no further part", which is no error here
     std::vector<ImagePart> parts;
     for (std::size_t i = 0; i < specs.size(); ++i)
         parts.push_back(read_part(*input, specs[i], static_cast<int>(i), name));
@@ -184,7 +185,7 @@ std::vector<float> interleaved(const ImagePart& part) {
     return mixed;
 }
 
-// To a file of its own: OpenImageIO 2.4 does not write several parts to memory. OpenEXR checks
+// Writes to a file, because OpenImageIO 2.4 does not write several parts to memory. OpenEXR checks
 // every write.
 void encode(const std::vector<ImagePart>& parts, const std::string& target,
             const std::string& name) {
@@ -193,7 +194,7 @@ void encode(const std::vector<ImagePart>& parts, const std::string& target,
         throw Error(name, "", "to encode an OpenEXR image of several parts",
                     one_line(output ? output->geterror() : OIIO::geterror()));
     };
-    // OpenEXR says what the system said, in many words.
+    // OpenEXR wraps the message of the system in many words.
     const auto unwritable = [&] {
         const int reason = errno;
         if (reason != ENOSPC && reason != EFBIG && reason != EDQUOT) wrong();
@@ -259,7 +260,7 @@ void write_image_parts(const std::filesystem::path& path, const std::vector<Imag
 }
 
 bool has_image_part_attribute(const std::filesystem::path& path, std::string_view name) {
-    // The first header of what write_image_parts makes is far shorter.
+    // The first header of a file of write_image_parts is far shorter.
     constexpr std::size_t kHead = std::size_t{64} << 10;
     std::vector<std::byte> head;
     try {

@@ -1,5 +1,5 @@
-// OpenEXR files of several parts, each a picture of named channels: tables and maps that belong
-// together in one file that any viewer of OpenEXR shows.
+// OpenEXR files of several parts, each a picture of named channels. Tables and maps that belong
+// together are one file, which any viewer of OpenEXR shows.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ std::vector<ImagePart> read_image_parts(const std::filesystem::path& path);
 // Written whole or not at all. Names of parts and of their channels differ.
 void write_image_parts(const std::filesystem::path& path, const std::vector<ImagePart>& parts);
 
-// The names and text of attributes of the first part, without decoding a pixel: whether the file is
-// an OpenEXR one whose first header has an integer attribute of that name.
+// Whether the file is OpenEXR and its first header has an integer attribute of that name. Decodes
+// no pixel.
 bool has_image_part_attribute(const std::filesystem::path& path, std::string_view name);
 
 }  // namespace burnish

@@ -12,39 +12,44 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
+#include "image/guard/png_chunks.hpp"
 #include "image/image_io.hpp"
 #include "image/image_metadata.hpp"
 #include "image/memory_proxy.hpp"
-#include "image/png_chunks.hpp"
+#include "image/subsampled_exr.hpp"
 
 namespace burnish {
 namespace {
 
-// Rows are decoded in bands, so that a file whose first rows are broken costs no more than these.
+// Bytes that are decoded at a time, so that a file whose first rows are broken costs no more.
 constexpr std::uint64_t kBandBytes = std::uint64_t{32} << 20;
 
 constexpr int kMaxChannels = 64;
 
-// OpenImageIO's own limits, for the decoders that look at them; ours are checked besides.
-void set_library_limits() {
-    static const bool done = [] {
-        OIIO::attribute("limits:channels", kMaxChannels);
-        OIIO::attribute("limits:imagesize_MB", static_cast<int>(kMaxImageBytes >> 20));
-        return true;
-    }();
-    static_cast<void>(done);
-}
+// A file whose container has been walked.
+struct CheckedFile {
+    CheckedFile(std::span<const std::byte> bytes_, const std::string& name_)
+        : bytes(bytes_),
+          name(name_),
+          format(require_image_format(bytes, name)),
+          structure(check_image_structure(format, bytes, name)) {}
+
+    std::span<const std::byte> bytes;
+    const std::string& name;
+    ImageFormat format;
+    ImageStructure structure;
+};
 
 // An image file open in memory. The decoder reads through `source`, which must outlive it.
 class Reader {
   public:
-    Reader(std::span<const std::byte> bytes, const std::string& name)
-        : name_(name),
-          format_(require_image_format(bytes, name)),
-          filtered_(checked_and_filtered(format_, bytes, name)),
-          source_(filtered_.empty() ? bytes : std::span<const std::byte>(filtered_)) {
-        set_library_limits();
+    explicit Reader(const CheckedFile& file)
+        : name_(file.name),
+          format_(file.format),
+          filtered_(format_ == ImageFormat::png ? without_unused_chunks(file.bytes)
+                                                : std::vector<std::byte>{}),
+          source_(filtered_.empty() ? file.bytes : std::span<const std::byte>(filtered_)) {
         input_ = OIIO::ImageInput::create(oiio_format_name(format_));
         if (!input_ || !input_->supports("ioproxy")) {
             fail("no OpenImageIO support for the format");
@@ -53,7 +58,7 @@ class Reader {
         OIIO::ImageSpec config;
         config.attribute("oiio:UnassociatedAlpha", 1);
         if (!input_->open("", spec_, config)) fail(input_->geterror());
-        check_spec(bytes.size());
+        check_spec(file.bytes.size());
     }
 
     [[noreturn]] void fail(std::string_view reason) const {
@@ -86,27 +91,19 @@ class Reader {
             const bool done =
                 read_rows(static_cast<int>(y) + spec_.y, static_cast<int>(end) + spec_.y, channels,
                           type, pixels.data() + offset);
-            // Some decoders complain and go on with an empty picture.
+            // Some decoders report an error and return an empty picture.
             if (!done || input_->has_error()) fail(input_->geterror());
         }
         return pixels;
     }
 
   private:
-    static std::vector<std::byte> checked_and_filtered(ImageFormat format,
-                                                       std::span<const std::byte> bytes,
-                                                       const std::string& name) {
-        check_image_structure(format, bytes, name);
-        if (format != ImageFormat::png) return {};
-        return without_unused_chunks(bytes);
-    }
-
     bool read_rows(int begin, int end, int channels, OIIO::TypeDesc type, std::byte* to) {
         if (spec_.tile_width > 0) {
             return input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
                                       spec_.z + 1, 0, channels, type, to);
         }
-        // Nothing to convert: without the copy through a buffer of 64 MiB.
+        // Without a conversion, read_scanlines would still copy through a buffer of 64 MiB.
         if (type == spec_.format && spec_.channelformats.empty() && channels == spec_.nchannels) {
             return input_->read_native_scanlines(0, 0, begin, end, spec_.z, to);
         }
@@ -136,7 +133,7 @@ class Reader {
     std::unique_ptr<OIIO::ImageInput> input_;  // after source_: closed before it goes
 };
 
-// The library and the standard library throw their own; callers know only ours.
+// OpenImageIO and the standard library throw exceptions of their own; callers get Error.
 template <typename Work>
 auto with_errors_of(const std::string& name, Work&& work) {
     try {
@@ -151,12 +148,12 @@ auto with_errors_of(const std::string& name, Work&& work) {
 }
 
 std::vector<std::byte> read_image_file(const std::filesystem::path& path) {
-    // By its first bytes, so that no film is read into memory to find that it is one.
+    // The first bytes tell the format, so that a video is refused before it is read into memory.
     require_image_format(read_file_head(path, kImageHeadBytes), path.string());
     return read_file(path);
 }
 
-// All channels, or the leading ones that are colour.
+// The number of leading channels to read: all of them up to four, else those named R, G, B and A.
 int channels_to_read(const Reader& reader) {
     const OIIO::ImageSpec& spec = reader.spec();
     if (spec.nchannels <= 4) return spec.nchannels;
@@ -190,7 +187,7 @@ OIIO::TypeDesc oiio_type(TexelType type) {
     return OIIO::TypeUnknown;
 }
 
-// Divides colour by alpha, in place; where alpha is 0 the colour stays (it may be emission).
+// Divides color by alpha, in place. Where alpha is 0 the color stays (it may be emission).
 template <typename T>
 void unpremultiply(std::span<std::byte> texels, int channels) {
     const std::size_t step = static_cast<std::size_t>(channels) * sizeof(T);
@@ -206,7 +203,7 @@ void unpremultiply(std::span<std::byte> texels, int channels) {
                 texel[c] = static_cast<T>(std::min(scaled, kLargest));
             } else {
                 const float divided = texel[c] / alpha;
-                // A denormal alpha; the stored number is as good as any.
+                // A subnormal alpha makes the quotient overflow; then the stored value is kept.
                 if (std::isfinite(divided)) texel[c] = divided;
             }
         }
@@ -255,6 +252,16 @@ Texture decode(Reader& reader, ColorSpace color_space, bool finite_only) {
     return texture;
 }
 
+Texture decode(const CheckedFile& file, ColorSpace color_space) {
+    if (!file.structure.subsampled) {
+        Reader reader(file);
+        return decode(reader, color_space, true);
+    }
+    const Texture texture = decode_subsampled_exr(file.bytes, file.name);
+    require_finite(texture);
+    return texture;
+}
+
 // The linear value of every code of an integer type.
 template <typename T>
 std::vector<float> value_table(bool srgb) {
@@ -267,7 +274,7 @@ std::vector<float> value_table(bool srgb) {
     return table;
 }
 
-// All channels of `texture` as floats; alpha, the last of 2 and 4, is never decoded.
+// All channels of `texture` as floats. Alpha, the last of 2 or 4 channels, is linear in every file.
 template <typename T>
 void append_values(const Texture& texture, bool srgb, std::vector<float>& values) {
     const std::vector<float> color = value_table<T>(srgb), plain = value_table<T>(false);
@@ -298,7 +305,7 @@ std::vector<float> values_of(const Texture& texture, bool srgb) {
     return values;
 }
 
-// Grey and alpha as RGBA.
+// RGBA from pairs of grey and alpha.
 std::vector<float> with_grey_spread(const std::vector<float>& pairs) {
     std::vector<float> pixels;
     pixels.reserve(pairs.size() * 2);
@@ -306,6 +313,17 @@ std::vector<float> with_grey_spread(const std::vector<float>& pairs) {
         pixels.insert(pixels.end(), {pairs[i], pairs[i], pairs[i], pairs[i + 1]});
     }
     return pixels;
+}
+
+Image image_of_subsampled(const CheckedFile& file, const ReadOptions& options) {
+    const Texture texture = decode_subsampled_exr(file.bytes, file.name);
+    if (options.finite_only) require_finite(texture);
+    Image image;
+    image.width = texture.width;
+    image.height = texture.height;
+    image.channels = texture.channels;
+    image.pixels = values_of(texture, false);
+    return image;
 }
 
 bool says_linear(const OIIO::ImageSpec& spec) {
@@ -318,7 +336,9 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options) 
     const std::string name = path.string();
     return with_errors_of(name, [&] {
         const std::vector<std::byte> bytes = read_image_file(path);
-        Reader reader(bytes, name);
+        const CheckedFile file(bytes, name);
+        if (file.structure.subsampled) return image_of_subsampled(file, options);
+        Reader reader(file);
         if (reader.spec().nchannels == 2 && reader.spec().alpha_channel != 1) {
             throw Error(name, "channels", "1, 3 or 4, or grey with alpha", "2 of other names");
         }
@@ -342,18 +362,25 @@ Texture read_texture(const std::filesystem::path& path, ColorSpace color_space) 
 
 Texture decode_texture(std::span<const std::byte> bytes, const std::string& name,
                        ColorSpace color_space) {
-    return with_errors_of(name, [&] {
-        Reader reader(bytes, name);
-        return decode(reader, color_space, true);
-    });
+    return with_errors_of(name, [&] { return decode(CheckedFile(bytes, name), color_space); });
 }
 
 ImageInfo read_image_info(const std::filesystem::path& path) {
     const std::string name = path.string();
     return with_errors_of(name, [&] {
         const std::vector<std::byte> bytes = read_image_file(path);
-        const Reader reader(bytes, name);
+        const CheckedFile file(bytes, name);
         ImageInfo info;
+        if (file.structure.subsampled) {
+            const Texture texture = decode_subsampled_exr(bytes, name);
+            return ImageInfo{std::string(format_name(file.format)),
+                             texture.width,
+                             texture.height,
+                             texture.channels,
+                             "half",
+                             {}};
+        }
+        const Reader reader(file);
         info.format = format_name(reader.format());
         info.width = reader.spec().width;
         info.height = reader.spec().height;

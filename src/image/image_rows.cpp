@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kStrip = 64;  // rows at a time, and the tiles of mip maps
 
-// The encoders do not all notice a short write; this file remembers it for them.
+// Not every encoder notices a short write; this file records it.
 class CheckedFile final : public OIIO::Filesystem::IOFile {
   public:
     explicit CheckedFile(const std::string& path) : IOFile(path, Mode::Write) {}
@@ -62,10 +62,10 @@ OIIO::ImageSpec spec_of(const DataPicture& picture, const DataLevel& level) {
     spec.channelnames = picture.channels;
     spec.attribute("oiio:ColorSpace", picture.format == DataFormat::png8_srgb ? "sRGB" : "Linear");
     if (picture.format != DataFormat::exr) {
-        // Noise-like data hardly compresses: the fastest level is a fifth of the time of 6.
+        // Noise hardly compresses: the fastest level takes a fifth of the time of level 6.
         spec.attribute("png:compressionLevel", 2);
     } else {
-        // The fastest: 6, the default, takes three times as long for a tenth less.
+        // The fastest level: level 6, the default, takes three times as long and saves a tenth.
         spec.attribute("Compression", "zip:1");
     }
     if (picture.levels.size() > 1) {

@@ -1,4 +1,5 @@
-// Pictures of data written a strip at a time, so that a large one is never in memory as a whole.
+// Pictures of data that are written a strip at a time, so that a large one never needs to fit into
+// memory.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +25,8 @@ struct DataLevel {
 struct DataPicture {
     DataFormat format = DataFormat::exr;
     std::vector<std::string> channels;
-    // The first is the picture; the others, each half the one before (rounded down, to 1), make an
-    // .exr a mip map.
+    // The first level is the picture. Further levels, each half as wide and high as the one before
+    // (rounded down, at least 1), make an .exr a mip map.
     std::vector<DataLevel> levels;
     std::map<std::string, std::string> metadata;
 };

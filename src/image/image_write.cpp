@@ -11,7 +11,7 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 #include "image/image_io.hpp"
 #include "image/image_metadata.hpp"
 
@@ -57,7 +57,7 @@ void check_image(const Image& image, const std::string& name) {
                 fmt::format("{} channels, {} values", image.channels, image.pixels.size()));
 }
 
-// 8-bit codes of display values; alpha is left out when `channels` is 3 and the image has 4.
+// 8-bit codes of display values. Alpha is left out when `channels` is 3 and the image has 4.
 std::vector<std::uint8_t> codes_of(const Image& image, int channels) {
     const auto from = static_cast<std::size_t>(image.channels);
     const auto to = static_cast<std::size_t>(channels);
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> codes_of(const Image& image, int channels) {
     for (std::size_t pixel = 0; pixel < count; ++pixel) {
         for (std::size_t c = 0; c < to; ++c) {
             const float value = image.pixels[pixel * from + c];
-            // Written so that NaN becomes 0.
+            // The comparison is written so that NaN becomes 0.
             const float clamped = value > 0.0f ? (value < 1.0f ? value : 1.0f) : 0.0f;
             codes[pixel * to + c] = static_cast<std::uint8_t>(clamped * 255.0f + 0.5f);
         }
@@ -92,10 +92,10 @@ OIIO::ImageSpec spec_for(ImageFormat format, const Image& image, const Metadata&
     if (!linear) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (format == ImageFormat::jpeg) {
         spec.attribute("Compression", "jpeg:95");
-        // Scratches are one pixel wide: colour is kept at full resolution.
+        // Scratches are one pixel wide, so color is stored at full resolution.
         spec.attribute("jpeg:subsampling", "4:4:4");
     } else if (format == ImageFormat::png) {
-        // A third of the time of the default, 6, for files 8 % larger (measured on textures).
+        // A third of the time of level 6, the default; files of textures are 8 % larger.
         spec.attribute("png:compressionLevel", 4);
     } else {
         spec.attribute("Compression", "zip");
@@ -106,7 +106,7 @@ OIIO::ImageSpec spec_for(ImageFormat format, const Image& image, const Metadata&
     return spec;
 }
 
-// The bytes of the file, made in memory: the encoders do not all notice a full disk.
+// The bytes of the file, encoded in memory, because not every encoder notices a full disk.
 void encode(ImageFormat format, const Image& image, const Metadata& metadata,
             OIIO::Filesystem::IOVecOutput& target, const std::string& name) {
     const std::unique_ptr<OIIO::ImageOutput> output =

@@ -8,15 +8,15 @@
 
 #include "burnish/error.hpp"
 #include "burnish/render.hpp"
+#include "burnish/render_settings.hpp"
 #include "core/files.hpp"
 #include "core/version.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "image/image_io.hpp"
 #include "plot/sheet.hpp"
 #include "stage/material_parameters.hpp"
 #include "stage/stage.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish {
 
@@ -90,7 +90,7 @@ void set_method(std::vector<Material>& materials, Method method) {
 
 // Row 1: the pictures. Row 2: what each changes against the reference, `follow-grain` when it is
 // among them, else the last.
-Sheet comparison_sheet(const std::vector<Method>& methods, const std::vector<Image>& pictures) {
+Image comparison_sheet(const std::vector<Method>& methods, const std::vector<Image>& pictures) {
     const auto grain = std::find(methods.begin(), methods.end(), Method::follow_grain);
     const std::size_t reference = grain == methods.end()
                                       ? methods.size() - 1
@@ -114,8 +114,7 @@ Sheet comparison_sheet(const std::vector<Method>& methods, const std::vector<Ima
 }
 
 void render_comparison(const RenderRequest& request, Stage& stage, gpu::Renderer& renderer,
-                       const Metadata& metadata, const Progress& progress,
-                       std::vector<std::string>& warnings) {
+                       const Metadata& metadata, const Progress& progress) {
     std::vector<Image> pictures;
     for (std::size_t i = 0; i < request.compare.size(); ++i) {
         set_method(stage.scene.materials, request.compare[i]);
@@ -124,9 +123,7 @@ void render_comparison(const RenderRequest& request, Stage& stage, gpu::Renderer
                                              part_of(progress, i, request.compare.size()));
         pictures.push_back(to_display(linear, stage.exposure_ev, stage.tone_map));
     }
-    const Sheet sheet = comparison_sheet(request.compare, pictures);
-    if (!sheet.warning.empty()) warnings.push_back(sheet.warning);
-    write_image(request.output, sheet.image, metadata);
+    write_image(request.output, comparison_sheet(request.compare, pictures), metadata);
 }
 
 std::vector<std::filesystem::path> render_turntable(const RenderRequest& request,
@@ -169,7 +166,7 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     const std::string lost = warning_of_lost_transparency(request, stage);
     if (!lost.empty()) report.warnings.push_back(lost);
     if (!request.compare.empty()) {
-        render_comparison(request, stage, renderer, metadata, progress, report.warnings);
+        render_comparison(request, stage, renderer, metadata, progress);
         report.written = {request.output};
     } else if (request.turntable > 0) {
         report.written = render_turntable(request, stage, renderer, metadata, progress);

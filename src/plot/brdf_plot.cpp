@@ -43,7 +43,7 @@ std::vector<Point> polar_cut(const BrdfSubject& subject, Direction<double> wi, d
     // The mirror direction seen in the cut, the direction back to the light, and the normal.
     const double mirror = std::atan2(wi.x * x + wi.y * y, wi.z);
     const double hints[] = {mirror, -mirror, 0.0};
-    // Short of the horizon, where every model is 0 by definition.
+    // The samples end just above the horizon, on which every model is 0 by definition.
     const double end = std::numbers::pi / 2 - 1e-4;
     return sampled_curve(f, -end, end, hints);
 }
@@ -67,7 +67,8 @@ BrdfPeak peak_of(const BrdfSubject& subject, Direction<double> wi) {
     for (int i = 0; i < kRings * kSectors; ++i)
         consider(direction((i / kSectors + 0.5) / kRings * std::numbers::pi / 2,
                            2 * std::numbers::pi * (i % kSectors) / kSectors));
-    // Uphill in angle, by ever smaller steps; 1e-6 is a thousandth of the narrowest lobe.
+    // Climbs in angle, by ever smaller steps. The last, 1e-6, is a thousandth of the narrowest
+    // lobe.
     for (double step = 0.02; step > 1e-6;) {
         const double theta = std::acos(std::clamp(best.wo.z, -1.0, 1.0));
         const double phi = std::atan2(best.wo.y, best.wo.x);
@@ -82,6 +83,7 @@ BrdfPeak peak_of(const BrdfSubject& subject, Direction<double> wi) {
 
 std::vector<Point> albedo_curve(const BrdfSubject& subject, double azimuth_deg) {
     std::vector<Point> curve;
+    curve.reserve(32 + 19);
     for (int i = 0; i < 32; ++i) curve.push_back({2.5 * i, 0});
     for (int i = 0; i <= 18; ++i) curve.push_back({80 + 0.5 * i, 0});
     parallel_for(curve.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -100,7 +102,7 @@ Panel albedo_panel(std::span<const BrdfSubject> subjects, double azimuth_deg, st
         plot.lines.push_back(series(i, subjects[i].label, albedo_curve(subjects[i], azimuth_deg)));
         for (const Point& p : plot.lines.back().points) most = std::max(most, p.y);
     }
-    // Models without a bound leave through the top: what the others do has to stay readable.
+    // An unbounded model leaves the axes at the top, so that the other models stay readable.
     plot.y = {"albedo", {ScaleKind::linear, 0, std::clamp(1.1 * most, 1.1, 1.6)}};
     plot.level = {1.0, "1: all light leaves"};
     return line_panel(std::move(plot), std::move(title));

@@ -1,5 +1,5 @@
 // Plots of reflection models: polar cuts, lobes as surfaces, albedo over the angle of incidence.
-// Every number comes from shading/brdf_models.hpp.
+// Every number comes from models/brdf_models.hpp.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace burnish::plot {
 
-// One model with its numbers.
+// One model with its parameters.
 struct BrdfSubject {
     const BrdfModel* model = nullptr;
     std::array<double, kMostBrdfParameters> p{};
-    std::string label;  // in legends; parameters_text(...) where several differ in numbers only
+    std::string label;  // in legends; parameters_text(...) where only the parameters differ
 
     double f(Direction<double> wi, Direction<double> wo) const {
         return model->value_f64(p, wi, wo);
@@ -31,13 +31,12 @@ std::string parameters_text(const BrdfSubject& subject);
 // Towards the light: `incidence_deg` from the normal, at azimuth `azimuth_deg` from the tangent.
 Direction<double> incident(double incidence_deg, double azimuth_deg);
 
-// ---- polar cuts
-// -----------------------------------------------------------------------------------
+// ---- polar cuts ---------------------------------------------------------------------------------
 
-// (angle from the normal in radians, -pi/2..pi/2, f) of the cut through the normal at azimuth
-// `cut_deg`: positive angles on the side away from the light when the cut is the plane of incidence
-// (cut_deg = azimuth of the light), so that the mirror direction is at +incidence. Denser where f
-// bends, so that no spike is lost.
+// The curve (angle from the normal in radians, -pi/2..pi/2; f) of the cut through the normal at
+// azimuth `cut_deg`. Positive angles on the side away from the light when the cut is the plane of
+// incidence (cut_deg = azimuth of the light), so that the mirror direction is at +incidence. The
+// points are denser where f curves, so that no spike is lost.
 std::vector<Point> polar_cut(const BrdfSubject& subject, Direction<double> wi, double cut_deg);
 
 struct PolarPlot {
@@ -50,8 +49,7 @@ struct PolarPlot {
 };
 Panel polar_panel(const PolarPlot& plot, std::string title, double width = 400);
 
-// ---- surfaces
-// -------------------------------------------------------------------------------------
+// ---- surfaces -----------------------------------------------------------------------------------
 
 struct SurfaceView {
     double azimuth_deg = -75;   // of the viewer about the normal, from the tangent
@@ -67,15 +65,14 @@ BrdfPeak peak_of(const BrdfSubject& subject, Direction<double> wi);
 
 // The lobe over the hemisphere as a shaded surface: distance from the origin is f over its peak
 // (log: over four decades), with the incident direction, the tangent frame and the tangent plane.
-// Hidden parts are hidden (depth buffer).
+// A depth buffer hides the parts behind others.
 Panel surface_panel(const BrdfSubject& subject, double incidence_deg, double azimuth_deg,
                     ScaleKind kind, const SurfaceView& view, std::string title, double width = 320);
 
-// ---- albedo
-// ---------------------------------------------------------------------------------------
+// ---- albedo -------------------------------------------------------------------------------------
 
-// (incidence in degrees, albedo): every 2.5 degrees to 80, every half degree to 89, with
-// shading/albedo.hpp.
+// The curve (incidence in degrees, albedo): every 2.5 degrees to 80, every half degree to 89, by
+// models/albedo.hpp.
 std::vector<Point> albedo_curve(const BrdfSubject& subject, double azimuth_deg);
 Panel albedo_panel(std::span<const BrdfSubject> subjects, double azimuth_deg, std::string title);
 

@@ -19,11 +19,11 @@ namespace {
 
 constexpr const char* kFont = "DejaVu Sans";
 constexpr const char* kFontFamilies = "'DejaVu Sans', Verdana, Arial, sans-serif";
-constexpr double kScriptSize = 0.72;  // of raised and lowered text
+constexpr double kScriptSize = 0.72;  // size of raised and lowered text, in sizes of the text
 constexpr double kRaise = 0.38, kLower = 0.2;
-constexpr double kCapHeight = 0.73;  // of DejaVu Sans, in sizes
+constexpr double kCapHeight = 0.73;  // height of capitals of DejaVu Sans, in sizes of the text
 constexpr double kDescent = 0.24;
-constexpr double kSvgRatio = 2;  // pictures inside an SVG
+constexpr double kSvgRatio = 2;  // pixels per px of pictures inside an SVG
 
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned length) {
     static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), length);
@@ -252,7 +252,7 @@ void Canvas::State::show(const TextPart& part, Point at, const TextStyle& style)
     cairo_show_text(cairo, part.text.c_str());
 }
 
-// `at` is what the text turns about, `start` where its baseline begins before it is turned.
+// The text is rotated about `at`. `start` is the left end of its baseline before the rotation.
 void Canvas::State::write(const std::vector<TextPart>& parts, const std::vector<double>& widths,
                           Point at, Point start, const TextStyle& style) {
     std::string element = fmt::format("<text xml:space=\"preserve\" font-family=\"{}\" fill=\"{}\"",
@@ -269,7 +269,7 @@ void Canvas::State::write(const std::vector<TextPart>& parts, const std::vector<
     element += ">";
     double x = start.x;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        // textLength: as wide as it was measured, whatever font the reader has.
+        // textLength keeps the measured width, whatever font the reader has.
         element += fmt::format(
             "<tspan x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" "
             "textLength=\"{:.2f}\">{}</tspan>",
@@ -410,7 +410,7 @@ std::string Canvas::svg(std::string_view title, std::string_view description,
     const std::size_t end = text.rfind("</svg>");
     if (start == text.npos || end == text.npos)
         throw Error("plot", "", "an SVG document", "something else");
-    // The texts come last: they are above everything that was drawn.
+    // The texts come last, so that they lie above all shapes.
     return text.substr(0, start + 1) + "\n" + svg_header(title, description, metadata) +
            text.substr(start + 1, end - start - 1) + state_->texts + text.substr(end);
 }

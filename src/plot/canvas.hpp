@@ -1,5 +1,5 @@
-// What plots are drawn on: one drawing code for PNG and SVG (cairo). Lengths are px of a 96 dpi
-// page, y down, angles radians, colours display values.
+// The canvas of all plots: one drawing code for PNG and SVG (cairo). Lengths are px of a 96 dpi
+// page, y points down, angles are in radians, colors are display values.
 #pragma once
 
 #include <map>
@@ -52,7 +52,7 @@ struct TextStyle {
     std::optional<Rgb> halo = {};  // an outline, where text lies on a picture
 };
 
-// Where a data area came to lie, for those who want to read it back: image maps, tests.
+// The place of a data area, by which image maps and tests find it.
 struct DataArea {
     std::size_t row = 0, column = 0;  // of the panel in its figure
     std::string name;
@@ -68,7 +68,7 @@ class Canvas {
     Canvas& operator=(Canvas&&) noexcept;
     ~Canvas();
 
-    // Pixels a px: at which resolution pictures in the plot are to be computed (SVG: 2).
+    // Pixels per px: the resolution at which to compute the pictures inside a plot (SVG: 2).
     double pixel_ratio() const;
 
     void polyline(std::span<const Point> points, const Stroke& stroke);
@@ -85,7 +85,7 @@ class Canvas {
     // special. In SVG it is text, selectable and searchable.
     void text(Point at, std::string_view text, const TextStyle& style);
     double text_width(std::string_view text, const TextStyle& style) const;
-    // As many words a line as fit into `width`, at least one.
+    // Lines of as many words as fit into `width`, at least one word each.
     std::vector<std::string> wrapped(std::string_view text, double width,
                                      const TextStyle& style) const;
 
@@ -93,7 +93,7 @@ class Canvas {
     // they are enlarged, and are averaged where they are made smaller.
     void image(const Box& box, const Image& image);
 
-    // Drawing is kept inside until the returned object goes.
+    // Drawing stays inside the box or circle until the returned object is destroyed.
     class Clip {
       public:
         explicit Clip(Canvas& canvas) : canvas_(&canvas) {}
@@ -111,8 +111,8 @@ class Canvas {
     void mark_area(std::string name, const Box& box);
     const std::vector<DataArea>& areas() const;
 
-    // What was drawn. `metadata`: "burnish:command" and the like become elements of <metadata>;
-    // `title` and `description` what screen readers say.
+    // The drawing. Names of `metadata` such as "burnish:command" become elements of <metadata>.
+    // Screen readers read `title` and `description` aloud.
     Image picture() const;  // RGB
     std::string svg(std::string_view title, std::string_view description,
                     const std::map<std::string, std::string>& metadata);

@@ -16,7 +16,7 @@ struct LightnessChromaHue {
     double L, C, hue_deg;
 };
 
-// Chosen along the edge of the sRGB gamut, a little inside it.
+// Stops along the edge of the sRGB gamut, a little inside it.
 constexpr std::array<LightnessChromaHue, 8> kEmber = {{{0.12, 0.045, 278},
                                                        {0.24, 0.105, 285},
                                                        {0.38, 0.160, 303},
@@ -26,7 +26,7 @@ constexpr std::array<LightnessChromaHue, 8> kEmber = {{{0.12, 0.045, 278},
                                                        {0.84, 0.140, 78},
                                                        {0.97, 0.075, 104}}};
 
-// From the middle outwards; both sides have the same lightness at the same distance.
+// Stops from the middle outwards. Both sides have the same lightness at the same distance.
 constexpr std::array<LightnessChromaHue, 3> kTideBlue = {
     {{0.965, 0.0, 250}, {0.68, 0.115, 250}, {0.38, 0.105, 255}}};
 constexpr std::array<LightnessChromaHue, 3> kTideOrange = {

@@ -33,9 +33,9 @@ Rgb sequential_color(double t);
 // "Tide": blue for negative, near white at 0, orange-brown for positive. t in [-1, 1].
 Rgb diverging_color(double t);
 
-// Colours for lines and bars, darkened where needed to keep a contrast of 3:1 on white: the set of
-// Okabe & Ito ("Color Universal Design", 2008), without its yellow. Beyond the seventh they repeat:
-// tell the lines apart by dashes too (series_dash).
+// Colours for lines and bars, darkened where needed for a contrast of 3:1 on white: the set of
+// Okabe & Ito ("Color Universal Design", 2008), without its yellow. The colors repeat after the
+// seventh, and series_dash tells those lines apart.
 Rgb series_color(std::size_t index);
 
 }  // namespace burnish::plot

@@ -44,7 +44,7 @@ std::vector<Point> sampled_curve(const std::function<double(double)>& f, double 
             const Point a = points[i - 1], b = points[i];
             const Point middle{0.5 * (a.x + b.x), f(0.5 * (a.x + b.x))};
             const double off = std::abs(middle.y - 0.5 * (a.y + b.y));
-            // 1e-6: five decades below the top a logarithmic plot ends.
+            // 1e-6: a logarithmic plot ends five decades below its top.
             const bool bends =
                 off > 2e-3 * most || (off > 0.03 * middle.y && middle.y > 1e-6 * most);
             const bool wide = b.x - a.x > 1e-8 * (high - low);

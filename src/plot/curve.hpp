@@ -1,4 +1,4 @@
-// A function of one number as a polyline that misses no spike it has been told of.
+// A function of one variable as a polyline that misses none of the spikes that the caller names.
 #pragma once
 
 #include <functional>

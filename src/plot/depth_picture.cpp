@@ -35,7 +35,7 @@ DepthPicture::DepthPicture(int width, int height, const Rgb& background)
 
 void DepthPicture::triangle(const Corner& a, const Corner& b, const Corner& c, const Rgb& color) {
     const double area = edge(a.at, b.at, c.at.x, c.at.y);
-    if (!(std::abs(area) > 1e-9)) return;  // seen from its edge: no pixel
+    if (!(std::abs(area) > 1e-9)) return;  // the triangle is seen edge-on and covers no pixel
     const std::array<float, 3> linear = linear_of(color);
     const auto first = [](double v) { return static_cast<int>(std::ceil(std::max(v, 0.0) - 0.5)); };
     const auto last = [](double v, int size) {
@@ -50,7 +50,7 @@ void DepthPicture::triangle(const Corner& a, const Corner& b, const Corner& c, c
             const double px = x + 0.5, py = y + 0.5;
             const double u = edge(b.at, c.at, px, py) / area, v = edge(c.at, a.at, px, py) / area;
             const double w = 1 - u - v;
-            // 1e-9: neighbours leave no gap along their common edge.
+            // 1e-9: neighboring triangles leave no gap along their common edge.
             if (u < -1e-9 || v < -1e-9 || w < -1e-9) continue;
             const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                                    static_cast<std::size_t>(x);

@@ -1,4 +1,4 @@
-// A small picture with a depth buffer: triangles and lines in front of one another as they are.
+// A small picture with a depth buffer: near triangles and lines hide those behind them.
 #pragma once
 
 #include <vector>
@@ -24,8 +24,9 @@ class DepthPicture {
     };
     void triangle(const Corner& a, const Corner& b, const Corner& c, const Rgb& color);
 
-    // `thickness` pixels wide; drawn where it is no deeper than `bias` behind what is there, mixed
-    // in with `opacity`, and then as deep as it is. `on`, `off`: dashes in pixels (0: solid).
+    // A line `thickness` pixels wide. It is drawn where its depth is at most `bias` behind the
+    // depth buffer, is blended by `opacity`, and writes its depth. `on`, `off`: dashes in pixels
+    // (0: solid).
     struct Line {
         Rgb color;
         double thickness = 2;

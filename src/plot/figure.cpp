@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kMargin = 18, kGap = 18;
 constexpr double kRowLabel = 26;                   // width of the column of row labels
-constexpr double kBarWidth = 14, kBarColumn = 92;  // with its numbers and label
+constexpr double kBarWidth = 14, kBarColumn = 92;  // the column includes numbers and label
 constexpr double kLegendLine = 21, kSwatch = 30;
-constexpr double kLeastTextWidth = 380;  // captions of single panels are not squeezed
+constexpr double kLeastTextWidth = 380;  // the caption of a single panel is not squeezed
 constexpr double kMostPixels = 64e6;     // 770 MB while a picture is made
 
 const TextStyle kTitle{.size = 17, .bold = true};
@@ -88,7 +88,7 @@ double place_rows(const Figure& figure, const Canvas& measure, double y, Layout&
             title_lines = std::max(title_lines, p.title.size());
             note_lines = std::max(note_lines, p.note.size());
             placed.panels_height = std::max(placed.panels_height, std::round(panel.height));
-            // Narrower panels stand in the middle of their column.
+            // A panel narrower than its column is centered in it.
             p.box = {std::round(x + (widths[c] - panel.width) / 2), 0, std::round(panel.width),
                      std::round(panel.height)};
             x += widths[c] + kGap;
@@ -155,7 +155,7 @@ void draw_lines(Canvas& canvas, const Lines& lines, Point at, TextStyle style) {
 }
 
 void draw_bar(Canvas& canvas, const ColorBar& bar, const Box& box) {
-    // At least two strips a pixel, so that no step shows.
+    // At least two strips per pixel, so that no step shows.
     const int strips = static_cast<int>(std::lround(2 * canvas.pixel_ratio() * box.height));
     Image ramp(1, std::max(strips, 2), 3);
     for (int y = 0; y < ramp.height; ++y) {
@@ -241,7 +241,7 @@ void draw(Canvas& canvas, const Figure& figure, const Layout& layout) {
 
 Layout checked_layout(const Figure& figure, double pixel_ratio) {
     check(figure);
-    const Layout layout = lay_out(figure);
+    Layout layout = lay_out(figure);
     const double width = layout.width * pixel_ratio, height = layout.height * pixel_ratio;
     if (!(pixel_ratio > 0) || !(std::max(width, height) <= kMostSidePx) ||
         width * height > kMostPixels || std::min(width, height) < 1)

@@ -1,6 +1,6 @@
 // Figures of several panels: plots and pictures in rows, with titles, colour bars, a legend and a
 // caption, written as PNG or SVG. Panels come from plot/panels.hpp, mdf_plot.hpp and brdf_plot.hpp;
-// whoever needs another kind gives a Panel a `draw` of his own.
+// any other kind is a Panel with a `draw` of its own.
 //
 //   Figure figure;
 //   figure.title = "K11 Fig 6";
@@ -27,16 +27,16 @@ struct Panel {
     double width = 260;
     double height = 260;
     std::function<void(Canvas&, const Box&)> draw;  // into the box, axes and their numbers included
-    std::string note;  // below, small, wrapped: what was measured, or what is to be seen
-    double middle =
-        0;  // of title and note: px to the right of the panel's own, for axes at the left
+    std::string note;  // below, small, wrapped: the measured figures, or what to look at
+    // Center of title and note, px to the right of the panel's own center: for axes at the left.
+    double middle = 0;
 };
 
 struct ColorBar {
     Scale scale;
     std::string label;  // "D [1/sr], linear"
     std::optional<double> above =
-        {};                  // values reach up to this, beyond the scale: an arrow says so
+        {};                  // largest value, when it is beyond the scale: drawn as an arrow
     bool diverging = false;  // else sequential
 };
 
@@ -68,15 +68,16 @@ inline constexpr double kMostSidePx = 16384;
 // Throws UsageError for more panels or a larger picture than that, and for a figure without panels.
 struct DrawnFigure {
     Image image;                  // RGB, display values
-    double pixel_ratio = 2;       // pixels a px
-    std::vector<DataArea> areas;  // of the panels, in px, named by those who drew them
+    double pixel_ratio = 2;       // pixels per px
+    std::vector<DataArea> areas;  // of the panels, in px; each panel's `draw` names its own
 };
 DrawnFigure draw_figure(const Figure& figure, double pixel_ratio = 2);
 std::string figure_svg(const Figure& figure, const Metadata& metadata);
 
-// By the ending: .png (pixel_ratio pixels a px, metadata as attributes) or .svg (<metadata>, and
-// title and caption as <title> and <desc>). Whole or not at all. Throws UsageError for other
-// endings and Error for what cannot be written, the latter before anything is drawn.
+// Writes by extension: .png (pixel_ratio pixels per px, metadata as attributes) or .svg
+// (<metadata>, and title and caption as <title> and <desc>). Written whole or not at all. Throws
+// UsageError for other extensions. Throws Error, before anything is drawn, for a path that cannot
+// be written.
 void require_figure_path(const std::filesystem::path& path);
 void write_figure(const Figure& figure, const std::filesystem::path& path, const Metadata& metadata,
                   double pixel_ratio = 2);

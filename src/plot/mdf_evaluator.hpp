@@ -1,4 +1,5 @@
-// One subject made ready for many half vectors. Private to the MDF plots.
+// A distribution under a method and a normal, prepared for many half vectors. Private to the MDF
+// plots.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ class MdfEvaluator {
         return paper_ ? f64::lobe_paper_D(lobe_, perturbation_, h)
                       : f64::lobe_D(lobe_, perturbation_, h);
     }
-    // From the lobe's own sampler.
+    // A half vector from the lobe's own sampler.
     Direction<double> sample(const std::array<double, 3>& xi) const {
         return f64::lobe_sample(lobe_, perturbation_, {xi[0], xi[1]}, xi[2]);
     }
@@ -35,11 +36,11 @@ class MdfEvaluator {
     bool paper_;
 };
 
-// On the disk; z = 0 on the rim and beyond, where the point is drawn in to it.
+// The half vector of a point of the disk. Points beyond the rim move to the rim, where z = 0.
 Direction<double> lifted(double x, double y);
 
-// Half the width of the lobe on the disk, across and along it: what must span a few pixels to be
-// seen. A perturbation squeezes it by n~z (rotations) or up to 1 - |d| (deformations).
+// Half the width of the lobe on the disk, across and along it. A lobe is visible when it spans a
+// few pixels. A perturbation squeezes it by n~z (rotations) or up to 1 - |d| (deformations).
 struct Footprint {
     double narrow, wide;
 };

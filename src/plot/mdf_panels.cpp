@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kDiskLeft = 42, kDiskTop = 6, kDiskRight = 6, kDiskBelow = 27;
 const Rgb kMoved = series_color(0);  // the warped grid
-const Rgb kMove = series_color(1);   // what shows a move
+const Rgb kMove = series_color(1);   // arrows of moves
 
-// A square at whole pixels, whatever the panel.
+// The largest square inside the panel, at whole pixels.
 Box disk_box(const Box& outer) {
     Box box = outer.inset(kDiskLeft, kDiskTop, kDiskRight, kDiskBelow);
     box.width = box.height = std::floor(std::min(box.width, box.height));
@@ -64,7 +64,7 @@ Image colored(const MdfSubject& subject, const Image& values, const Scale& scale
             const double x = 2 * (column + 0.5) / side - 1, y = 1 - 2 * (row + 0.5) / side;
             if (std::hypot(x, y) > 1 + 4.0 / side) continue;
             const float known = *values.at(column, row);
-            // 1e-6: inside the rim, where D is 0 for no reason but h_z = 0.
+            // 1e-6: just inside the rim. On the rim D is 0 because h_z = 0.
             const double value = std::isnan(known)
                                      ? lobe.D(lifted(x * (1 - 1e-6) / std::hypot(x, y),
                                                      y * (1 - 1e-6) / std::hypot(x, y)))
@@ -114,8 +114,8 @@ void draw_point(Canvas& canvas, Point at, Point away, const std::string& label, 
 // The points of K11 Fig 7 for a point p of the original disk.
 struct Concept {
     Point p, p_moved, C, C_moved, R;
-    bool has_rim_point;  // R is a thing of the deformations
-    Point away;          // to where labels may go: away from the moves
+    bool has_rim_point;  // only deformations have R
+    Point away;          // direction for labels: away from the moves
 };
 
 Concept concept_of(const MdfSubject& subject, const Box& box, Point p) {
@@ -148,7 +148,7 @@ void draw_grid_line(Canvas& canvas, const Box& box, const std::vector<Direction<
         const Direction<double> b = line[i];
         const bool visible = b.z >= 0;
         if (i > 0 && visible != (line[i - 1].z >= 0)) {
-            // Where it goes under the horizon.
+            // The line goes below the horizon here.
             const Direction<double> a = line[i - 1];
             const double u = a.z / (a.z - b.z);
             piece.push_back(on_disk(box, lifted(a.x + u * (b.x - a.x), a.y + u * (b.y - a.y))));

@@ -26,7 +26,7 @@ bool above(const Peak& a, const Peak& b) {
     return a.D > b.D;
 }
 
-// From a good start uphill on the disk, in ever smaller steps.
+// Climbs on the disk from a good start, in ever smaller steps.
 Peak climbed(const MdfEvaluator& lobe, Peak best, double step) {
     // 1e-9 of the disk is a thousandth of the narrowest lobe.
     while (step > 1e-9) {
@@ -132,7 +132,7 @@ Image disk_values(const MdfSubject& subject, int side) {
             }
         }
     });
-    // Three texels across its half width: centres then miss no more than a few per cent.
+    // Three texels per half width: the centers of texels then miss the peak by a few per cent.
     if (footprint_of(subject).narrow > 3 * 2.0 / side) return values;
     constexpr int kSamples = 1 << 18;
     const auto hold = [&](Direction<double> h) {
@@ -163,7 +163,7 @@ ColorBar disk_bar(std::span<const MdfSubject> subjects, ScaleKind kind,
     bar.label += kind == ScaleKind::linear  ? ", linear"
                  : kind == ScaleKind::gamma ? fmt::format(", gamma {}", kPlotGamma)
                                             : ", log";
-    // 1.01: what the search for a peak may leave.
+    // 1.01: the search for a peak may end this much below it.
     if (all > 1.01 * top) bar.above = all;
     return bar;
 }

@@ -1,5 +1,5 @@
 // Plots of microfacet distributions under a perturbed normal. Every number comes from
-// shading/mdf.hpp and burnish/f64.hpp; everything is in the unperturbed tangent space.
+// models/mdf.hpp and burnish/f64.hpp. All directions are in the unperturbed tangent space.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace burnish::plot {
 
-// Which of the three numbers of MdfValues is shown.
+// The one of the three values of MdfValues that is shown.
 enum class Normalisation { paper = 0, projected = 1, conserving = 2 };
 std::span<const std::string_view> normalisation_names();  // "paper", "projected", "conserving"
 
@@ -41,20 +41,20 @@ std::string normal_text(Direction<double> n);
 std::string value_text(Mdf mdf, Normalisation normalisation);
 
 // D at the centre of every texel of a square over the disk, h_x = -1..1 to the right, h_y = -1..1
-// upwards; NaN outside. A lobe narrower than a few texels is not lost between them: there a texel
-// holds the largest D that the lobe's own samples find in it.
+// upwards; NaN outside. Where the lobe is narrower than a few texels, a texel holds the largest D
+// that the lobe's own samples find in it, so that the lobe is not lost between texels.
 Image disk_values(const MdfSubject& subject, int side);
 
-// The largest D, found by samples of the lobe and of the disk; and where.
+// The largest D and its half vector, found by samples of the lobe and of the disk.
 struct Peak {
     double D = 0;
     Direction<double> h{0, 0, 1};
 };
 Peak peak_of(const MdfSubject& subject);
 
-// One scale for the panels that are to be compared: 0 (log: 4 decades below) to the largest peak.
-// normal-map, whose peak can lie thousands of times above the others', counts only where it is
-// alone; `above` is then set to what it reaches. `high`: a top chosen by hand.
+// One scale for panels to compare: from 0 (log: 4 decades below) to the largest peak. The peak of
+// normal-map can be thousands of times the others'; it counts only where normal-map is alone, and
+// `above` is otherwise set to it. `high`: a top chosen by hand.
 ColorBar disk_bar(std::span<const MdfSubject> subjects, ScaleKind kind,
                   std::optional<double> high = {});
 
@@ -63,8 +63,7 @@ ColorBar disk_bar(std::span<const MdfSubject> subjects, ScaleKind kind,
 Panel disk_panel(const MdfSubject& subject, const Scale& scale, std::string title,
                  double side = 260);
 
-// ---- the map as a warped grid (K11 Fig 7)
-// ---------------------------------------------------------
+// ---- the map as a warped grid (K11 Fig 7) -------------------------------------------------------
 
 // A line of the polar grid on the disk before and after: `to` is the forward map of `from`.
 struct GridLine {
@@ -72,8 +71,8 @@ struct GridLine {
     std::vector<Direction<double>> to;
 };
 
-// Where the method takes half vector m: the map whose inverse D is evaluated with
-// (perturb_forward). Throws UsageError for normal-map, which is no map.
+// The image of half vector m under the method (perturb_forward). D is evaluated with the inverse of
+// that map. Throws UsageError for normal-map, which is no map.
 Direction<double> forward(const MdfSubject& subject, Direction<double> m);
 std::vector<GridLine> warped_grid(const MdfSubject& subject, int rings = 5, int rays = 24);
 
@@ -82,12 +81,11 @@ std::vector<GridLine> warped_grid(const MdfSubject& subject, int rings = 5, int 
 std::vector<Panel> grid_panels(const MdfSubject& subject, const Scale& scale, Point point,
                                double side = 260);
 
-// ---- profiles
-// -------------------------------------------------------------------------------------
+// ---- profiles -----------------------------------------------------------------------------------
 
 enum class ProfileLine { along_x, along_y };  // through n~, parallel to an axis of the disk
 
-// (h_x or h_y, D) from rim to rim, closer where D bends.
+// The curve (h_x or h_y; D) from rim to rim, denser where D curves.
 std::vector<Point> profile(const MdfSubject& subject, ProfileLine line);
 Panel profile_panel(std::span<const MdfSubject> subjects, std::span<const std::string> labels,
                     ProfileLine line, const Scale& scale, std::string title);

@@ -10,7 +10,7 @@ namespace burnish::plot {
 namespace {
 
 Point placed(const LinePlot& plot, const Box& box, Point p) {
-    // Far outside stays outside without overflowing what cairo can hold.
+    // Points far outside are moved nearer, still outside: cairo's coordinates overflow at 2^23.
     const double x = std::clamp(plot.x.scale.position(p.x), -8.0, 9.0);
     const double y = std::clamp(plot.y.scale.position(p.y), -8.0, 9.0);
     return {box.x + x * box.width, box.bottom() - y * box.height};
@@ -37,8 +37,9 @@ void draw_line(Canvas& canvas, const LinePlot& plot, const Series& line, const B
     flush();
 }
 
-// Where a line leaves through the top: a small arrow in its colour, just inside.
-// `others`: how many have been marked, so that their marks stand beside one another. True: marked.
+// Marks the place where a line leaves at the top by a small arrow in its color, just inside the
+// box. `others`: the number of lines marked before, whose marks stand beside this one. True when
+// marked.
 bool mark_cut(Canvas& canvas, const LinePlot& plot, const Series& line, const Box& box,
               int others) {
     // 1.002: a line that only touches the top is not cut.
@@ -101,36 +102,65 @@ void draw_line_plot(Canvas& canvas, const LinePlot& plot, const Box& outer) {
 
 constexpr double kBarRow = 26, kBarHeight = 15;
 
-void draw_bars(Canvas& canvas, const std::vector<Bar>& bars, const std::string& axis_label,
-               const Box& outer) {
-    double label_width = 0, text_width = 0, most = 0;
-    const auto behind = [](const Bar& bar) {
-        return bar.text.empty() ? number_text(bar.value) : bar.text;
-    };
-    for (const Bar& bar : bars) {
-        label_width = std::max(label_width, canvas.text_width(bar.label, kAxisLabel));
-        text_width = std::max(text_width, canvas.text_width(behind(bar), kAxisNumber));
-        if (std::isfinite(bar.value)) most = std::max(most, bar.value + bar.spread);
-    }
-    const Box box = outer.inset(label_width + 12, 2, text_width + 14, kAxisBelow);
-    const Scale scale = scale_to(ScaleKind::linear, most);
-    draw_x_axis(canvas, box, scale, axis_label, true);
+std::string text_behind(const Bar& bar) {
+    return bar.text.empty() ? number_text(bar.value) : bar.text;
+}
+
+void draw_diamond(Canvas& canvas, Point center, const Rgb& color) {
+    constexpr double kArm = 5;
+    const Point corners[] = {{center.x - kArm, center.y},
+                             {center.x, center.y - kArm},
+                             {center.x + kArm, center.y},
+                             {center.x, center.y + kArm},
+                             {center.x - kArm, center.y}};
+    canvas.polygon(corners, color);
+    canvas.polyline(corners, {.color = kWhite, .width = 1});
+}
+
+// The bar in its row of the axes' box, whose middle is `y`.
+void draw_bar(Canvas& canvas, const BarPlot& plot, const Bar& bar, const Scale& scale,
+              const Box& box, double y) {
     TextStyle label = kAxisLabel, number = kAxisNumber;
     label.align = Align::right;
     label.stand = number.stand = Stand::middle;
-    for (std::size_t i = 0; i < bars.size(); ++i) {
-        const double y = box.y + (static_cast<double>(i) + 0.5) * kBarRow;
-        const double length = std::clamp(scale.position(bars[i].value), 0.0, 1.0) * box.width;
-        const double spread = scale.position(bars[i].spread) * box.width;
-        canvas.rectangle({box.x, y - kBarHeight / 2, length, kBarHeight}, series_color(0));
-        if (bars[i].spread > 0)
-            canvas.line({box.x + length - spread, y}, {box.x + length + spread, y},
-                        {.color = kInk, .width = 1.4});
-        canvas.text({box.x - 8, y}, bars[i].label, label);
-        canvas.text({box.x + length + spread + 6, y}, behind(bars[i]), number);
+    const auto width_of = [&](double value) { return scale.position(value) * box.width; };
+    const double length = std::clamp(width_of(bar.value), 0.0, box.width);
+    const Box area{box.x, y - kBarHeight / 2, length, kBarHeight};
+    canvas.rectangle(area, bar.color);
+    double end = length;
+    if (bar.spread > 0) {
+        const double spread = width_of(bar.spread);
+        canvas.line({box.x + length - spread, y}, {box.x + length + spread, y},
+                    {.color = kInk, .width = 1.4});
+        end += spread;
     }
-    canvas.line({box.x, box.y}, {box.x, box.bottom()}, {.width = 0.8});
+    if (bar.mark) {
+        const double place = std::clamp(width_of(*bar.mark), 0.0, box.width);
+        draw_diamond(canvas, {box.x + place, y}, plot.mark_color);
+        end = std::max(end, place + 5);
+    }
+    canvas.text({box.x - 8, y}, bar.label, label);
+    canvas.text({box.x + end + 6, y}, text_behind(bar), number);
+    canvas.mark_area("bar " + bar.label, area);
+}
+
+void draw_bars(Canvas& canvas, const BarPlot& plot, const Box& outer) {
+    double label_width = 0, text_width = 0, most = plot.most;
+    for (const Bar& bar : plot.bars) {
+        label_width = std::max(label_width, canvas.text_width(bar.label, kAxisLabel));
+        text_width = std::max(text_width, canvas.text_width(text_behind(bar), kAxisNumber));
+        if (plot.most > 0) continue;
+        for (const double value : {bar.value + bar.spread, bar.mark.value_or(0)})
+            if (std::isfinite(value)) most = std::max(most, value);
+    }
+    const Box box = outer.inset(label_width + 12, 2, text_width + 14, kAxisBelow);
+    const Scale scale = scale_to(ScaleKind::linear, most);
+    draw_x_axis(canvas, box, scale, plot.axis_label, true);
     canvas.mark_area("bars", box);
+    for (std::size_t i = 0; i < plot.bars.size(); ++i)
+        draw_bar(canvas, plot, plot.bars[i], scale, box,
+                 box.y + (static_cast<double>(i) + 0.5) * kBarRow);
+    canvas.line({box.x, box.y}, {box.x, box.bottom()}, {.width = 0.8});
 }
 
 }  // namespace
@@ -141,7 +171,7 @@ Panel picture_panel(const Image& image, std::string title, double width) {
     panel.title = std::move(title);
     panel.width = width;
     panel.height = image.width > 0 ? width * image.height / image.width : width;
-    // Shared: a panel is copied with its figure.
+    // Shared, because a panel is copied with its figure.
     panel.draw = [kept = std::make_shared<const Image>(image)](Canvas& canvas, const Box& box) {
         canvas.image(box, *kept);
         canvas.mark_area("picture", box);
@@ -155,6 +185,7 @@ Series series(std::size_t index, std::string label, std::vector<Point> points) {
 
 std::vector<LegendEntry> legend_of(const std::vector<Series>& all) {
     std::vector<LegendEntry> legend;
+    legend.reserve(all.size());
     for (const Series& one : all) legend.push_back({one.label, one.color, one.dash});
     return legend;
 }
@@ -168,11 +199,12 @@ Panel line_panel(LinePlot plot, std::string title, double width, double height) 
     return panel;
 }
 
-Panel bar_panel(std::vector<Bar> bars, std::string axis_label, std::string title, double width) {
-    const double height = kBarRow * static_cast<double>(bars.size()) + 2 + kAxisBelow;
+Panel bar_panel(BarPlot plot, std::string title, double width) {
+    const double height = kBarRow * static_cast<double>(plot.bars.size()) + 2 + kAxisBelow;
     Panel panel{std::move(title), width, height, {}, {}};
-    panel.draw = [bars = std::move(bars), label = std::move(axis_label)](
-                     Canvas& canvas, const Box& box) { draw_bars(canvas, bars, label, box); };
+    panel.draw = [plot = std::move(plot)](Canvas& canvas, const Box& box) {
+        draw_bars(canvas, plot, box);
+    };
     return panel;
 }
 

@@ -1,4 +1,4 @@
-// Panels that know nothing of shading: pictures, lines over an axis, bars.
+// Panels of any data: pictures, lines over an axis, bars.
 #pragma once
 
 #include <optional>
@@ -31,8 +31,7 @@ struct Series {
 Series series(std::size_t index, std::string label, std::vector<Point> points);
 std::vector<LegendEntry> legend_of(const std::vector<Series>& all);
 
-// Lines over an axis. What lies above or below the axes is cut off, and arrows at the edge say
-// where.
+// Lines over an axis. Parts beyond the axes are cut off, and arrows at the edge mark them.
 struct LinePlot {
     Axis x, y;
     std::vector<Series> lines;
@@ -41,14 +40,24 @@ struct LinePlot {
 };
 Panel line_panel(LinePlot plot, std::string title, double width = 380, double height = 280);
 
-// Horizontal bars with their values beside them, from 0.
+// A horizontal bar from 0 with its value beside it.
 struct Bar {
     std::string label;
     double value = 0;
-    double spread = 0;  // half the length of a whisker; 0: none
-    std::string text;   // written behind the bar; empty: the value
+    double spread = 0;      // half the length of a whisker; 0: none
+    std::string text = {};  // written behind the bar; empty: the value
+    Rgb color = series_color(0);
+    std::optional<double> mark = {};  // a second value to compare with, drawn as a diamond
 };
-Panel bar_panel(std::vector<Bar> bars, std::string axis_label, std::string title,
-                double width = 460);
+
+struct BarPlot {
+    std::vector<Bar> bars;
+    std::string axis_label;
+    double most = 0;  // value at the right end of the axis; 0: the largest that is drawn
+    Rgb mark_color = kInk;
+};
+
+// Marks an area "bar LABEL" for each bar, and "bars" for all.
+Panel bar_panel(BarPlot plot, std::string title, double width = 460);
 
 }  // namespace burnish::plot

@@ -1,4 +1,4 @@
-// The polar cut as a panel: half a disk, one line a model.
+// The polar cut as a panel: half a disk, one line per model.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@ namespace burnish::plot {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-// Beyond 85 degrees from the normal models without a bound would set the scale for all.
+// Degrees from the normal. Beyond them an unbounded model would set the scale of all models.
 constexpr double kSeen = 85 * kDegree;
 constexpr double kSide = 30, kTop = 24, kBelow = 40;
 
@@ -59,7 +59,7 @@ void draw_polar_grid(Canvas& canvas, const Half& half, const Scale& scale) {
     canvas.line(half.at(-std::numbers::pi / 2, 1), half.at(std::numbers::pi / 2, 1), {.width = 1});
 }
 
-// Towards the light, in from beyond the lobes.
+// An arrow to the origin from the direction of the light, from outside the lobes.
 void draw_light(Canvas& canvas, const Half& half, double incidence_deg) {
     const Rgb color = series_color(6);
     const double theta = -incidence_deg * kDegree;
@@ -82,7 +82,7 @@ void draw_curve(Canvas& canvas, const Half& half, const Scale& scale,
     line.push_back(half.origin);
     for (const Point& p : curve) {
         const double r = scale.position(p.y);
-        // 4: beyond the rim, which cuts it; and no more than cairo can hold.
+        // 4: beyond the rim, which cuts the line, and within cairo's range of coordinates.
         line.push_back(half.at(p.x, r > 0 ? std::min(r, 4.0) : 0.0));
     }
     line.push_back(half.origin);

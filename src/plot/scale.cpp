@@ -25,7 +25,7 @@ double round_step(double least) {
 }
 
 std::string step_text(double value, double step) {
-    // 1e-9: what adding steps up leaves of a zero.
+    // 1e-9: the rounding error of a sum of steps that should be zero.
     if (std::abs(value) < 1e-9 * step) return "0";
     if (std::abs(value) >= 1e5 || step < 1e-4) return number_text(value);
     int decimals = 0;
@@ -46,7 +46,7 @@ std::vector<Tick> linear_ticks(const Scale& scale, int count) {
     return ticks;
 }
 
-// The linear ones, thinned near the top by what has been placed, and round numbers below them.
+// The ticks of a linear scale, thinned where they crowd near the top, and round numbers below them.
 std::vector<Tick> gamma_ticks(const Scale& scale, int count) {
     const double apart = 0.6 / std::max(count, 1);
     std::vector<double> taken;

@@ -12,7 +12,7 @@ enum class ScaleKind { linear = 0, gamma = 1, log = 2 };
 std::span<const std::string_view> scale_names();  // in the order of the enumeration
 
 // Display gamma of the kind `gamma`: position = (value fraction)^(1/2.2), so that the skirts of a
-// peaked lobe can be seen without the logarithm's flattening.
+// peaked lobe are visible and the peak keeps its shape, which a logarithm flattens.
 inline constexpr double kPlotGamma = 2.2;
 
 struct Tick {
@@ -26,11 +26,11 @@ struct Scale {
     double low = 0;
     double high = 1;
 
-    // 0 at low, 1 at high; beyond them below 0 and above 1 (log of 0: -infinity; NaN stays NaN).
+    // 0 at low, 1 at high; below 0 and above 1 beyond them (log of 0: -infinity; NaN stays NaN).
     double position(double value) const;
     double value(double position) const;
 
-    // About `count` round numbers; log: decades, or every few of them.
+    // About `count` round numbers; log: every decade, or every second, third ... one.
     std::vector<Tick> ticks(int count = 5) const;
 };
 

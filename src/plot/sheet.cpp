@@ -1,28 +1,21 @@
 #include "plot/sheet.hpp"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
-#include <string_view>
-#include <utility>
 
 #include "burnish/error.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
+#include "plot/canvas.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr const char* kDefaultFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                         "DejaVuSans", "DejaVu Sans", ""};
-
-// Lines of a label, in units of the font size: descenders of Latin text reach 0.25 below the
-// baseline, capitals 0.75 above.
+// Height of a line of a label, and the distance from the last baseline to the image, in units of
+// the font size: descenders of Latin text reach 0.25 below the baseline, capitals 0.75 above.
 constexpr double kLineHeight = 1.3;
 constexpr double kDescent = 0.4;
 
@@ -40,88 +33,16 @@ struct Layout {
     int height = 0;
 };
 
-// A font that OpenImageIO can load, or nothing with the reason.
-struct Font {
-    bool found = false;
-    std::string name;
-    std::string error;
-};
-
-Font find_font(const SheetOptions& options) {
-    Font font;
-    const auto try_font = [&](const std::string& name) {
-        const OIIO::ROI size = OIIO::ImageBufAlgo::text_size("Hg", options.font_px, name);
-        font.found = size.defined() && size.width() > 0;
-        font.name = name;
-        if (!font.found && font.error.empty()) font.error = one_line(OIIO::geterror());
-        return font.found;
-    };
-    if (!options.font.empty()) {
-        try_font(options.font);
-        return font;
-    }
-    for (const char* name : kDefaultFonts) {
-        if (try_font(name)) break;
-    }
-    return font;
+int line_height(const SheetOptions& options) {
+    return static_cast<int>(std::lround(kLineHeight * options.font_px));
 }
 
-// OpenImageIO 2.4 misreads UTF-8 here (it looks up tables at negative indices), so that only ASCII
-// may reach it.
-std::string as_ascii(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpelt = {{
-        {"\u00d7", "x"},
-        {"\u00b0", " deg"},
-        {"\u00b1", "+-"},
-        {"\u00b2", "^2"},
-        {"\u03b1", "alpha"},
-        {"\u03b8", "theta"},
-        {"\u03c6", "phi"},
-        {"\u2013", "-"},
-        {"\u2014", "-"},
-        {"\u2212", "-"},
-        {"\u2264", "<="},
-        {"\u2265", ">="},
-    }};
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::string_view rest = text.substr(at);
-        const auto* spelt = std::find_if(kSpelt.begin(), kSpelt.end(), [&](const auto& sign) {
-            return rest.starts_with(sign.first);
-        });
-        const auto byte = static_cast<unsigned char>(rest.front());
-        if (spelt != kSpelt.end()) {
-            result += spelt->second;
-            at += spelt->first.size();
-            continue;
-        }
-        // One mark a character: the bytes that continue it are passed over.
-        if (byte < 0x80) result += rest.front();
-        if (byte >= 0xC0) result += '?';
-        ++at;
-    }
-    return one_line(result);
+plot::TextStyle text_style(const SheetOptions& options) {
+    return {.size = static_cast<double>(options.font_px), .color = plot::kBlack};
 }
 
-int text_width(const std::string& text, const Font& font, int font_px) {
-    if (!font.found || text.empty()) return 0;
-    const OIIO::ROI size = OIIO::ImageBufAlgo::text_size(text, font_px, font.name);
-    return size.defined() ? std::max(size.xend, 0) : 0;
-}
-
-// As many words a line as fit into `width`, at least one.
-Lines wrapped(const std::string& label, int width, const Font& font, int font_px) {
-    Lines lines;
-    std::istringstream words(label);
-    for (std::string word; words >> word;) {
-        const std::string longer = lines.empty() ? word : lines.back() + " " + word;
-        if (!lines.empty() && text_width(longer, font, font_px) <= width) {
-            lines.back() = longer;
-        } else {
-            lines.push_back(word);
-        }
-    }
-    return lines;
+int text_width(const plot::Canvas& measure, const std::string& text, const SheetOptions& options) {
+    return static_cast<int>(std::ceil(measure.text_width(text, text_style(options))));
 }
 
 std::vector<int> widths_of_images(const Rows& rows) {
@@ -135,10 +56,10 @@ std::vector<int> widths_of_images(const Rows& rows) {
     return widths;
 }
 
-Layout lay_out(const Rows& rows, const SheetOptions& options, const Font& font) {
+Layout lay_out(const Rows& rows, const SheetOptions& options) {
+    const plot::Canvas measure = plot::Canvas::for_picture(1, 1, 1);
     Layout layout;
     std::vector<int> widths = widths_of_images(rows);
-    const int line_px = static_cast<int>(std::lround(kLineHeight * options.font_px));
     std::int64_t x = options.padding_px, y = options.padding_px;
     for (const std::vector<SheetCell>& row : rows) {
         std::vector<Lines>& labels = layout.labels.emplace_back();
@@ -146,14 +67,14 @@ Layout lay_out(const Rows& rows, const SheetOptions& options, const Font& font) 
         int height = 0;
         for (std::size_t column = 0; column < row.size(); ++column) {
             const int room = std::max(widths[column], kLeastLabelWidth * options.font_px);
-            labels.push_back(wrapped(as_ascii(row[column].label), room, font, options.font_px));
+            labels.push_back(measure.wrapped(row[column].label, room, text_style(options)));
             for (const std::string& line : labels.back()) {
-                widths[column] = std::max(widths[column], text_width(line, font, options.font_px));
+                widths[column] = std::max(widths[column], text_width(measure, line, options));
             }
             lines = std::max(lines, labels.back().size());
             height = std::max(height, row[column].image.height);
         }
-        y += static_cast<std::int64_t>(lines) * line_px;
+        y += static_cast<std::int64_t>(lines) * line_height(options);
         layout.image_y.push_back(static_cast<int>(y));
         y += height + options.padding_px;
         check_image_size(1, y, "contact sheet");
@@ -168,22 +89,35 @@ Layout lay_out(const Rows& rows, const SheetOptions& options, const Font& font) 
     return layout;
 }
 
-// Writes the lines above `image_y`, the last one nearest to it. False when nothing can be drawn.
-bool draw_label(OIIO::ImageBuf& canvas, const Lines& lines, int x, int image_y,
-                const SheetOptions& options, const Font& font) {
-    if (lines.empty()) return true;
-    if (!font.found) return false;
-    const std::array<float, 3> color = {options.text, options.text, options.text};
-    double baseline = image_y - kDescent * options.font_px;
-    bool drawn = true;
+// The lines in black on white, the last one nearest to the lower edge.
+Image label_picture(const Lines& lines, const SheetOptions& options) {
+    const plot::Canvas measure = plot::Canvas::for_picture(1, 1, 1);
+    int width = 1;
+    for (const std::string& line : lines)
+        width = std::max(width, text_width(measure, line, options));
+    const int height = static_cast<int>(lines.size()) * line_height(options);
+    plot::Canvas canvas = plot::Canvas::for_picture(width, height, 1);
+    double baseline = height - kDescent * options.font_px;
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-        drawn = OIIO::ImageBufAlgo::render_text(canvas, x, static_cast<int>(std::lround(baseline)),
-                                                *line, options.font_px, font.name,
-                                                OIIO::cspan<float>(color)) &&
-                drawn;
+        canvas.text({0, std::round(baseline)}, *line, text_style(options));
         baseline -= kLineHeight * options.font_px;
     }
-    return drawn;
+    return canvas.picture();
+}
+
+// Writes the lines above `image_y`.
+void draw_label(Image& sheet, const Lines& lines, int left, int image_y,
+                const SheetOptions& options) {
+    if (lines.empty()) return;
+    const Image label = label_picture(lines, options);
+    const int top = image_y - label.height;
+    for (int y = std::max(0, -top); y < label.height; ++y) {
+        for (int x = 0; x < std::min(label.width, sheet.width - left); ++x) {
+            const float coverage = 1.0f - label.at(x, y)[0];
+            float* target = sheet.at(left + x, top + y);
+            for (int c = 0; c < 3; ++c) target[c] += coverage * (options.text - target[c]);
+        }
+    }
 }
 
 void paste(const Image& from, Image& sheet, int left, int top, float background) {
@@ -244,27 +178,16 @@ float largest_difference(const float* a, const float* b, int colors) {
 
 }  // namespace
 
-Sheet compose_sheet(const Rows& rows, const SheetOptions& options) {
-    const Font font = find_font(options);
-    const Layout layout = lay_out(rows, options, font);
+Image compose_sheet(const Rows& rows, const SheetOptions& options) {
+    const Layout layout = lay_out(rows, options);
     check_image_size(layout.width, layout.height, "contact sheet");
-    Sheet sheet;
-    sheet.image = Image(layout.width, layout.height, 3, options.background);
-    // The buffer draws into the pixels of the sheet.
-    OIIO::ImageBuf canvas(OIIO::ImageSpec(layout.width, layout.height, 3, OIIO::TypeFloat),
-                          sheet.image.pixels.data());
-    bool labelled = true;
+    Image sheet(layout.width, layout.height, 3, options.background);
     for (std::size_t row = 0; row < rows.size(); ++row) {
         for (std::size_t column = 0; column < rows[row].size(); ++column) {
             const int x = layout.column_x[column], y = layout.image_y[row];
-            paste(rows[row][column].image, sheet.image, x, y, options.background);
-            labelled =
-                draw_label(canvas, layout.labels[row][column], x, y, options, font) && labelled;
+            paste(rows[row][column].image, sheet, x, y, options.background);
+            draw_label(sheet, layout.labels[row][column], x, y, options);
         }
-    }
-    if (!labelled) {
-        sheet.warning = "contact sheet without labels: no font could be loaded (install " +
-                        std::string("fonts-dejavu-core): ") + font.error;
     }
     return sheet;
 }

@@ -1,4 +1,4 @@
-// Pictures of pictures: labelled contact sheets and difference images, for comparing by eye.
+// Contact sheets of labeled pictures, and difference images, for comparison by eye.
 #pragma once
 
 #include <string>
@@ -18,23 +18,17 @@ struct SheetCell {
 struct SheetOptions {
     int padding_px = 12;  // around and between the cells
     int font_px = 16;
-    float background = 0.16f;  // display values: neutral and dark, so that it does not sway the eye
+    float background = 0.16f;  // display values: neutral and dark, so that it does not bias the eye
     float text = 0.86f;
-    std::string font = {};  // a file or a name; empty: DejaVu Sans, then whatever the system has
 };
 
-struct Sheet {
-    Image image;          // RGB, display values
-    std::string warning;  // one line when labels could not be drawn (no font), else empty
-};
-
-// Rows may differ in length; columns are as wide as their widest image (or word of a label), rows
-// as high as their highest image. Labels are ASCII: a few signs are spelt out ("alpha", "x",
-// "deg"), others become "?". Throws Error when the sheet would be larger than an image may be.
-Sheet compose_sheet(const std::vector<std::vector<SheetCell>>& rows,
+// RGB, display values. Rows may differ in length; columns are as wide as their widest image (or
+// word of a label), rows as high as their highest image. Labels are UTF-8, marked up as
+// Canvas::text says. Throws Error when the sheet would be larger than an image may be.
+Image compose_sheet(const std::vector<std::vector<SheetCell>>& rows,
                     const SheetOptions& options = {});
 
-// Where and how much `b` differs from `a` (same size; display values): black where they agree,
+// The difference of `b` from `a` (same size; display values): black where they agree,
 // through orange to pale yellow where b is brighter, through blue to pale cyan where it is darker;
 // the full colour is reached at a difference of 1/gain. Of the three channels the one that differs
 // most counts, so that a shift of hue shows too. Alpha is ignored; NaN in either shows magenta.

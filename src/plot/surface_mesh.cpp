@@ -15,7 +15,7 @@ using Vec = Direction<double>;
 constexpr std::size_t kRings = 220, kSectors = 180;
 // First ring at 0.06 degrees, the width of the narrowest lobe; the last at 3.7 from the others.
 constexpr double kCrowding = 5;
-// Directions on the rim of the hemisphere stand a little above it: below, f is 0.
+// Height above the horizon of directions on the rim of the hemisphere: below the horizon f is 0.
 constexpr double kRim = 1e-6;
 
 class Builder {
@@ -70,7 +70,8 @@ class Builder {
         for (Vec& n : mesh.normals)
             if (!make_unit(n)) n = {0, 0, 1};
     }
-    // Rings that lie apart on the surface, and spokes every 16 degrees from the first of them on.
+    // Rings at a distance from each other on the surface, and spokes every 16 degrees from the
+    // first ring outwards.
     void lines() {
         const std::vector<std::size_t> rings = rings_apart();
         for (std::size_t s = 0; s < kSectors && !rings.empty(); s += 8) {
@@ -93,7 +94,7 @@ class Builder {
     SurfaceMesh mesh;
 
   private:
-    // Each on the mean a twelfth of the largest radius from the one before.
+    // The mean distance between rings is a twelfth of the largest radius.
     std::vector<std::size_t> rings_apart() const {
         std::vector<std::size_t> rings;
         const auto apart = [&](std::size_t r, std::size_t s) {

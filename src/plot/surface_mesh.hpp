@@ -11,7 +11,7 @@ namespace burnish::plot {
 
 struct SurfaceMesh {
     std::vector<Direction<double>> points;   // direction times scaled f: length 0..1
-    std::vector<Direction<double>> normals;  // unit, outwards of no particular side
+    std::vector<Direction<double>> normals;  // unit; the side is arbitrary
     std::vector<std::array<std::size_t, 3>> triangles;
     std::vector<std::vector<std::size_t>> lines;  // of points: rings and spokes to draw on it
 };

@@ -1,4 +1,4 @@
-// The lobe over the hemisphere, drawn with a depth buffer; letters are set on top of it.
+// The lobe over the hemisphere, drawn with a depth buffer. Letters are drawn over it.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,9 +14,9 @@ namespace {
 using Vec = Direction<double>;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr int kFiner = 2;  // pixels of the depth buffer a pixel of the plot
+constexpr int kFiner = 2;  // pixels of the depth buffer per pixel of the plot, along each axis
 constexpr double kAxisLength = 1.18;
-// Half the width of what is seen; room for the letters.
+// Half the width of the view, with room for the letters.
 constexpr double kHalfView = 1.32, kLetter = 0.13;
 const Rgb kLobe{0.36, 0.60, 0.86};
 const Rgb kGround{0.925, 0.925, 0.94};
@@ -33,8 +33,8 @@ class View {
         right_ = {-std::sin(azimuth), std::cos(azimuth), 0};
         up_ = cross(towards_, right_);
     }
-    // What is seen above and below the origin, in units of the tangent plane's radius: the axes,
-    // and the lobe, which is no longer than they are.
+    // The extent of the view above and below the origin, in units of the tangent plane's radius:
+    // the axes, and the lobe, which is no longer than the axes.
     double above() const { return kAxisLength * std::max(up_.z, towards_.z) + kLetter; }
     double below() const { return kAxisLength * towards_.z + kLetter; }
     double height() const { return (above() + below()) / (2 * kHalfView) * width_; }
@@ -73,7 +73,7 @@ void draw_ground(DepthPicture& picture, const View& view, double pixel) {
 }
 
 void draw_lobe(DepthPicture& picture, const View& view, const SurfaceMesh& mesh, double pixel) {
-    // From over the viewer's left shoulder; a lobe is thin, so that both its sides are lit.
+    // Light from over the viewer's left shoulder. A lobe is thin, so both sides are lit.
     Vec lamp = view.towards() + view.up() * 0.8 - view.right() * 0.6;
     make_unit(lamp);
     const auto corner = [&](std::size_t i) {
@@ -90,13 +90,13 @@ void draw_lobe(DepthPicture& picture, const View& view, const SurfaceMesh& mesh,
             picture.line(view(mesh.points[line[i - 1]]), view(mesh.points[line[i]]), style);
 }
 
-// A line with a cone-like head at `to`.
+// A line with a cone at `to`.
 void draw_arrow(DepthPicture& picture, const View& view, Vec from, Vec to,
                 const DepthPicture::Line& style, double pixel) {
     const DepthPoint a = view(from), b = view(to);
     picture.line(a, b, style);
     const double length = std::hypot(b.x - a.x, b.y - a.y);
-    if (length < 8 * pixel) return;  // it points at the viewer
+    if (length < 8 * pixel) return;  // the arrow points at the viewer
     const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
     const double head = 9 * pixel, half = 3.4 * pixel;
     const double depth = b.depth + 0.002;

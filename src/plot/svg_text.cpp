@@ -7,7 +7,7 @@ namespace burnish::plot {
 namespace {
 
 // Length of the UTF-8 character at the start of `text`; 0 when there is none. Overlong forms,
-// surrogates and what lies beyond U+10FFFF are none.
+// surrogates and codes above U+10FFFF are not characters.
 std::size_t character_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);

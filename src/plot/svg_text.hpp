@@ -1,4 +1,4 @@
-// Text as XML, and UTF-8 that can be trusted. Private to the canvas.
+// Text as XML, and valid UTF-8 from any bytes. Private to the canvas.
 #pragma once
 
 #include <map>
@@ -11,10 +11,10 @@ namespace burnish::plot {
 // Bytes that are no UTF-8 become U+FFFD, control characters spaces.
 std::string valid_utf8(std::string_view text);
 
-// The same, fit for an attribute or the text of an element.
+// The same, escaped for an attribute or the text of an element.
 std::string xml_escaped(std::string_view text);
 
-// "h_{x}" taken apart: level 0 on the line, 1 raised, -1 lowered.
+// A part of a text such as "h_{x}": level 0 on the line, 1 raised, -1 lowered.
 struct TextPart {
     std::string text;
     int level = 0;

@@ -1,15 +1,18 @@
-// Includes go downwards only (docs/develop/architecture.md): the includes of our own headers in every file of
-// src/, papers/, bench/frame/ and include/ are checked against what the layer of the file may include.
+// The map of the tree. build/<preset>/layers.txt holds the layers that CMake links, a line each:
+// "<layer>: <layers that it may include>". The includes of our own headers and the picture in the
+// page on architecture are held against that list.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "support/paths.hpp"
 
@@ -18,37 +21,89 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// From top to bottom: a layer may include itself and what its line names, which is what
-// src/<layer>/CMakeLists.txt links.
-using Layers = std::map<std::string, std::set<std::string>>;
+using Graph = std::map<std::string, std::set<std::string>>;  // from each node to those below it
 
-Layers layers() {
-    const Layers below = {
-        {"core", {}},
-        {"image", {"core"}},
-        {"models", {"core"}},
-        {"maps", {"image", "models"}},
-        {"scene", {"maps"}},
-        {"formats", {"scene"}},
-        {"stage", {"formats"}},
-        {"fit", {"scene"}},
-        {"gpu", {"scene"}},
-        {"capture", {"formats", "fit"}},
-        {"plot", {"scene"}},
-        {"export", {"formats", "fit"}},
-        {"jobs", {"stage", "gpu", "capture", "plot", "export"}},
-        {"frame", {"jobs"}},
-        {"papers", {"frame"}},
-        {"cli", {"papers"}},
-    };
-    Layers all;
-    const std::function<void(const std::string&, std::set<std::string>&)> add =
-        [&](const std::string& layer, std::set<std::string>& to) {
-            to.insert(layer);
-            for (const std::string& lower : below.at(layer)) add(lower, to);
-        };
-    for (const auto& [layer, lower] : below) add(layer, all[layer]);
+Graph linked_layers() {
+    std::ifstream in(test::build_folder() / "layers.txt");
+    Graph graph;
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t colon = line.find(':');
+        if (colon == line.npos) continue;
+        std::istringstream names(line.substr(colon + 1));
+        std::set<std::string>& below = graph[line.substr(0, colon)];
+        for (std::string name; names >> name;) below.insert(name);
+    }
+    return graph;
+}
+
+// The nodes of `graph` from top to bottom, each before all that lie below it; nodes of one height
+// by name. Empty when the graph has a circle.
+std::vector<std::string> from_top_to_bottom(Graph graph) {
+    std::vector<std::string> order;
+    while (!graph.empty()) {
+        std::set<std::string> tops;
+        for (const auto& [node, below] : graph) tops.insert(node);
+        for (const auto& [node, below] : graph)
+            for (const std::string& name : below) tops.erase(name);
+        if (tops.empty()) return {};
+        for (const std::string& node : tops) {
+            order.push_back(node);
+            graph.erase(node);
+        }
+    }
+    return order;
+}
+
+// What each layer may include: itself and all that lie below it.
+Graph may_include() {
+    Graph all;
+    const Graph linked = linked_layers();
+    std::vector<std::string> order = from_top_to_bottom(linked);
+    std::reverse(order.begin(), order.end());
+    for (const std::string& layer : order) {
+        all[layer] = {layer};
+        for (const std::string& below : linked.at(layer))
+            all[layer].insert(all[below].begin(), all[below].end());
+    }
     return all;
+}
+
+// The picture of the page: a line a layer, from top to bottom, with the layers that it links.
+std::string drawn(const Graph& graph) {
+    std::string text;
+    for (const std::string& layer : from_top_to_bottom(graph)) {
+        std::string line = layer;
+        if (!graph.at(layer).empty()) {
+            line.resize(std::max<std::size_t>(line.size(), 8), ' ');
+            line += " ->";
+            for (const std::string& below : graph.at(layer)) line += " " + below;
+        }
+        text += line + "\n";
+    }
+    return text;
+}
+
+bool is_source(const fs::path& path) {
+    return path.extension() == ".cpp" || path.extension() == ".hpp";
+}
+
+fs::path architecture_page() {
+    const fs::path docs = test::source_folder() / "docs";
+    const fs::path page = docs / "develop/architecture.md";
+    return fs::exists(page) ? page : docs / "architecture.md";
+}
+
+// The block of a page that starts with a line of ``` and `kind`.
+std::string block_of(const fs::path& page, const std::string& kind) {
+    std::ifstream in(page);
+    std::string text;
+    bool inside = false;
+    for (std::string line; std::getline(in, line);) {
+        if (inside && line.starts_with("```")) break;
+        if (inside) text += line + "\n";
+        inside = inside || line == "```" + kind;
+    }
+    return text;
 }
 
 // The layer of each public header: it may include what that layer may, and only that layer and
@@ -69,20 +124,56 @@ std::string layer_of_include(const std::string& folder, const std::string& name)
 
 void check_includes(const fs::path& file, const std::string& layer) {
     static const std::regex include(R"(^\s*#include\s+\"([a-z]+)/([^\"]*)\")");
-    static const Layers may_include = layers();
-    ASSERT_TRUE(may_include.contains(layer)) << file;
+    static const Graph allowed = may_include();
+    ASSERT_TRUE(allowed.contains(layer)) << file;
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);) {
         std::smatch match;
         if (!std::regex_search(line, match, include) || match[1] == "shading") continue;
         const std::string of = layer_of_include(match[1], match[2]);
-        EXPECT_TRUE(may_include.at(layer).contains(of))
+        EXPECT_TRUE(allowed.at(layer).contains(of))
             << file << " includes " << match[1] << "/" << match[2];
     }
 }
 
-bool is_source(const fs::path& path) {
-    return path.extension() == ".cpp" || path.extension() == ".hpp";
+TEST(Layers, HaveNoCircle) {
+    const Graph linked = linked_layers();
+    EXPECT_GE(linked.size(), 14u) << "layers.txt of the build folder";
+    EXPECT_EQ(from_top_to_bottom(linked).size(), linked.size());
+    EXPECT_TRUE(from_top_to_bottom({{"a", {"b"}}, {"b", {"a"}}}).empty());  // the test sees one
+}
+
+TEST(Layers, AreThoseOfThePage) {
+    EXPECT_EQ(block_of(architecture_page(), "layers"), drawn(linked_layers()))
+        << architecture_page() << ": the block that starts with ```layers";
+}
+
+// Sub-folders of a layer form no circle. Files that lie in the layer's own folder are the face of
+// the whole layer and do not count.
+TEST(Layers, FoldersOfALayerHaveNoCircle) {
+    const std::regex include(R"(^\s*#include\s+\"([a-z]+)/([a-z]+)/[^\"]*\")");
+    const fs::path root = test::source_folder() / "src";
+    std::map<std::string, Graph> folders;  // by layer
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+        const fs::path path = fs::relative(entry.path(), root);
+        if (!is_source(path) || std::distance(path.begin(), path.end()) < 3) continue;
+        const std::string layer = path.begin()->string();
+        const std::string folder = std::next(path.begin())->string();
+        std::set<std::string>& below = folders[layer][folder];
+        std::ifstream in(entry.path());
+        for (std::string line; std::getline(in, line);) {
+            std::smatch match;
+            if (std::regex_search(line, match, include) && match[1] == layer && match[2] != folder)
+                below.insert(match[2]);
+        }
+    }
+    EXPECT_GE(folders.size(), 5u);
+    for (const auto& [layer, graph] : folders) {
+        std::string edges;
+        for (const auto& [folder, below] : graph)
+            for (const std::string& name : below) edges += folder + " -> " + name + "\n";
+        EXPECT_EQ(from_top_to_bottom(graph).size(), graph.size()) << layer << ":\n" << edges;
+    }
 }
 
 TEST(Layers, IncludesGoDownwardsOnly) {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "burnish/error.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 #include "image/image_io.hpp"
 #include "support/paths.hpp"
 #include "support/samples.hpp"

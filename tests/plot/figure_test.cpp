@@ -156,7 +156,7 @@ TEST(BarPanel, LengthsAreValues) {
     std::vector<Bar> bars(3);
     bars[0].value = 1;
     bars[1].value = 0.5;
-    figure.rows = {{"", {bar_panel(bars, "ms", "title")}}};
+    figure.rows = {{"", {bar_panel({bars, "ms"}, "title")}}};
     const DrawnFigure drawn = draw_figure(figure, 1);
     const Box box = drawn.areas.at(0).box;
     const auto length = [&](int row) {

@@ -86,13 +86,12 @@ TEST(Svg, EveryKindOfPanelIsXml) {
     const Scale scale = scale_to(ScaleKind::log, 7.5);
     Figure figure;
     figure.rows.push_back({"", grid_panels(s, scale, {-0.25, 0.45})});
-    figure.rows.push_back(
-        {"",
-         {profile_panel(subjects, labels, ProfileLine::along_x, scale, "p"),
-          polar_panel({brdfs, 45, 0, {}, ScaleKind::log, {}}, "polar"),
-          surface_panel(brdf, 45, 0, ScaleKind::linear, {}, "surface"),
-          albedo_panel(brdfs, 0, "albedo"),
-          bar_panel({{.label = "bar", .value = 3, .spread = 0, .text = ""}}, "ms", "bars")}});
+    figure.rows.push_back({"",
+                           {profile_panel(subjects, labels, ProfileLine::along_x, scale, "p"),
+                            polar_panel({brdfs, 45, 0, {}, ScaleKind::log, {}}, "polar"),
+                            surface_panel(brdf, 45, 0, ScaleKind::linear, {}, "surface"),
+                            albedo_panel(brdfs, 0, "albedo"),
+                            bar_panel({{{.label = "bar", .value = 3}}, "ms"}, "bars")}});
     const std::string texts = texts_of(parse_xml(figure_svg(figure, {})));
     for (const char* label : {"original D", "C\u2032", "p\u2032", "R", "light", "surface", "albedo",
                               "angle of incidence", "f [1/sr], log", "60\u00b0", "bar"})

@@ -8,6 +8,10 @@ std::filesystem::path source_folder() {
     return BURNISH_SOURCE_DIR;
 }
 
+std::filesystem::path build_folder() {
+    return std::filesystem::path(BURNISH_PROGRAM).parent_path().parent_path();
+}
+
 const char* program_path() {
     return BURNISH_PROGRAM;
 }

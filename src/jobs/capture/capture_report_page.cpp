@@ -7,47 +7,12 @@
 #include "core/text.hpp"
 #include "core/version.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
-#include "jobs/html_text.hpp"
 #include "jobs/info/info_scene.hpp"
+#include "plot/html.hpp"
 
 namespace burnish::report {
 
 namespace {
-
-constexpr const char* kHead = R"(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Burnish: a capture</title>
-<style>
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 80rem; margin: 2rem auto; padding: 0 1rem; color: #1c1c1c; background: #fff; }
-h1, h2, h3 { line-height: 1.2; }
-section { border-top: 1px solid #ccc; padding: 1rem 0 2rem; }
-img { max-width: 100%; height: auto; }
-pre { background: #f4f4f2; padding: .75rem; overflow-x: auto; font-size: .85rem; white-space: pre-wrap; }
-table { border-collapse: collapse; }
-.numbers th, .numbers td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px solid #ddd; }
-.numbers td.n { text-align: right; font-variant-numeric: tabular-nums; }
-.cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(24rem, 1fr)); gap: 1.5rem; }
-figure { margin: 0; }
-figcaption { font-size: .9rem; }
-.swatch { display: inline-block; width: .9em; height: .9em; border-radius: .2em; vertical-align: -.08em; margin-right: .4em; }
-.shots { width: 100%; table-layout: fixed; margin-bottom: 2rem; }
-.shots th, .shots td { padding: .2rem; text-align: center; vertical-align: top; font-weight: 400; }
-.shots th { font-weight: 600; }
-.shots img { width: 100%; image-rendering: pixelated; }
-.notes { background: #fbf3d9; padding: .5rem 1rem .5rem 2rem; }
-</style>
-</head>
-<body>
-)";
-
-std::string picture(const std::string& file, const std::string& alt, int width_px = 0) {
-    const std::string width = width_px > 0 ? fmt::format(" width=\"{}\"", width_px) : "";
-    return fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"{2}></a>", file,
-                       escaped_html(alt), width);
-}
 
 std::string percent(double share) {
     return fmt::format("{:.0f} %", 100.0 * share);
@@ -75,7 +40,7 @@ std::string stack_section(const Page& page) {
                     m.grid.azimuths,
                     m.eta > 0 ? fmt::format("index {:.3g}", m.eta) : std::string("no Fresnel")));
     text += "</table>\n<pre>" + escaped_html(page.rig_text) + "</pre>\n";
-    text += "<p>" + picture(page.coverage, "half vectors on a disc of tilt and azimuth", 456) +
+    text += "<p>" + html_picture(page.coverage, "half vectors on a disc of tilt and azimuth", 456) +
             "</p>\n";
     return text + fmt::format(
                       "<p>Tilt from the normal grows evenly from the centre, 0, to the rim, 90 "
@@ -93,7 +58,7 @@ std::string exemplar_card(const ExemplarEntry& e) {
         "</span><strong>Exemplar {}</strong>, {:.3g} % of the texels. Nearest GGX: alpha {:.3f} "
         "along, {:.3f} across the groove, which is at {:.0f} degrees in the table; {:.2f} away. "
         "Of the hemisphere {} measured, {} completed, {} extrapolated.</figcaption></figure>\n",
-        picture(e.picture, fmt::format("exemplar {} as measured and completed", e.index)),
+        html_picture(e.picture, fmt::format("exemplar {} as measured and completed", e.index)),
         byte(e.color.r), byte(e.color.g), byte(e.color.b), e.index, 100 * e.share,
         e.lobe.alpha_along, e.lobe.alpha_across, e.lobe.groove * 180 / std::numbers::pi,
         e.lobe.residual, percent(e.known[2]), percent(e.known[1]), percent(e.known[0]));
@@ -131,7 +96,7 @@ std::string map_section(const Page& page) {
     for (const MapEntry& map : page.maps)
         text += fmt::format(
             "<figure>{}\n<figcaption><strong>{}.</strong> {}</figcaption></figure>\n",
-            picture(map.picture, map.title), escaped_html(map.title), escaped_html(map.text));
+            html_picture(map.picture, map.title), escaped_html(map.title), escaped_html(map.text));
     return text + "</div>\n</section>\n";
 }
 
@@ -146,7 +111,7 @@ std::string light_table(const LightEntry& light) {
     text += "</tr>\n<tr>";
     for (const Shot& shot : light.shots)
         text += fmt::format("<td>{}{}</td>",
-                            picture(shot.picture, light.rank + " light, " + shot.title),
+                            html_picture(shot.picture, light.rank + " light, " + shot.title),
                             shot.difference.empty() ? std::string("<br>as photographed")
                                                     : fmt::format("<br>{:.1f} dB", shot.psnr));
     text += "</tr>\n<tr>";
@@ -155,7 +120,7 @@ std::string light_table(const LightEntry& light) {
                 (shot.difference.empty()
                      ? std::string("differences: orange too bright, blue too dark, white none; "
                                    "full colour at 25 % of white")
-                     : picture(shot.difference, shot.title + " minus real")) +
+                     : html_picture(shot.difference, shot.title + " minus real")) +
                 "</td>";
     return text + "</tr>\n</table>\n";
 }
@@ -188,17 +153,16 @@ std::string render_section(const Page& page) {
         escaped_html(page.device));
     for (const auto& [what, file] : page.renderings)
         text += fmt::format("<figure>{}\n<figcaption>{}</figcaption></figure>\n",
-                            picture(file, "the material on " + what), escaped_html(what));
+                            html_picture(file, "the material on " + what), escaped_html(what));
     return text + "</div>\n</section>\n";
 }
 
 }  // namespace
 
 std::string page_html(const Page& page) {
-    std::string text = kHead;
-    text += fmt::format("<h1>{}</h1>\n<p>Made by Burnish {} with <code>{}</code>.</p>\n",
-                        escaped_html(page.request->material.filename().string()), version(),
-                        escaped_html(page.request->command));
+    std::string text = fmt::format("<h1>{}</h1>\n<p>Made by Burnish {} with <code>{}</code>.</p>\n",
+                                   escaped_html(page.request->material.filename().string()),
+                                   version(), escaped_html(page.request->command));
     for (const auto& [name, value] : page.material->metadata)
         text +=
             fmt::format("<p>{}: <code>{}</code></p>\n", escaped_html(name), escaped_html(value));
@@ -209,7 +173,7 @@ std::string page_html(const Page& page) {
     }
     text += stack_section(page) + exemplar_section(page) + map_section(page);
     text += comparison_section(page) + render_section(page);
-    return text + "</body>\n</html>\n";
+    return html_page("Burnish: a capture", text);
 }
 
 }  // namespace burnish::report

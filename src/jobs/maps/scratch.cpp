@@ -158,9 +158,7 @@ ScratchReport make_scratch_maps(const ScratchRequest& request, const Progress& p
                                                         request.output));
                       }});
     others.push_back({request.output / "preview.png", [&](const fs::path& path) {
-                          const Sheet sheet = scratch_preview(maps);
-                          if (!sheet.warning.empty()) report.warnings.push_back(sheet.warning);
-                          write_image(path, sheet.image, metadata);
+                          write_image(path, scratch_preview(maps), metadata);
                       }});
     report.written =
         write_map_folder(request.output, std::move(others),

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "jobs/maps/map_preview.hpp"
+#include "plot/sheet.hpp"
 
 namespace burnish {
 
@@ -78,7 +79,7 @@ void grey(float value, float* rgb) {
 
 }  // namespace
 
-Sheet scratch_preview(const ScratchMaps& maps) {
+Image scratch_preview(const ScratchMaps& maps) {
     const int side = std::min(kSide, maps.size);
     // Beside the middle, where a full face has its singular point.
     const int corner = (maps.size - side) / 4;

@@ -196,9 +196,7 @@ WeaveReport make_weave_maps(const WeaveRequest& request, const Progress& progres
                           write_text_file(path, wif_text(settings.draft));
                       }});
     others.push_back({request.output / "preview.png", [&](const fs::path& path) {
-                          const Sheet sheet = weave_preview(maps, settings);
-                          if (!sheet.warning.empty()) report.warnings.push_back(sheet.warning);
-                          write_image(path, sheet.image, metadata);
+                          write_image(path, weave_preview(maps, settings), metadata);
                       }});
     report.written = write_map_folder(request.output, std::move(others),
                                       pictures_of(maps, settings, report), metadata, progress);

@@ -8,6 +8,7 @@
 
 #include "image/image_io.hpp"
 #include "jobs/maps/map_preview.hpp"
+#include "plot/sheet.hpp"
 
 namespace burnish {
 
@@ -64,7 +65,7 @@ Image displayed(Image image) {
 
 }  // namespace
 
-Sheet weave_preview(const WeaveMaps& maps, const WeaveMapSettings& settings) {
+Image weave_preview(const WeaveMaps& maps, const WeaveMapSettings& settings) {
     const double tile = std::max(settings.width_mm(), settings.height_mm());
     const double close = std::min(tile, kCloseYarns * settings.yarn_mm);
     const auto ends = std::minmax_element(maps.heights.pixels.begin(), maps.heights.pixels.end());

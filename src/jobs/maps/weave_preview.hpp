@@ -1,13 +1,13 @@
 // Maps of cloth to look at. Private to the weave command.
 #pragma once
 
+#include "burnish/image.hpp"
 #include "maps/weave/weave_maps.hpp"
-#include "plot/sheet.hpp"
 
 namespace burnish {
 
 // The cloth under a lamp: the tile, two by two tiles, a few yarns; normals, heights and fibre
 // directions of these. Throws nothing of its own.
-Sheet weave_preview(const WeaveMaps& maps, const WeaveMapSettings& settings);
+Image weave_preview(const WeaveMaps& maps, const WeaveMapSettings& settings);
 
 }  // namespace burnish

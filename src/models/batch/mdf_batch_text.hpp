@@ -47,27 +47,27 @@ BURNISH_INLINE void evaluate(const RowLobe& lobe_of_row, bool conserve,
     projected.store_unaligned(at.D_proj + row);
 }
 
-// The last rows, fewer than a register holds: a copy, filled up with rows whose values are dropped.
-template <int mdf, int method>
+// The last rows, fewer than a register holds: `evaluate_all` is called for a copy of them, filled up
+// with rows whose values are dropped. One function for all distributions and methods, so that their
+// closed forms are compiled once less.
 inline void evaluate_rest(const MdfKernelCall<Scalar>& call, std::size_t first,
-                          const RowLobe* one_lobe) {
+                          void (*evaluate_all)(const MdfKernelCall<Scalar>&)) {
     constexpr std::size_t lanes = Float::size;
     Scalar in[8][lanes], out[3][lanes];
     const MdfKernelColumns<Scalar>& at = call.columns;
     const Scalar* columns[8] = {at.nx, at.ny, at.nz, at.hx, at.hy, at.hz, at.p0, at.p1};
     const std::size_t rest = call.count - first;
     for (std::size_t c = 0; c < 8; ++c) {
-        const bool single = c >= 6 && one_lobe;
+        const bool single = c >= 6 && call.one_lobe;
         for (std::size_t i = 0; i < lanes; ++i) {
             in[c][i] = columns[c][single ? 0 : first + (i < rest ? i : rest - 1)];
         }
     }
-    const MdfKernelColumns<Scalar> copy{in[6], in[7], in[0],  in[1],  in[2], in[3],
-                                        in[4], in[5], out[0], out[1], out[2]};
-    const RowLobe lobe =
-        one_lobe ? *one_lobe
-                 : row_lobe(mdf, Float::load_unaligned(in[6]), Float::load_unaligned(in[7]));
-    evaluate<mdf, method>(lobe, call.conserving, copy, 0);
+    MdfKernelCall<Scalar> copy = call;
+    copy.count = lanes;
+    copy.columns = {in[6], in[7], in[0], in[1], in[2], in[3], in[4], in[5], out[0], out[1], out[2]};
+    if (at.D == nullptr) copy.columns.D = copy.columns.D_proj = nullptr;
+    evaluate_all(copy);
     for (std::size_t i = 0; i < rest; ++i) {
         at.D_conserving[first + i] = out[2][i];
         if (at.D == nullptr) continue;
@@ -81,20 +81,19 @@ inline void evaluate_all(const MdfKernelCall<Scalar>& call) {
     constexpr std::size_t lanes = Float::size;
     const MdfKernelColumns<Scalar> at = call.columns;
     const std::size_t whole = call.count - call.count % lanes;
-    if (call.one_lobe) {
+    if (call.one_lobe && whole > 0) {
         const RowLobe lobe = row_lobe(mdf, Float(*at.p0), Float(*at.p1));
         for (std::size_t row = 0; row < whole; row += lanes) {
             evaluate<mdf, method>(lobe, call.conserving, at, row);
         }
-        if (whole < call.count) evaluate_rest<mdf, method>(call, whole, &lobe);
-        return;
+    } else {
+        for (std::size_t row = 0; row < whole; row += lanes) {
+            const RowLobe lobe = row_lobe(mdf, Float::load_unaligned(at.p0 + row),
+                                          Float::load_unaligned(at.p1 + row));
+            evaluate<mdf, method>(lobe, call.conserving, at, row);
+        }
     }
-    for (std::size_t row = 0; row < whole; row += lanes) {
-        const RowLobe lobe =
-            row_lobe(mdf, Float::load_unaligned(at.p0 + row), Float::load_unaligned(at.p1 + row));
-        evaluate<mdf, method>(lobe, call.conserving, at, row);
-    }
-    if (whole < call.count) evaluate_rest<mdf, method>(call, whole, nullptr);
+    if (whole < call.count) evaluate_rest(call, whole, &evaluate_all<mdf, method>);
 }
 
 template <int mdf>

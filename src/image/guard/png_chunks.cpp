@@ -1,4 +1,4 @@
-#include "image/png_chunks.hpp"
+#include "image/guard/png_chunks.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

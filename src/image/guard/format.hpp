@@ -1,7 +1,10 @@
-// The picture formats we read, told by their content, and what can be known to be wrong with a file
-// before a decoder sees it. The decoders are large, old and trusting: some fill a truncated picture
-// with grey, some allocate what a header of 40 bytes asks for. So the containers are walked here
-// first: complete to the end marker, sizes sane, no more pixels than the bytes can stand for.
+// The picture formats that we read, told by their content, and the checks of a file that come
+// before a decoder sees it. The decoders of OpenImageIO 2.4 trust their input: some fill a
+// truncated picture with grey, some allocate what a header of 40 bytes asks for. This folder walks
+// each container first: complete to its end marker, sizes within bounds, no more pixels than the
+// bytes can stand for. Each file of the folder says what OpenImageIO must do before the file can
+// go: the tests of tests/image/image_hostile_test.cpp and `scripts/fuzz.sh image` then pass without
+// it.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +31,18 @@ const char* oiio_format_name(ImageFormat format);  // what OpenImageIO calls its
 // Throws Error "<name>: expected a PNG, JPEG, TIFF, OpenEXR or Radiance HDR image, found <what>".
 ImageFormat require_image_format(std::span<const std::byte> head, const std::string& name);
 
+// What the walk of a container found.
+struct ImageStructure {
+    bool subsampled = false;  // OpenEXR: a channel with fewer samples than the picture has pixels
+};
+
 // Throws Error when the file is truncated, its declared size is out of bounds, or it is of a kind
 // that is not supported (BigTIFF, deep OpenEXR). What it accepts may still be refused on decoding.
-void check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
-                           const std::string& name);
+ImageStructure check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
+                                     const std::string& name);
 
-// Throws Error for more than kMaxImageBytes of pixels, and for more than the file can stand for.
+// Throws Error for more than kMaxImageBytes of pixels, and for more than `file_bytes` can stand
+// for.
 void check_decoded_bytes(std::uint64_t decoded, std::uint64_t file_bytes, const std::string& name);
 
 // Throws Error unless 1 <= side <= kMaxImageSide.

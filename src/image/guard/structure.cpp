@@ -1,4 +1,6 @@
-// check_image_structure: one walk a container; PNG has a file of its own.
+// check_image_structure: one walk a container; PNG has a file of its own. Needed until OpenImageIO
+// refuses truncated JPEG and TIFF files, and reports what libjpeg, libtiff and OpenEXR throw or
+// abort at, instead of passing it on: 2.4 does neither.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,9 +8,9 @@
 #include <utility>
 
 #include "burnish/error.hpp"
-#include "image/byte_cursor.hpp"
-#include "image/image_format.hpp"
-#include "image/png_chunks.hpp"
+#include "image/guard/byte_cursor.hpp"
+#include "image/guard/format.hpp"
+#include "image/guard/png_chunks.hpp"
 
 namespace burnish {
 namespace {
@@ -101,6 +103,7 @@ void check_tiff(const ByteCursor& file) {
 struct ExrHeader {
     bool has_window = false;
     bool empty = true;
+    bool subsampled = false;
 };
 
 void check_exr_attribute(const ByteCursor& file, std::string_view name, std::uint64_t value,
@@ -132,8 +135,11 @@ void check_exr_attribute(const ByteCursor& file, std::string_view name, std::uin
 }
 
 // A list of names with 16 bytes each, ended by an empty name: pixel type (0 to 2: whole numbers,
-// half, float), a flag and padding, sampling. OpenImageIO 2.4 aborts at another type.
-std::uint64_t length_of_exr_channels(const ByteCursor& file, std::uint64_t value) {
+// half, float), a flag and padding, pixels a sample in x and in y. OpenImageIO 2.4 aborts at
+// another pixel type.
+std::uint64_t length_of_exr_channels(const ByteCursor& file, std::uint64_t value,
+                                     ExrHeader& header) {
+    constexpr std::uint32_t kMaxSampling = 64;
     constexpr std::uint64_t kChannelBytes = 16;
     for (std::uint64_t at = value;;) {
         const std::string_view name = file.text_until(at, '\0', kLongestExrName);
@@ -142,8 +148,12 @@ std::uint64_t length_of_exr_channels(const ByteCursor& file, std::uint64_t value
         file.require(at, kChannelBytes);
         if (const std::uint32_t pixel_type = file.u32(at, false); pixel_type > 2)
             file.fail(fmt::format("a channel of pixel type {}", pixel_type));
-        if (file.u32(at + 8, false) != 1 || file.u32(at + 12, false) != 1)
-            file.fail("a subsampled channel");
+        for (const std::uint64_t axis : {8U, 12U}) {
+            const std::uint32_t sampling = file.u32(at + axis, false);
+            if (sampling < 1 || sampling > kMaxSampling)
+                file.fail(fmt::format("a channel with a sample every {} pixels", sampling));
+            header.subsampled = header.subsampled || sampling > 1;
+        }
         at += kChannelBytes;
     }
 }
@@ -159,7 +169,7 @@ std::uint64_t length_of_exr_texts(const ByteCursor& file, std::uint64_t value,
 // Decoders read as many bytes as the type says, whatever length stands before them: were it another
 // one, they would see another file than this walk does, and take any four bytes for a length.
 void check_exr_type(const ByteCursor& file, std::string_view type, std::uint64_t value,
-                    std::uint64_t length) {
+                    std::uint64_t length, ExrHeader& header) {
     struct Fixed {
         std::string_view type;
         std::uint64_t length;
@@ -177,7 +187,7 @@ void check_exr_type(const ByteCursor& file, std::string_view type, std::uint64_t
     std::uint64_t wanted = length;
     for (const Fixed& fixed : kFixed)
         if (type == fixed.type) wanted = fixed.length;
-    if (type == "chlist") wanted = length_of_exr_channels(file, value);
+    if (type == "chlist") wanted = length_of_exr_channels(file, value, header);
     if (type == "stringvector") wanted = length_of_exr_texts(file, value, length);
     if (type == "preview") {  // pixels of four bytes behind their width and height
         const std::uint64_t pixels =
@@ -201,17 +211,18 @@ std::uint64_t check_exr_header(const ByteCursor& file, std::uint64_t at, ExrHead
         const std::uint64_t length = file.u32(at, false);
         at += 4;
         file.require(at, length);
-        check_exr_type(file, type, at, length);
+        check_exr_type(file, type, at, length, header);
         check_exr_attribute(file, name, at, length, header);
         at += length;
     }
 }
 
-void check_exr(const ByteCursor& file) {
+ImageStructure check_exr(const ByteCursor& file) {
     constexpr std::uint32_t kVersionMask = 0xFF, kDeep = 0x800, kMultiPart = 0x1000;
     const std::uint32_t version = file.u32(4, false);
     if ((version & kVersionMask) != 2) file.fail("another version of the format");
     if ((version & kDeep) != 0) file.fail("a deep image");
+    ImageStructure structure;
     std::uint64_t at = 8;
     for (int part = 0;; ++part) {
         if (part == kMaxExrParts) file.fail("too many parts");
@@ -219,8 +230,10 @@ void check_exr(const ByteCursor& file) {
         at = check_exr_header(file, at, header);
         if (header.empty && part > 0) break;
         if (!header.has_window) file.fail("a header without a data window");
+        structure.subsampled = structure.subsampled || header.subsampled;
         if ((version & kMultiPart) == 0) break;
     }
+    return structure;
 }
 
 // ---- Radiance HDR: the resolution line ----------------------------------------------------------
@@ -260,21 +273,26 @@ void check_hdr(const ByteCursor& file) {
 
 }  // namespace
 
-void check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
-                           const std::string& name) {
+ImageStructure check_image_structure(ImageFormat format, std::span<const std::byte> bytes,
+                                     const std::string& name) {
     const ByteCursor file(bytes, name, format);
     switch (format) {
         case ImageFormat::png:
-            return check_png(file);
+            check_png(file);
+            break;
         case ImageFormat::jpeg:
-            return check_jpeg(file);
+            check_jpeg(file);
+            break;
         case ImageFormat::tiff:
-            return check_tiff(file);
+            check_tiff(file);
+            break;
         case ImageFormat::exr:
             return check_exr(file);
         case ImageFormat::hdr:
-            return check_hdr(file);
+            check_hdr(file);
+            break;
     }
+    return {};
 }
 
 }  // namespace burnish

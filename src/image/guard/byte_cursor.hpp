@@ -1,6 +1,6 @@
-// Numbers at offsets of an untrusted file. Private to the walks of image_structure.cpp and
-// png_chunks.cpp. Offsets are 64-bit and files at most 4 GiB, so sums of an offset and a 32-bit
-// length from the file cannot overflow.
+// Numbers at offsets of an untrusted file. Private to the walks of this folder, and superfluous
+// with them. Offsets are 64-bit and files at most 4 GiB, so sums of an offset and a 32-bit length
+// from the file cannot overflow.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "burnish/error.hpp"
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 
 namespace burnish {
 

@@ -1,11 +1,12 @@
-// The chunks of a PNG file, from IHDR to IEND.
+// The chunks of a PNG file, from IHDR to IEND. Needed until OpenImageIO hands libpng's complaints
+// to its caller and refuses damaged files: 2.4 lets libpng print them.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "image/byte_cursor.hpp"
+#include "image/guard/byte_cursor.hpp"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "image/image_format.hpp"
+#include "image/guard/format.hpp"
 
 #include <fmt/format.h>
 
