@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
+#include "burnish/f32.hpp"
 #include "image/image_io.hpp"
 
 namespace burnish {
@@ -23,7 +24,7 @@ Rgb rgb_at(const Image& image, std::size_t texel) {
 }
 
 float luminance(const Rgb& c) {
-    return kLuminance[0] * c[0] + kLuminance[1] * c[1] + kLuminance[2] * c[2];
+    return f32::luminance(f32::vec3(c[0], c[1], c[2]));
 }
 
 // 0.04 m^2 + (d + s - 0.08) m + 0.04 - s = 0, which has one root from 0 to 1 when s is above 0.04.

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "burnish/f64.hpp"
 #include "capture/judge/relight.hpp"
 #include "capture/model/parametric_fit.hpp"
 #include "capture/model/parametric_maps.hpp"
 #include "capture/stack/light_geometry.hpp"
 #include "core/parallel.hpp"
+#include "image/compare.hpp"
 
 namespace burnish {
 
@@ -16,9 +19,16 @@ namespace {
 
 constexpr std::size_t kTile = 64;
 
+// Of luminance, over the samples that count.
 struct Sums {
-    std::vector<double> squares;  // of each model
-    double count = 0.0, peak = 0.0;
+    std::vector<SquaredError> errors;  // of the material, then of each analytic model
+    double peak = 0.0;                 // the brightest photographed sample
+
+    explicit Sums(std::size_t models) : errors(models) {}
+    void merge(const Sums& other) {
+        for (std::size_t m = 0; m < errors.size(); ++m) errors[m].merge(other.errors[m]);
+        peak = std::max(peak, other.peak);
+    }
 };
 
 class HeldOut {
@@ -38,8 +48,7 @@ class HeldOut {
     bool empty() const { return lights_.empty(); }
 
     Sums tile(const StackBand& band, std::size_t begin, std::size_t end) const {
-        Sums sums;
-        sums.squares.assign(1 + models_.size(), 0.0);
+        Sums sums(1 + models_.size());
         std::vector<float> values((end - begin) * 3 * stack_.lights());
         stack_.decode(band, begin, end - begin, values.data());
         PointLights lights;
@@ -64,30 +73,29 @@ class HeldOut {
             if (std::isinf(v[0]) || std::isinf(v[1]) || std::isinf(v[2])) continue;
             const Vec3f i = local(lights.x[k], lights.y[k], lights.z[k]);
             if (i[2] < kLeastLightCosine) continue;
-            double truth = 0.0, received = 0.0, ours = 0.0;
             const Vec3d rho = relighter_.brdf(
                 t,
                 {static_cast<double>(lights.x[k]), static_cast<double>(lights.y[k]),
                  static_cast<double>(lights.z[k])},
                 {static_cast<double>(lights.to_eye[0]), static_cast<double>(lights.to_eye[1]),
                  static_cast<double>(lights.to_eye[2])});
-            for (std::size_t c = 0; c < 3; ++c) {
-                const auto share = static_cast<double>(kLuminance[c]);
-                const auto light = static_cast<double>(i[2] * lights.received[c][k]);
-                truth += share * static_cast<double>(v[c]);
-                received += share * light;
-                ours += share * light * rho[c];
-            }
-            sums.count += 1.0;
+            const f64::vec3 light(static_cast<double>(i[2] * lights.received[0][k]),
+                                  static_cast<double>(i[2] * lights.received[1][k]),
+                                  static_cast<double>(i[2] * lights.received[2][k]));
+            const double truth = f64::luminance(f64::vec3(
+                static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])));
+            const double received = f64::luminance(light);
+            const double ours =
+                f64::luminance(f64::vec3(light.x * rho[0], light.y * rho[1], light.z * rho[2]));
             sums.peak = std::max(sums.peak, truth);
-            sums.squares[0] += (ours - truth) * (ours - truth);
+            sums.errors[0].add(ours - truth);
             for (std::size_t m = 0; m < models_.size(); ++m) {
                 const float b = parametric_shape(models_[m].model, fits[m],
                                                  static_cast<float>(material_.eta), i, o);
                 const double rho_m =
                     static_cast<double>((*models_[m].diffuse)[t]) / std::numbers::pi +
                     static_cast<double>((*models_[m].specular)[t] * b);
-                sums.squares[m + 1] += std::pow(received * rho_m - truth, 2);
+                sums.errors[m + 1].add(received * rho_m - truth);
             }
         }
     }
@@ -108,30 +116,24 @@ std::vector<HeldOutError> held_out_errors(const ImageStack& stack, const Rig& ri
                                           const Progress& progress) {
     const HeldOut work(stack, rig, material, keep);
     if (work.empty()) return {};
-    Sums total;
-    total.squares.assign(1 + work.models().size(), 0.0);
+    Sums total(1 + work.models().size());
     for (std::size_t b = 0; b < stack.bands(); ++b) {
         progress.step("held-out lights",
                       static_cast<double>(b) / static_cast<double>(stack.bands()));
         const StackBand band = stack.load(b);
-        std::vector<Sums> tiles((band.pixels + kTile - 1) / kTile);
+        std::vector<Sums> tiles((band.pixels + kTile - 1) / kTile, Sums(total.errors.size()));
         parallel_for(band.pixels, kTile, [&](std::size_t begin, std::size_t end) {
             tiles[begin / kTile] = work.tile(band, begin, end);
         });
-        for (const Sums& tile : tiles) {
-            for (std::size_t m = 0; m < total.squares.size(); ++m)
-                total.squares[m] += tile.squares[m];
-            total.count += tile.count;
-            total.peak = std::max(total.peak, tile.peak);
-        }
+        for (const Sums& tile : tiles) total.merge(tile);
     }
     std::vector<HeldOutError> out;
-    for (std::size_t m = 0; m < total.squares.size(); ++m) {
-        HeldOutError error;
-        error.model = m == 0 ? "tabulated" : work.models()[m - 1].name;
-        error.rmse = total.count > 0.0 ? std::sqrt(total.squares[m] / total.count) : 0.0;
-        error.psnr = error.rmse > 0.0 ? 20.0 * std::log10(total.peak / error.rmse) : 0.0;
-        out.push_back(error);
+    for (std::size_t m = 0; m < total.errors.size(); ++m) {
+        const SquaredError& error = total.errors[m];
+        out.push_back({m == 0 ? "tabulated" : work.models()[m - 1].name, error.count, total.peak,
+                       error.rmse(),
+                       error.count > 0 ? psnr(error.rmse(), total.peak)
+                                       : std::numeric_limits<double>::quiet_NaN()});
     }
     return out;
 }

@@ -1,5 +1,5 @@
-// How well a fit foretells pictures that took no part in it: lights that were held out, beside the
-// analytic models fitted to the same pictures.
+// How well a fit predicts pictures that took no part in it, those of the lights that were held out, beside
+// the analytic models that were fitted to the same pictures.
 #pragma once
 
 #include <string>
@@ -15,9 +15,12 @@ namespace burnish {
 // Of luminance, over the samples of held-out lights that are not clipped and whose light stands
 // above the point's horizon.
 struct HeldOutError {
-    std::string model;  // "tabulated" or one of parametric_model_names()
-    double rmse = 0.0;  // in the pictures' units
-    double psnr = 0.0;  // dB; the peak is the brightest of those samples
+    std::string model;        // "tabulated" or one of parametric_model_names()
+    std::size_t samples = 0;  // that count
+    double peak = 0.0;        // the brightest of them, in the pictures' units
+    double rmse = 0.0;        // in the pictures' units; 0 without samples
+    double psnr =
+        0.0;  // dB relative to `peak`: infinite for an RMSE of 0, not a number without samples
 };
 
 // `keep`: 1 for lights that took part (fitted_lights). Models whose maps the material lacks are

@@ -73,9 +73,9 @@ Vec3d Relighter::brdf(std::size_t texel, const Vec3d& to_light, const Vec3d& to_
     if (i[2] <= 0.0 || o[2] <= 0.0) return {};
     const Vec3d sum = {i[0] + o[0], i[1] + o[1], i[2] + o[2]};
     const double cosine = 0.5 * std::hypot(sum[0], sum[1], sum[2]);
-    const double shape = relative_fresnel(m.eta, cosine) *
-                         table_at(m.grid, m.table(static_cast<int>(e)), sum) /
-                         (4.0 * area_at(areas_[e], i) * area_at(areas_[e], o));
+    const double shape = f64::area_brdf(
+        relative_fresnel(m.eta, cosine) * table_at(m.grid, m.table(static_cast<int>(e)), sum),
+        area_at(areas_[e], i), area_at(areas_[e], o));
     Vec3d rho;
     for (std::size_t c = 0; c < 3; ++c)
         rho[c] = static_cast<double>(m.diffuse.pixels[3 * texel + c]) / kPi +

@@ -9,15 +9,12 @@
 #include "burnish/error.hpp"
 #include "capture/stack/image_stack.hpp"
 #include "core/statistics.hpp"
+#include "image/compare.hpp"
 #include "image/image_io.hpp"
 
 namespace burnish {
 
 namespace {
-
-double psnr_of(double rmse, double peak) {
-    return rmse > 0.0 ? 20.0 * std::log10(peak / rmse) : std::numeric_limits<double>::infinity();
-}
 
 void require_sizes(const Rig& stack, const TabulatedMaterial& m) {
     for (const RigLight& light : stack.lights)
@@ -52,16 +49,12 @@ void StackComparison::add(std::size_t light, const Image& rendered) {
         if (value > sums.top) {
             sums.next = sums.top;
             sums.top = value;
-            sums.at_top = 0;
-            sums.squares_at_top = 0.0;
+            sums.at_top = {};
         } else if (value < sums.top) {
             sums.next = std::max(sums.next, value);
         }
-        ++sums.samples;
-        sums.squares += difference * difference;
-        if (value < sums.top) continue;
-        ++sums.at_top;
-        sums.squares_at_top += difference * difference;
+        sums.all.add(difference);
+        if (value == sums.top) sums.at_top.add(difference);
     }
 }
 
@@ -69,39 +62,39 @@ StackError StackComparison::result() const {
     double brightest = 0.0;
     for (const Sums& sums : sums_) brightest = std::max(brightest, sums.top);
     StackError out;
-    double squares = 0.0;
+    SquaredError total;
     for (const Sums& sums : sums_) {
         const bool clips =
-            sums.top > 0.0 && sums.top == brightest && sums.at_top >= kRepeatsOfClipping;
+            sums.top > 0.0 && sums.top == brightest && sums.at_top.count >= kRepeatsOfClipping;
         out.peak = std::max(out.peak, clips ? sums.next : sums.top);
-        LightError light;
-        light.samples = sums.samples - (clips ? sums.at_top : 0);
-        const double kept = std::max(sums.squares - (clips ? sums.squares_at_top : 0.0), 0.0);
-        if (light.samples > 0) light.rmse = std::sqrt(kept / static_cast<double>(light.samples));
-        squares += kept;
-        out.samples += light.samples;
-        out.lights.push_back(light);
+        SquaredError kept = sums.all;
+        if (clips)
+            kept = {std::max(kept.squares - sums.at_top.squares, 0.0),
+                    kept.count - sums.at_top.count};
+        out.lights.push_back({kept.count, kept.rmse(), 0.0});
+        total.merge(kept);
     }
+    out.samples = total.count;
     if (out.samples == 0 || !(out.peak > 0.0))
         throw Error(stack_.file.string(), "lights", "pictures that show something within the mask",
                     out.samples == 0 ? "clipped samples only" : "black only");
-    out.rmse = std::sqrt(squares / static_cast<double>(out.samples));
-    std::vector<double> psnr;
+    out.rmse = total.rmse();
+    std::vector<double> decibels;
     double sum = 0.0;
     for (std::size_t k = 0; k < out.lights.size(); ++k) {
         LightError& light = out.lights[k];
-        light.psnr = light.samples > 0 ? psnr_of(light.rmse, out.peak)
+        light.psnr = light.samples > 0 ? psnr(light.rmse, out.peak)
                                        : std::numeric_limits<double>::quiet_NaN();
         if (light.samples == 0) continue;
-        if (psnr.empty() || light.psnr < out.psnr_worst) {
+        if (decibels.empty() || light.psnr < out.psnr_worst) {
             out.psnr_worst = light.psnr;
             out.worst = k;
         }
-        psnr.push_back(light.psnr);
+        decibels.push_back(light.psnr);
         sum += light.psnr;
     }
-    out.psnr_mean = sum / static_cast<double>(psnr.size());
-    out.psnr_median = median(psnr);
+    out.psnr_mean = sum / static_cast<double>(decibels.size());
+    out.psnr_median = median(decibels);
     return out;
 }
 

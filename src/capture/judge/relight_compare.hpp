@@ -8,6 +8,7 @@
 
 #include "burnish/image.hpp"
 #include "capture/rig/rig.hpp"
+#include "image/compare.hpp"
 #include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
@@ -21,7 +22,7 @@ struct LightError {
 struct StackError {
     std::vector<LightError> lights;
     std::size_t samples = 0;
-    double peak = 0.0;  // the brightest sample that counts: the 1 of PSNR
+    double peak = 0.0;  // the brightest sample that counts: what PSNR is relative to
     double rmse = 0.0;  // over all samples
     double psnr_median = 0.0, psnr_mean = 0.0, psnr_worst = 0.0;  // of lights with samples
     std::size_t worst = 0;                                        // light
@@ -40,12 +41,11 @@ class StackComparison {
     StackError result() const;
 
   private:
-    // Those at the light's largest value apart: only once all pictures are known can it be told
-    // whether they are clipped (image_stack.hpp).
+    // Samples at the light's largest value are summed apart: whether they are clipped can be told only once
+    // all pictures are known (kRepeatsOfClipping in image_stack.hpp).
     struct Sums {
-        std::size_t samples = 0, at_top = 0;
-        double squares = 0.0, squares_at_top = 0.0;
-        double top = 0.0, next = 0.0;  // the largest value and the largest below
+        SquaredError all, at_top;
+        double top = 0.0, next = 0.0;  // the largest value, and the largest below it
     };
     Rig stack_;
     Image white_;

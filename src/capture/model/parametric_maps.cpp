@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <numbers>
 
+#include "burnish/f64.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
 
 namespace {
 
-// A colour of luminance 1 and the hue of this one; grey for black.
+// The color of luminance 1 that has the same ratios of channels; gray for black.
 Vec3d tint_of(const float* rgb) {
-    double luminance = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
-        luminance += static_cast<double>(kLuminance[c]) * static_cast<double>(rgb[c]);
-    if (!(luminance > 1e-9)) return {1.0, 1.0, 1.0};  // below what half floats hold apart
-    return {static_cast<double>(rgb[0]) / luminance, static_cast<double>(rgb[1]) / luminance,
-            static_cast<double>(rgb[2]) / luminance};
+    const f64::vec3 color(static_cast<double>(rgb[0]), static_cast<double>(rgb[1]),
+                          static_cast<double>(rgb[2]));
+    const double luminance = f64::luminance(color);
+    // 1e-9 is below the smallest half float, 6e-8: files hold nothing between it and black.
+    if (!(luminance > 1e-9)) return {1.0, 1.0, 1.0};
+    return {color.x / luminance, color.y / luminance, color.z / luminance};
 }
 
 }  // namespace

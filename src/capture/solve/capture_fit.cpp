@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
 #include "capture/model/parametric_fit.hpp"
 #include "capture/rig/coverage.hpp"
 #include "capture/solve/exemplar_search.hpp"
@@ -173,7 +174,7 @@ constexpr std::array<const char*, 5> kModelNumbers = {"alpha_along", "alpha_acro
 constexpr std::size_t kModelLights = 96;
 
 float luminance(const std::array<float, 3>& rgb) {
-    return kLuminance[0] * rgb[0] + kLuminance[1] * rgb[1] + kLuminance[2] * rgb[2];
+    return f32::luminance(f32::vec3(rgb[0], rgb[1], rgb[2]));
 }
 
 }  // namespace

@@ -47,8 +47,9 @@ void TableEquations::add(const PointSamples& samples, const PointFitter& fitter,
     const auto columns = static_cast<float>(grid_.azimuths);
     for (std::size_t q = 0; q < samples.size(); ++q) {
         const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2], turn);
-        const double a = static_cast<double>(samples.received[q] * fit.specular *
-                                             fitter.fresnel()[q] / (4.0f * area_in * area_out));
+        // What a density of 1 at this half vector adds to the sample.
+        const double a = static_cast<double>(f32::area_brdf(
+            samples.received[q] * fit.specular * fitter.fresnel()[q], area_in, area_out));
         const double y = static_cast<double>(samples.value[q] - samples.received[q] * fit.diffuse *
                                                                     std::numbers::inv_pi_v<float>);
         // Diffuse light of a strength in proportion to the specular one.
@@ -200,8 +201,8 @@ void SlideAlong::add(const PointSamples& samples, const PointFitter& fitter,
     double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
     for (std::size_t q = 0; q < samples.size(); ++q) {
         const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2], turn);
-        const float a =
-            samples.received[q] * fit.specular * fitter.fresnel()[q] / (4.0f * area_in * area_out);
+        const float a = f32::area_brdf(samples.received[q] * fit.specular * fitter.fresnel()[q],
+                                       area_in, area_out);
         const auto u = static_cast<double>(samples.received[q] * std::numbers::inv_pi_v<float>);
         const auto v =
             static_cast<double>(a * lookup(tables.grid, mimic, samples.half[q], fit.shift));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "burnish/f64.hpp"
 #include "capture/model/strengths.hpp"
 
 namespace burnish {
@@ -44,14 +45,15 @@ PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
     for (std::size_t q = 0; q < samples_->size(); ++q) {
         const float area_in =
             area_at(tables.areas, samples_->in[q], samples_->to_light[q][2], turn);
-        // b without 1 / (4 g(o)), which all samples share.
-        const float b =
-            fresnel_[q] * lookup(tables.grid, tables.D, samples_->half[q], shift) / area_in;
+        // All samples share g(o): with 1/4 in its place this is F D / g(i), and the sums are multiplied by
+        // the rest of b once.
+        const float b = f32::area_brdf(
+            fresnel_[q] * lookup(tables.grid, tables.D, samples_->half[q], shift), area_in, 0.25f);
         uv += static_cast<double>(uv_[q] * b);
         vv += static_cast<double>(vv_[q] * b * b);
         vy += static_cast<double>(vy_[q] * b);
     }
-    const double shared = 0.25 / static_cast<double>(area_out);
+    const double shared = f64::area_brdf(1.0, 1.0, static_cast<double>(area_out));
     uv *= shared;
     vv *= shared * shared;
     vy *= shared;

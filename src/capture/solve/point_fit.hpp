@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "burnish/f32.hpp"
 #include "capture/stack/light_geometry.hpp"
 
 namespace burnish {
@@ -30,7 +31,7 @@ inline float specular_shape(const ExemplarTables& tables, const PointSamples& sa
     const float d = lookup(tables.grid, tables.D, samples.half[q], shift);
     const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2],
                                   area_shift(tables.grid, shift));
-    return fresnel * d / (4.0f * area_in * area_out);
+    return f32::area_brdf(fresnel * d, area_in, area_out);
 }
 
 struct PointFit {

@@ -28,7 +28,7 @@ constexpr float kMostCode = 65534.0f;
 constexpr std::uint16_t kClippedCode = 65535;
 constexpr std::size_t kBandBytes = std::size_t{48} << 20;
 
-constexpr char kMagic[16] = "burnish-stack 1";
+constexpr char kMagic[16] = "burnish-stack 2";
 
 struct Header {
     char magic[16];
@@ -36,10 +36,11 @@ struct Header {
     std::uint64_t width, height, lights, band_pixels;
     double clipped_share, black_share, brightest;
 };
-// Then: mask (width x height bytes), scales (lights floats), samples band by band.
+// The header is followed by the mask (width x height bytes), the scales (lights floats), the flags of
+// clipping pictures (lights bytes) and the samples, band by band.
 
 std::uint64_t data_start(const Header& h) {
-    return sizeof(Header) + h.width * h.height + h.lights * sizeof(float);
+    return sizeof(Header) + h.width * h.height + h.lights * (sizeof(float) + 1);
 }
 
 void add_file(Identity& identity, const fs::path& path) {
@@ -208,9 +209,16 @@ bool ImageStack::open_cache(const fs::path& cache) {
     census_ = {header.clipped_share, header.black_share, header.brightest};
     mask_.resize(pixels());
     scale_.resize(header.lights);
-    read_at(file_, mask_.data(), mask_.size(), sizeof header, name_);
-    read_at(file_, scale_.data(), scale_.size() * sizeof(float), sizeof header + mask_.size(),
-            name_);
+    clips_.resize(header.lights);
+    data_start_ = data_start(header);
+    std::uint64_t at = sizeof header;
+    const auto read_next = [&](void* to, std::size_t size) {
+        read_at(file_, to, size, at, name_);
+        at += size;
+    };
+    read_next(mask_.data(), mask_.size());
+    read_next(scale_.data(), scale_.size() * sizeof(float));
+    read_next(clips_.data(), clips_.size());
     return true;
 }
 
@@ -251,20 +259,24 @@ void ImageStack::make_cache(const Rig& rig, const fs::path& cache, const Progres
             header.brightest = std::max(header.brightest, static_cast<double>(coded.scale));
             write_light(file.number(), header, k, coded.codes, cache);
         }
-        // Float pictures whose largest value is the stack's and repeats: a negative scale marks
-        // them.
+        std::vector<std::uint8_t> clips(scales.size(), 0);
         for (std::size_t k = 0; k < scales.size(); ++k)
             if (static_cast<double>(scales[k]) == header.brightest &&
                 at_top[k] >= kRepeatsOfClipping && scales[k] > 0.0f) {
-                scales[k] = -scales[k];
+                clips[k] = 1;
                 clipped += at_top[k];
             }
         header.clipped_share = clipped / counted;
         header.black_share = black / counted;
-        write_at(file.number(), mask.data(), mask.size(), sizeof header, cache);
-        write_at(file.number(), scales.data(), scales.size() * sizeof(float),
-                 sizeof header + mask.size(), cache);
-        write_at(file.number(), &header, sizeof header, 0, cache);
+        std::uint64_t at = 0;
+        const auto write_next = [&](const void* from, std::size_t size) {
+            write_at(file.number(), from, size, at, cache);
+            at += size;
+        };
+        write_next(&header, sizeof header);
+        write_next(mask.data(), mask.size());
+        write_next(scales.data(), scales.size() * sizeof(float));
+        write_next(clips.data(), clips.size());
     });
 }
 
@@ -273,8 +285,8 @@ StackBand ImageStack::load(std::size_t band) const {
     out.first = band * band_pixels_;
     out.pixels = std::min(band_pixels_, pixels() - out.first);
     out.codes.resize(3 * out.pixels * lights());
-    const std::uint64_t start = sizeof(Header) + mask_.size() + scale_.size() * sizeof(float);
-    read_at(file_, out.codes.data(), out.codes.size() * 2, start + 6 * out.first * lights(), name_);
+    read_at(file_, out.codes.data(), out.codes.size() * 2, data_start_ + 6 * out.first * lights(),
+            name_);
     return out;
 }
 
@@ -283,8 +295,8 @@ void ImageStack::decode(const StackBand& band, std::size_t from, std::size_t cou
     const std::size_t lights_count = lights();
     for (std::size_t light = 0; light < lights_count; ++light) {
         const std::uint16_t* codes = band.codes.data() + 3 * (light * band.pixels + from);
-        const bool clips = scale_[light] < 0.0f;
-        const float factor = std::abs(scale_[light]) / (kMostCode * kMostCode);
+        const bool clips = clips_[light] != 0;
+        const float factor = scale_[light] / (kMostCode * kMostCode);
         for (std::size_t p = 0; p < count; ++p)
             for (std::size_t c = 0; c < 3; ++c) {
                 const std::uint16_t code = codes[3 * p + c];

@@ -32,8 +32,9 @@ Image read_flat_field(const Rig& rig);
 // The rig's mask, 1 where the sample is to be measured, a pixel each; 1 everywhere without one.
 std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
 
-// A float picture says nowhere where its sensor ended; values of the stack's largest that repeat at
-// least this often in one picture do.
+// A file of floats does not say at which value its sensor clips. A picture is taken as clipped at its
+// largest value when that value is the largest of the whole stack and at least this many of the picture's
+// samples have it: samples of an unclipped sensor hardly ever agree in all bits.
 inline constexpr int kRepeatsOfClipping = 8;
 
 struct StackCensus {
@@ -82,9 +83,11 @@ class ImageStack {
     std::size_t band_pixels_ = 0;
     std::uint64_t identity_ = 0;
     StackCensus census_;
-    std::vector<float> scale_;  // of each light: a sample is scale (code / kMostCode)^2
+    std::vector<float> scale_;         // of each light: a sample is scale (code / kMostCode)^2
+    std::vector<std::uint8_t> clips_;  // of each light: 1 where its largest value means "clipped"
     std::vector<std::uint8_t> mask_;
     int file_ = -1;
+    std::uint64_t data_start_ = 0;  // of the samples in the file, in bytes
     std::string name_;
 };
 

@@ -148,16 +148,14 @@ void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<co
             out.to_light[q] = i;
             out.cosine_ih[q] =
                 0.5f * std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-            float received = 0.0f, value = 0.0f;
             for (std::size_t c = 0; c < 3; ++c) {
-                const float w = i[2] * lights.received[c][k], v = values[3 * k + c];
-                out.weight_rgb[c][q] = w;
-                out.value_rgb[c][q] = v;
-                received += kLuminance[c] * w;
-                value += kLuminance[c] * v;
+                out.weight_rgb[c][q] = i[2] * lights.received[c][k];
+                out.value_rgb[c][q] = values[3 * k + c];
             }
-            out.received[q] = received;
-            out.value[q] = value;
+            out.received[q] = f32::luminance(
+                f32::vec3(out.weight_rgb[0][q], out.weight_rgb[1][q], out.weight_rgb[2][q]));
+            out.value[q] =
+                f32::luminance(f32::vec3(values[3 * k], values[3 * k + 1], values[3 * k + 2]));
         }
         places<false>(grid, half, count, out.half.data() + first);
         places<true>(kAreaGrid, in, count, out.in.data() + first);

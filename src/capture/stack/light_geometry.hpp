@@ -121,8 +121,6 @@ void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<co
 // order of lights.
 void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out);
 
-inline constexpr std::array<float, 3> kLuminance = {0.2126f, 0.7152f, 0.0722f};
-
 // F(c) / F(1) of a dielectric of index eta; 1 for eta = 0 (docs/theory/capture-model.md).
 class RelativeFresnel {
   public:

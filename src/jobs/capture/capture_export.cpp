@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "capture/stack/light_geometry.hpp"
+#include "burnish/f32.hpp"
 #include "core/version.hpp"
 #include "export/material_textures.hpp"
 #include "export/quad_gltf.hpp"
@@ -109,7 +109,7 @@ void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobe
         const float* s = m.specular.pixels.data() + 3 * t;
         ++texels;
         // A tenth off the 4 % of glTF's dielectrics is not worth a word.
-        dim += kLuminance[0] * s[0] + kLuminance[1] * s[1] + kLuminance[2] * s[2] < 0.036f;
+        dim += f32::luminance(f32::vec3(s[0], s[1], s[2])) < 0.036f;
         bright += std::max({s[0], s[1], s[2]}) > 1.0f;
         // Beckmann's lobes are 0.23 from the nearest GGX.
         other += lobes[m.exemplar[t]].residual > 0.3;

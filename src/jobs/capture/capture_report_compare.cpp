@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "burnish/f64.hpp"
 #include "capture/judge/relight.hpp"
 #include "capture/model/parametric_maps.hpp"
 #include "capture/stack/light_geometry.hpp"
 #include "core/statistics.hpp"
+#include "image/compare.hpp"
 #include "image/image_io.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 #include "plot/color_map.hpp"
@@ -24,10 +26,8 @@ constexpr double kFullDifference = 0.25;
 constexpr double kWhiteQuantile = 0.995;
 
 double luminance(const float* rgb) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
-        sum += static_cast<double>(kLuminance[c]) * static_cast<double>(rgb[c]);
-    return sum;
+    return f64::luminance(f64::vec3(static_cast<double>(rgb[0]), static_cast<double>(rgb[1]),
+                                    static_cast<double>(rgb[2])));
 }
 
 // Calls use(texel, values): of all lights, for every texel of the stack that counts.
@@ -146,26 +146,25 @@ Image difference(const Image& made, const Image& real, double white) {
     return at_viewing_size(out);
 }
 
-// Of luminance, relative to the brightest sample of this picture: dim ones would look perfect
-// beside the brightest of all.
-double psnr(const Image& made, const Image& real) {
-    double squares = 0.0, count = 0.0, peak = 0.0;
+// PSNR of luminance. The peak is the brightest sample of this picture: relative to the brightest of all
+// pictures, the error of a dim one would seem to be nothing.
+double psnr_of(const Image& made, const Image& real) {
+    SquaredError error;
+    double peak = 0.0;
     for (std::size_t t = 0; t < real.pixels.size(); t += 3) {
         const double truth = luminance(real.pixels.data() + t);
         const double off = luminance(made.pixels.data() + t) - truth;
         if (!std::isfinite(off)) continue;
-        squares += off * off;
-        count += 1.0;
+        error.add(off);
         peak = std::max(peak, truth);
     }
-    const double rmse = std::sqrt(squares / std::max(count, 1.0));
-    return rmse > 0.0 ? 20.0 * std::log10(peak / rmse) : std::numeric_limits<double>::infinity();
+    return psnr(error.rmse(), peak);
 }
 
 void add_shot(const Image& made, const Image& real, const char* title, const std::string& name,
               LightEntry& entry, Pictures& pictures) {
     const std::string file = fmt::format("light_{}_{}", entry.rank, name);
-    Shot shot{title, file + ".png", file + "_off.png", psnr(made, real)};
+    Shot shot{title, file + ".png", file + "_off.png", psnr_of(made, real)};
     pictures.push_back({shot.picture, displayed(made, real, entry.white)});
     pictures.push_back({shot.difference, difference(made, real, entry.white)});
     entry.shots.push_back(shot);
