@@ -222,7 +222,7 @@ LeastSquaresResult Search::run(const Start& start, int most_iterations) const {
     problem.evaluate = [this](const VectorXd& at, VectorXd& residuals, MatrixXd* derivatives) {
         evaluate(at, residuals, derivatives);
     };
-    return minimise(problem, x, most_iterations);
+    return minimize(problem, x, most_iterations);
 }
 
 BrdfFit Search::fit_of(const LeastSquaresResult& result) const {

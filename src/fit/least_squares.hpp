@@ -1,10 +1,11 @@
-// Non-linear least squares within bounds: Levenberg and Marquardt's method on the parameters that
-// are free to move, those at a bound that the slope pushes against held there; steps are cut at the
-// bounds and taken only when they lower the sum. Deterministic.
+// Non-linear least squares within bounds, for any number of parameters (levenberg_marquardt.hpp has the
+// method). Deterministic; may be called from any thread.
 #pragma once
 
 #include <Eigen/Core>
 #include <functional>
+
+#include "fit/levenberg_marquardt.hpp"
 
 namespace burnish {
 
@@ -16,16 +17,10 @@ struct LeastSquaresProblem {
         evaluate;
 };
 
-struct LeastSquaresResult {
-    Eigen::VectorXd x;
-    double start_sum = 0;  // of squares
-    double sum = 0;        // never above start_sum
-    int iterations = 0;
-    bool converged = false;  // false: stopped after most_iterations
-};
+using LeastSquaresResult = DescentResult<Eigen::Dynamic>;
 
-// `start` is held to the bounds first. A step that makes the residuals infinite counts as worse.
-LeastSquaresResult minimise(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
+// `start` is moved to the bounds first. A step that makes the residuals infinite counts as worse.
+LeastSquaresResult minimize(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
                             int most_iterations);
 
 }  // namespace burnish

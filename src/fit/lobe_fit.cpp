@@ -140,7 +140,7 @@ double line_angle(double angle) {
 LobeFit fit_lobe(const NdfGrid& grid, const float* table, Mdf mdf) {
     const Cells cells = cells_of(grid, table);
     const LeastSquaresProblem problem = problem_of(cells, mdf);
-    const LeastSquaresResult result = minimise(problem, start_of(cells, problem), 100);
+    const LeastSquaresResult result = minimize(problem, start_of(cells, problem), 100);
     LobeFit out;
     const Widths widths = widths_of(mdf, result.x);
     out.alpha_along = widths.along;

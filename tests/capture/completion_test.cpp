@@ -153,7 +153,7 @@ TEST(TurnTable, ShiftsColumns) {
     std::vector<float> table, out(static_cast<std::size_t>(kGrid.cells()));
     for (int i = 0; i < kGrid.cells(); ++i) table.push_back(static_cast<float>(random.uniform()));
     for (const float shift : {0.0f, 7.0f, 95.0f, 13.25f, -2.5f, 200.0f}) {
-        turn_table(kGrid, table.data(), shift, out.data());
+        rotate_table(kGrid, table.data(), shift, out.data());
         for (int r = 0; r < kGrid.rings; ++r) {
             for (int a = 0; a < kGrid.azimuths; ++a) {
                 const double from = a - static_cast<double>(shift);
@@ -190,7 +190,7 @@ TEST(Clustering, FindsTheClassesWhateverTheTurn) {
             }
         }
     }
-    std::vector<PointTurn> turns;
+    std::vector<Candidate> turns;
     ClusterSettings settings;
     settings.exemplars = 12;
     const Exemplars found = cluster_points(kGrid, {values, weights, count}, settings, turns, {});
@@ -206,7 +206,7 @@ TEST(Clustering, FindsTheClassesWhateverTheTurn) {
         if (own < 0) own = classes[p];
         EXPECT_EQ(own, classes[p]) << p;
     }
-    std::vector<PointTurn> again;
+    std::vector<Candidate> again;
     const Exemplars twice = cluster_points(kGrid, {values, weights, count}, settings, again, {});
     EXPECT_EQ(twice.D, found.D);  // the same seed, the same answer
 }

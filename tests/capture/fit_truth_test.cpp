@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
@@ -131,22 +132,34 @@ void fit_ward(const Fitted& fitted, const std::filesystem::path& stages,
     }
 }
 
-void expect_close_to_truth(const Fitted& fitted, double most_covered, double most_all) {
+// Bounds about twice what was measured with these samples and lights (the figures are beside the tests): other
+// roundings choose other seeds and clusters, which changes errors by some ten percent, never twofold.
+struct Bounds {
+    double angle_deg;  // median
+    double l1;         // where known, and in all
+    double strength;   // of the ratios of specular and diffuse to the true ones, from 1
+};
+
+void expect_close_to_truth(const Fitted& fitted, const Bounds& most) {
     for (const ClassMetrics& m : compare_to_truth(fitted.sample, fitted.material)) {
-        SCOPED_TRACE(m.name);
-        EXPECT_LE(m.angle_median_deg, 1.0);
-        EXPECT_LE(m.l1_covered, most_covered);
-        EXPECT_LE(m.l1_all, most_all);
-        EXPECT_NEAR(m.specular_ratio, 1.0, 0.05);
-        EXPECT_NEAR(m.diffuse_ratio, 1.0, 0.05);
+        const std::string found = fmt::format(
+            "{}: angle {:.4f} deg, L1 {:.4f} where known, {:.4f} in all, specular {:.4f}, diffuse "
+            "{:.4f}",
+            m.name, m.angle_median_deg, m.l1_covered, m.l1_all, m.specular_ratio, m.diffuse_ratio);
+        if (std::getenv("BURNISH_PRINT_CAPTURE")) fmt::print("{}\n", found);
+        SCOPED_TRACE(found);
+        EXPECT_LE(m.angle_median_deg, most.angle_deg);
+        EXPECT_LE(m.l1_covered, most.l1);
+        EXPECT_LE(m.l1_all, most.l1);
+        EXPECT_NEAR(m.specular_ratio, 1.0, most.strength);
+        EXPECT_NEAR(m.diffuse_ratio, 1.0, most.strength);
     }
 }
 
-// Bounds three times what was measured (docs/evidence/capture-results.md), far below what was asked for.
 TEST(CaptureFitTruth, KnownEtaOnePercentNoise) {
     const Folder folder;
     const Fitted fitted = fit_classes(0.01, 1.5, folder.path("stack"));
-    expect_close_to_truth(fitted, 0.05, 0.05);
+    expect_close_to_truth(fitted, {.angle_deg = 0.06, .l1 = 0.015, .strength = 0.02});
     std::vector<ParametricFit> ward, isotropic;
     fit_ward(fitted, folder.path("stack") + "/stages", ward, isotropic);
 
@@ -178,13 +191,14 @@ TEST(CaptureFitTruth, KnownEtaOnePercentNoise) {
 TEST(CaptureFitTruth, EtaIsEstimated) {
     const Folder folder;
     const Fitted fitted = fit_classes(0.01, std::nullopt, folder.path("stack"));
-    EXPECT_NEAR(fitted.eta, 1.5, 0.05);
-    expect_close_to_truth(fitted, 0.08, 0.08);
+    EXPECT_NEAR(fitted.eta, 1.5, 0.02);
+    expect_close_to_truth(fitted, {.angle_deg = 0.06, .l1 = 0.015, .strength = 0.02});
 }
 
 TEST(CaptureFitTruth, FivePercentNoise) {
     const Folder folder;
-    expect_close_to_truth(fit_classes(0.05, 1.5, folder.path("stack")), 0.08, 0.08);
+    expect_close_to_truth(fit_classes(0.05, 1.5, folder.path("stack")),
+                          {.angle_deg = 0.25, .l1 = 0.03, .strength = 0.02});
 }
 
 }  // namespace

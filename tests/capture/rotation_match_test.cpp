@@ -1,4 +1,4 @@
-// All turns at once against all turns one by one, by sums written from the definition.
+// All rotations at once against all rotations one by one, by sums written from the definition.
 #include "capture/solve/rotation_match.hpp"
 
 #include <gtest/gtest.h>
@@ -17,30 +17,6 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 class Match : public testing::TestWithParam<NdfGrid> {};
 INSTANTIATE_TEST_SUITE_P(Grids, Match, testing::ValuesIn(test::kGrids), test::name_of_grid);
-
-// Every turn of every mask with every mask. An overlap within rounding of the least one may count
-// or not.
-TEST_P(Match, DirectResidualsAreThoseOfTheDefinition) {
-    const NdfGrid grid = GetParam();
-    const float least = 0.4f;
-    const RotationMatcher matcher(grid, least);
-    Random random(11);
-    for (const Mask pm : kMasks) {
-        for (const Mask em : kMasks) {
-            const Table p = random_table(grid, pm, random), e = random_table(grid, em, random);
-            const std::vector<double> all = matcher.residuals_directly(
-                p.value.data(), p.weight.data(), e.value.data(), e.weight.data());
-            ASSERT_EQ(all.size(), static_cast<std::size_t>(grid.azimuths));
-            for (int s = 0; s < grid.azimuths; ++s) {
-                const Turn turn = by_definition(grid, p, e, s, static_cast<double>(least));
-                if (std::abs(turn.overlap - static_cast<double>(least)) < 1e-5) continue;
-                // 1e-4: weights of rings may be kept in single precision.
-                EXPECT_NEAR(all[static_cast<std::size_t>(s)], turn.residual, 1e-4)
-                    << static_cast<int>(pm) << " " << static_cast<int>(em) << " turn " << s;
-            }
-        }
-    }
-}
 
 // Is there a turn within half a column of the answer, as good as the best within rounding, that has
 // the answer's scale and overlap? Small masks have several equally good ones.
@@ -98,31 +74,7 @@ TEST_P(Match, SpectralMatchIsBruteForce) {
     EXPECT_GT(answered, 33 * 9 / 4);
 }
 
-TEST_P(Match, DirectMatchIsTheDefinitions) {
-    const NdfGrid grid = GetParam();
-    const RotationMatcher matcher(grid);
-    Random random(3);
-    for (int i = 0; i < 12; ++i) {
-        const Table p = patterned(grid, i % 2 ? Mask::half : Mask::holes, random);
-        const Table e = patterned(grid, i % 3 ? Mask::soft : Mask::full, random);
-        const RotationMatch found = matcher.match_directly(p.value.data(), p.weight.data(),
-                                                           e.value.data(), e.weight.data());
-        const Best best = best_by_definition(grid, p, e, 0.4);
-        EXPECT_LT(turn_between(static_cast<double>(found.shift), best.shift, grid.azimuths), 0.501)
-            << i;
-        EXPECT_NEAR(static_cast<double>(found.residual), best.turn.residual, 1e-4) << i;
-        EXPECT_NEAR(static_cast<double>(found.scale), best.turn.scale, 1e-3 * best.turn.scale) << i;
-        EXPECT_NEAR(static_cast<double>(found.overlap), best.turn.overlap, 1e-4) << i;
-        const RotationMatch spectral = one_match(grid, p, e);
-        EXPECT_NEAR(found.residual, spectral.residual, kResidualRounding) << i;
-        EXPECT_NEAR(turn_between(static_cast<double>(found.shift),
-                                 static_cast<double>(spectral.shift), grid.azimuths),
-                    0, 0.51)
-            << i;
-    }
-}
-
-// Where the weight is 0 the value is nobody's business.
+// Where the weight is 0, the value has no influence.
 TEST_P(Match, ValuesWithoutWeightDoNoHarm) {
     const NdfGrid grid = GetParam();
     Random random(21);
@@ -138,10 +90,6 @@ TEST_P(Match, ValuesWithoutWeightDoNoHarm) {
         EXPECT_EQ(found.residual, plain.residual) << odd;
         EXPECT_EQ(found.shift, plain.shift) << odd;
         EXPECT_EQ(found.scale, plain.scale) << odd;
-        const RotationMatcher matcher(grid);
-        const RotationMatch direct = matcher.match_directly(p2.value.data(), p2.weight.data(),
-                                                            e2.value.data(), e2.weight.data());
-        EXPECT_NEAR(direct.residual, plain.residual, kResidualRounding) << odd;
     }
 }
 

@@ -188,7 +188,7 @@ TEST(PointFitterOf, NoiseFreeSamplesGiveTheTruth) {
             EXPECT_GT(fitter.at(truth.tables(), static_cast<float>(columns + 12)).error, 1e-3f);
 
             std::array<float, 3> diffuse{}, specular{};
-            fitter.colours(truth.tables(), static_cast<float>(columns), diffuse, specular);
+            fitter.colors(truth.tables(), static_cast<float>(columns), diffuse, specular);
             for (std::size_t c = 0; c < 3; ++c) {
                 EXPECT_NEAR(static_cast<double>(diffuse[c]), d[c], 3e-4) << i;
                 EXPECT_NEAR(static_cast<double>(specular[c]), s[c], 2e-3 * s[c]) << i;

@@ -225,11 +225,11 @@ TEST(CaptureDirections, NamesThePictureAtFault) {
     const std::string good = ball_picture(folder, "good.png", kLights[0]);
     const auto wrong = [&](std::vector<std::filesystem::path> balls,
                            const std::vector<std::string>& parts, const ProbeCircle& circle) {
-        DirectionsRequest request;
+        CaptureDirectionsRequest request;
         request.balls = std::move(balls);
         request.circles = {circle};
         request.output = folder.path("rig.lp");
-        expect_parts(refusal_of([&] { find_directions(request, {}); }), parts);
+        expect_parts(refusal_of([&] { capture_directions(request, {}); }), parts);
         EXPECT_FALSE(std::filesystem::exists(request.output));
     };
     wrong({good, good}, {"good.png", "twice"}, kBall);

@@ -7,6 +7,7 @@
 
 #include "burnish/f32.hpp"
 #include "capture/model/strengths.hpp"
+#include "fit/levenberg_marquardt.hpp"
 
 namespace burnish {
 
@@ -15,24 +16,15 @@ namespace {
 constexpr std::array<std::string_view, 4> kNames = {"ward-isotropic", "ward", "ggx",
                                                     "ashikhmin-shirley"};
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kLeast = 0.01f, kMost = 1.2f;  // alphas
-// Relative gain of a step below which the search ends.
-constexpr double kLeastGain = 1e-4;
+// Bounds of both alphas. Lights a few degrees apart resolve nothing narrower than the least; wider than the
+// most, a lobe cannot be told from diffuse light.
+constexpr float kLeastAlpha = 0.01f, kMostAlpha = 1.2f;
 
-// log alpha along, log alpha across, groove.
+// ln alpha along the groove, ln alpha across it, the groove in radians.
 using Parameters = std::array<float, 3>;
 
-int free_parameters(ParametricModel model) {
-    return model == ParametricModel::ward_isotropic ? 1 : 3;
-}
-
-Parameters bounded(ParametricModel model, Parameters p) {
-    for (std::size_t k = 0; k < 2; ++k) p[k] = std::clamp(p[k], std::log(kLeast), std::log(kMost));
-    if (model == ParametricModel::ward_isotropic) {
-        p[1] = p[0];
-        p[2] = 0.0f;
-    }
-    return p;
+bool is_ward(ParametricModel model) {
+    return model == ParametricModel::ward || model == ParametricModel::ward_isotropic;
 }
 
 struct Lobe {
@@ -65,12 +57,7 @@ float shape(const Lobe& l, const f32::Perturbation& flat, const Vec3f& i, const 
     return f32::brdf_eval(l.brdf, l.lobe, flat, wi, wo);
 }
 
-// Residuals of the luminance with the best strengths, for one set of parameters.
-struct Trial {
-    std::vector<float> residuals;
-    double error = 0.0;  // sum of squares
-};
-
+// One point's samples of luminance beside what a model with given alphas and groove makes of them.
 class Problem {
   public:
     Problem(ParametricModel model, const PointSamples& samples, float eta)
@@ -80,16 +67,14 @@ class Problem {
           flat_(f32::perturb_make(f32::kMethodNone, f32::vec3(0.0f, 0.0f, 1.0f), true, false)),
           shape_(samples.size()),
           fresnel_(samples.size()) {
-        const bool plain =
-            model == ParametricModel::ward || model == ParametricModel::ward_isotropic;
         const RelativeFresnel fresnel(eta);
         for (std::size_t q = 0; q < samples.size(); ++q)
-            fresnel_[q] = plain ? 1.0f : fresnel(samples.cosine_ih[q]);
+            fresnel_[q] = is_ward(model) ? 1.0f : fresnel(samples.cosine_ih[q]);
         for (const float v : samples.value)
             square_ += static_cast<double>(v) * static_cast<double>(v);
     }
 
-    double square() const { return square_; }
+    double square() const { return square_; }  // sum of the squared samples
 
     void shapes(const Parameters& p) {
         const Lobe lobe = lobe_of(model_, p, eta_);
@@ -97,18 +82,15 @@ class Problem {
             shape_[q] = fresnel_[q] * shape(lobe, flat_, samples_.to_light[q], samples_.to_eye);
     }
 
-    void evaluate(const Parameters& p, Trial& trial) {
+    // Samples less the model with the strengths that fit best.
+    void residuals(const Parameters& p, Eigen::VectorXd& out) {
         shapes(p);
         float diffuse = 0.0f, specular = 0.0f;
         strengths(samples_.received, samples_.value, diffuse, specular);
-        trial.residuals.resize(samples_.size());
-        trial.error = 0.0;
-        for (std::size_t q = 0; q < samples_.size(); ++q) {
-            const float r =
-                samples_.value[q] - samples_.received[q] * (diffuse / kPi + specular * shape_[q]);
-            trial.residuals[q] = r;
-            trial.error += static_cast<double>(r) * static_cast<double>(r);
-        }
+        out.resize(static_cast<Eigen::Index>(samples_.size()));
+        for (std::size_t q = 0; q < samples_.size(); ++q)
+            out[static_cast<Eigen::Index>(q)] = static_cast<double>(
+                samples_.value[q] - samples_.received[q] * (diffuse / kPi + specular * shape_[q]));
     }
 
     // d, s >= 0 that make sum (value - received (d/pi + s b))^2 least, for the last shapes.
@@ -139,88 +121,75 @@ class Problem {
     double square_ = 0.0;
 };
 
-// Solves the 1 x 1 or 3 x 3 system by Cramer's rule; false when it is singular.
-bool solve(const std::array<std::array<double, 3>, 3>& a, const std::array<double, 3>& b, int n,
-           std::array<double, 3>& x) {
-    if (n == 1) {
-        if (!(a[0][0] > 0.0)) return false;
-        x = {b[0] / a[0][0], 0.0, 0.0};
-        return true;
-    }
-    const auto determinant = [](const std::array<std::array<double, 3>, 3>& m) {
-        return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-               m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    };
-    const double whole = determinant(a);
-    if (!(std::abs(whole) > 0.0)) return false;
-    for (std::size_t k = 0; k < 3; ++k) {
-        auto m = a;
-        for (std::size_t r = 0; r < 3; ++r) m[r][k] = b[r];
-        x[k] = determinant(m) / whole;
-    }
-    return true;
-}
+// What Descent minimizes. N is 3: ln alpha along, ln alpha across, groove; or 1 for a lobe that is round.
+template <int N>
+class Residuals {
+  public:
+    using Vector = Eigen::Matrix<double, N, 1>;
 
-// Levenberg and Marquardt's method with differences for derivatives.
-double descend(ParametricModel model, Problem& problem, Parameters& p, int steps) {
-    const int n = free_parameters(model);
-    Trial now, moved;
-    p = bounded(model, p);
-    problem.evaluate(p, now);
-    double damping = 1e-3;
-    std::array<std::vector<float>, 3> slopes;
-    for (int step = 0; step < steps; ++step) {
-        constexpr float kDifference = 0.01f;
-        for (int k = 0; k < n; ++k) {
-            Parameters q = p;
-            q[static_cast<std::size_t>(k)] += kDifference;
-            if (model == ParametricModel::ward_isotropic) q[1] = q[0];
-            problem.evaluate(q, moved);
-            auto& slope = slopes[static_cast<std::size_t>(k)];
-            slope.resize(now.residuals.size());
-            for (std::size_t i = 0; i < slope.size(); ++i)
-                slope[i] = (moved.residuals[i] - now.residuals[i]) / kDifference;
-        }
-        std::array<std::array<double, 3>, 3> normal{};
-        std::array<double, 3> right{};
-        for (std::size_t a = 0; a < static_cast<std::size_t>(n); ++a) {
-            for (std::size_t i = 0; i < now.residuals.size(); ++i)
-                right[a] -= static_cast<double>(slopes[a][i] * now.residuals[i]);
-            for (std::size_t b = a; b < static_cast<std::size_t>(n); ++b) {
-                for (std::size_t i = 0; i < now.residuals.size(); ++i)
-                    normal[a][b] += static_cast<double>(slopes[a][i] * slopes[b][i]);
-                normal[b][a] = normal[a][b];
-            }
-        }
-        bool better = false;
-        for (int attempt = 0; attempt < 5 && !better; ++attempt) {
-            auto damped = normal;
-            // Round lobes do not know their groove: a little of the trace keeps that step finite.
-            const double trace = normal[0][0] + normal[1][1] + normal[2][2];
-            for (std::size_t k = 0; k < 3; ++k)
-                damped[k][k] += damping * (normal[k][k] + 1e-6 * trace);
-            std::array<double, 3> move{};
-            if (!solve(damped, right, n, move)) break;
-            Parameters q = p;
-            for (std::size_t k = 0; k < 3; ++k)
-                q[k] += std::clamp(static_cast<float>(move[k]), -0.5f, 0.5f);
-            q = bounded(model, q);
-            problem.evaluate(q, moved);
-            if (moved.error < now.error) {
-                const double gain = (now.error - moved.error) / std::max(now.error, 1e-30);
-                p = q;
-                std::swap(now, moved);
-                damping = std::max(damping * 0.2, 1e-9);
-                if (gain < kLeastGain) return now.error;
-                better = true;
-            } else {
-                damping *= 8.0;
-            }
-        }
-        if (!better) break;
+    explicit Residuals(Problem& problem) : problem_(problem) {}
+
+    static Parameters parameters_of(const Vector& x) {
+        const auto along = static_cast<float>(x[0]);
+        if constexpr (N == 1)
+            return {along, along, 0.0f};
+        else
+            return {along, static_cast<float>(x[1]), static_cast<float>(x[2])};
     }
-    return now.error;
+
+    static Vector vector_of(const Parameters& p) {
+        Vector x;
+        for (int k = 0; k < N; ++k) x[k] = static_cast<double>(p[static_cast<std::size_t>(k)]);
+        return x;
+    }
+
+    void residuals(const Vector& x, Eigen::VectorXd& out) {
+        problem_.residuals(parameters_of(x), out);
+    }
+
+    void derivatives(const Vector& x, const Eigen::VectorXd& at_x,
+                     Eigen::Matrix<double, Eigen::Dynamic, N>& out) {
+        out.resize(at_x.size(), N);
+        for (int k = 0; k < N; ++k) {
+            Vector moved = x;
+            moved[k] += kDifference;
+            residuals(moved, moved_);
+            out.col(k) = (moved_ - at_x) / kDifference;
+        }
+    }
+
+  private:
+    // Of ln alpha, or of the groove in radians: the residuals are single precision, of which forward
+    // differences of this size keep five digits.
+    static constexpr double kDifference = 0.01;
+
+    Problem& problem_;
+    Eigen::VectorXd moved_;
+};
+
+// Searches from `p`, which receives where it ended; returns the sum of squares there.
+template <int N>
+double descend(Problem& problem, Parameters& p, int steps) {
+    using Search = Residuals<N>;
+    using Vector = typename Search::Vector;
+    DescentRules rules;
+    rules.most_iterations = steps;
+    rules.most_attempts = 5;
+    rules.stiffen = 8.0;
+    rules.least_damping = 1e-9;
+    rules.trace_share = 1e-6;
+    rules.most_step = 0.5;  // alphas by a factor of 1.6
+    // A ten thousandth of the error is far less than what the model itself leaves.
+    rules.least_gain = 1e-4;
+    Vector low = Vector::Constant(-HUGE_VAL), high = Vector::Constant(HUGE_VAL);
+    for (int k = 0; k < std::min(N, 2); ++k) {
+        low[k] = std::log(static_cast<double>(kLeastAlpha));
+        high[k] = std::log(static_cast<double>(kMostAlpha));
+    }
+    Search search(problem);
+    const auto result = Descent<N>(low, high, rules).run(search, Search::vector_of(p));
+    p = Search::parameters_of(result.x);
+    return result.sum;
 }
 
 }  // namespace
@@ -249,7 +218,9 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
                                                                          : 3;
     for (std::size_t k = 0; k < tried; ++k) {
         Parameters p = starts[k];
-        const double error = descend(model, problem, p, effort.steps);
+        const double error = model == ParametricModel::ward_isotropic
+                                 ? descend<1>(problem, p, effort.steps)
+                                 : descend<3>(problem, p, effort.steps);
         if (k > 0 && error >= least) continue;
         least = error;
         best = p;
@@ -276,8 +247,7 @@ float parametric_shape(ParametricModel model, const ParametricFit& fit, float et
     const f32::Perturbation flat =
         f32::perturb_make(f32::kMethodNone, f32::vec3(0.0f, 0.0f, 1.0f), true, false);
     const float b = shape(lobe_of(model, p, eta), flat, to_light, to_eye);
-    const bool plain = model == ParametricModel::ward || model == ParametricModel::ward_isotropic;
-    if (plain) return b;
+    if (is_ward(model)) return b;
     const Vec3f sum = {to_light[0] + to_eye[0], to_light[1] + to_eye[1], to_light[2] + to_eye[2]};
     const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
     return RelativeFresnel(eta)(0.5f * length) * b;

@@ -1,95 +1,94 @@
-// From a stack of pictures to a material of measured distributions, in stages that are kept on
-// disk: an interrupted fit goes on where it was, and gives what an uninterrupted one gives.
+// From a stack of pictures to a material of measured distributions, in stages that are kept on disk: an
+// interrupted fit continues where it was, and gives what an uninterrupted one gives.
 //
 //   pictures    every picture read once (image_stack.hpp)
-//   exemplars   partial distributions of some points, clustered, solved for, completed; eta
-//   texels      every pixel: exemplar, angle, diffuse, specular
+//   exemplars   partial distributions of some points, clustered, solved for, completed; eta (exemplar_search.hpp)
+//   texels      every pixel: exemplar, rotation, diffuse, specular, normal, models (texel_fit.hpp)
 #pragma once
 
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "burnish/progress.hpp"
 #include "capture/solve/exemplar_search.hpp"
+#include "capture/solve/texels.hpp"
 #include "capture/stack/image_stack.hpp"
 #include "fit/lobe_fit.hpp"
 #include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 
+class TexelFitter;
+
 struct CaptureFitSettings {
-    NdfGrid grid;
+    NdfGrid grid;               // of the exemplars
     int exemplars = 64;         // at most
     std::optional<double> eta;  // none: estimated; 0: no Fresnel
     std::uint64_t seed = 1;
-    int hold_out = 0;  // every n-th light takes no part and judges; 0: none
-    // From which exemplars are made, at most; 0: 8192, and no more than have 4 million samples.
-    int training_points = 0;
-    bool normals = false;  // let normals tilt; else the sample is flat
-    bool models = true;    // analytic models of every texel too (parametric_fit.hpp)
+    int hold_out = 0;         // every n-th light takes no part and judges; 0: none
+    int training_points = 0;  // at most; 0: 8192, and no more than have 4 million samples
+    bool normals = false;     // normals of texels may tilt; else the sample is flat
+    bool models = true;       // analytic models of every texel too (parametric_fit.hpp)
+    // Memory of the pictures' bands, in bytes; results do not depend on it.
+    std::size_t band_bytes = ImageStack::kUsualBandBytes;
 };
 
 struct CaptureFitReport {
     StackCensus census;
-    double spacing_deg = 0.0;  // median, of half vectors in the middle of the sample
+    double spacing_deg =
+        0.0;  // median distance of neighboring half vectors, at the center of the sample
     int training_points = 0;
     int exemplars = 0;
     double eta = 0.0;
     CompletionReport completion;
-    double training_error = 0.0;  // root of the mean of the points' PointFit::error
+    double training_error = 0.0;  // root of the mean of the training points' PointFit::error
 };
 
-// Lights that take part (1) or are held out (0).
+// A light each: 1 takes part, 0 is held out.
 std::vector<std::uint8_t> fitted_lights(std::size_t lights, int hold_out);
 
+// One object per fit; its members must not be called from several threads at a time, and run in parallel
+// themselves. Results do not depend on the number of threads. Members throw Error for files, Interrupted when
+// cancelled; what was written by then is found by the next run.
 class CaptureFit {
   public:
-    // `stages`: a folder for what is kept between runs; made when it is not there.
+    // Reads the pictures. `stages`: a folder for what is kept between runs; made when it is not there.
     CaptureFit(const Rig& rig, const CaptureFitSettings& settings,
                const std::filesystem::path& stages, const Progress& progress);
     ~CaptureFit();
 
+    // Takes the exemplars from `stages` where an earlier run of the same settings left them.
     void find_exemplars();
+
+    // Every texel; needs the exemplars. Continues after the last band that an earlier run left.
     void fit_texels();
-    // After both.
+    // The same in parts, for several jobs over one folder: the texels of bands [first, last) of stack().bands().
+    // They are the same as fit_texels finds. Nothing is written.
+    Texels fit_bands(std::size_t first, std::size_t last);
+    // Takes the texels of all bands over, as parts of fit_bands merged (Texels::merge), in place of fit_texels.
+    void take_texels(Texels texels);
+
+    // After all texels.
     TabulatedMaterial material() const;
 
-    const Rig& rig() const { return rig_; }  // with the sample's height filled in
+    const Rig& rig() const { return rig_; }  // with the height of the sample filled in
     const ImageStack& stack() const { return *stack_; }
     const Exemplars& exemplars() const { return exemplars_; }
     const CaptureFitReport& report() const { return report_; }
     const CaptureFitSettings& settings() const { return settings_; }
-    // Root of the mean of PointFit::error: of the texels once they are done, else of the points
-    // that exemplars are made from, as they were before the last of these.
+    // Root of the mean of PointFit::error: of the texels once they are done, else of the training points.
     double unexplained() const;
 
   private:
-    struct Texels;
-    struct TileWork;
-    struct TexelTools;
-    std::vector<std::size_t> training_pixels() const;
-    std::vector<float> training_values(const std::vector<std::size_t>& pixels) const;
-    ExemplarTables tables_of(int exemplar) const {
-        return {settings_.grid, exemplars_.table(exemplar), exemplars_.area(exemplar)};
-    }
-    PointFit best_turn(const PointFitter& fitter, const PointSamples& few,
-                       const std::vector<PointTurn>& candidates, const TexelTools& tools,
-                       int& exemplar) const;
-    void fit_texel(std::size_t pixel, std::size_t k, const std::vector<PointTurn>& candidates,
-                   const TexelTools& tools, TileWork& tile, Texels& texels) const;
-    void fit_models(std::size_t pixel, int exemplar, float shift, const TexelTools& tools,
-                    const PointSamples& samples, Texels& texels) const;
-    void fit_band(const StackBand& band, TexelTools& tools, Texels& texels) const;
-    std::size_t load_texels();
-    void save_texels(std::size_t bands) const;
-    std::uint64_t texel_identity() const;
-    std::vector<LobeFit> lobes() const;
+    TexelFitter texel_fitter() const;
     bool load_exemplars();
     void save_exemplars() const;
+    std::size_t load_texels();
+    void save_texels(std::size_t bands) const;
     std::uint64_t identity() const;
+    std::uint64_t texel_identity() const;
 
     Rig rig_;
     CaptureFitSettings settings_;
@@ -99,7 +98,7 @@ class CaptureFit {
     std::unique_ptr<LightGeometry> geometry_;
     SampleContext context_;
     Exemplars exemplars_;
-    std::unique_ptr<Texels> texels_;
+    std::optional<Texels> texels_;
     CaptureFitReport report_;
 };
 

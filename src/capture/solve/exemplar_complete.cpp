@@ -40,7 +40,7 @@ std::vector<float> feathered(const NdfGrid& grid, const float* weights) {
 }
 
 // What donors say about every cell, turned and scaled onto exemplar `e`; `known` counts them.
-void gather_donors(const Exemplars& all, const std::vector<PointTurn>& donors,
+void gather_donors(const Exemplars& all, const std::vector<Candidate>& donors,
                    const std::vector<float>& scales, std::vector<float>& sum,
                    std::vector<float>& known) {
     const std::size_t cells = cells_of(all);
@@ -51,8 +51,8 @@ void gather_donors(const Exemplars& all, const std::vector<PointTurn>& donors,
         const float* d = all.table(donors[k].exemplar);
         const float* w = all.weight(donors[k].exemplar);
         for (std::size_t i = 0; i < cells; ++i) masked[i] = w[i] * d[i];
-        turn_table(all.grid, masked.data(), donors[k].shift, value.data());
-        turn_table(all.grid, w, donors[k].shift, weight.data());
+        rotate_table(all.grid, masked.data(), donors[k].shift, value.data());
+        rotate_table(all.grid, w, donors[k].shift, weight.data());
         const float trust = 1.0f / (donors[k].residual + 1e-4f);
         for (std::size_t i = 0; i < cells; ++i) {
             sum[i] += trust * scales[k] * value[i];
@@ -64,7 +64,7 @@ void gather_donors(const Exemplars& all, const std::vector<PointTurn>& donors,
 }
 
 // Cells missing from `e` that donors know; true when there were any.
-bool take_from_others(const Exemplars& before, int e, const std::vector<PointTurn>& donors,
+bool take_from_others(const Exemplars& before, int e, const std::vector<Candidate>& donors,
                       const std::vector<float>& scales, Exemplars& after) {
     std::vector<float> sum, known;
     gather_donors(before, donors, scales, sum, known);
@@ -182,7 +182,7 @@ CompletionReport complete_exemplars(Exemplars& exemplars) {
     if (exemplars.count > 1) {
         RotationMatcher matcher(exemplars.grid);
         matcher.set_exemplars(exemplars.tables());
-        std::vector<std::vector<PointTurn>> donors(static_cast<std::size_t>(exemplars.count));
+        std::vector<std::vector<Candidate>> donors(static_cast<std::size_t>(exemplars.count));
         std::vector<std::vector<float>> scales(donors.size());
         matcher.match(exemplars.tables(), [&](std::size_t p,
                                               std::span<const RotationMatch> matches) {

@@ -11,11 +11,14 @@ namespace burnish {
 
 namespace {
 
-// A cluster of fewer points is noise that found itself.
+// Points that a cluster must have to be kept: one or two may be alike in their noise alone.
 constexpr int kFewestMembers = 3;
-// Exemplars closer than this share of their members' distance from them are one: means of many
-// points differ less than points do.
+// Two exemplars are merged when the residual between them is below this share of the smaller of their spreads
+// (the median residual of an exemplar's members). It is below 1 because means of many points differ less than
+// points do.
 constexpr float kMergeFactor = 0.3f;
+// Rounds in which seeds are drawn. Each costs a match of all points against the new seeds; k-means|| is within
+// a constant of the best seeding after a few.
 constexpr int kSeedRounds = 5;
 
 std::size_t cells_of(const NdfGrid& grid) {
@@ -27,7 +30,7 @@ float cell_mass(const NdfGrid& grid, int ring) {
 }
 
 // Scales a table so that its known part holds a mass of 1.
-void normalise_known(const NdfGrid& grid, float* table, const float* weights) {
+void normalize_known(const NdfGrid& grid, float* table, const float* weights) {
     double mass = 0.0;
     for (int i = 0; i < grid.cells(); ++i)
         if (weights[i] > 0.0f)
@@ -53,27 +56,26 @@ Exemplars with_points(const NdfGrid& grid, const MaskedTables& points,
     return out;
 }
 
-void append(Exemplars& all, const Exemplars& more) {
-    all.count += more.count;
-    all.D.insert(all.D.end(), more.D.begin(), more.D.end());
-    all.weights.insert(all.weights.end(), more.weights.begin(), more.weights.end());
+void append_all(Exemplars& all, const Exemplars& more) {
+    for (int e = 0; e < more.count; ++e) all.append(more, e);
 }
 
-// Every point's best among the matcher's exemplars, if better than what it has; indices from
-// `base`.
+// Assigns to every point the best of the matcher's exemplars where it is better than the one it has. The
+// matcher's exemplars are numbered from `base`.
 void improve(const RotationMatcher& matcher, const MaskedTables& points, int base,
-             std::vector<PointTurn>& turns) {
+             std::vector<Candidate>& assigned) {
     matcher.match(points, [&](std::size_t p, std::span<const RotationMatch> matches) {
         for (std::size_t e = 0; e < matches.size(); ++e)
-            if (matches[e].residual < turns[p].residual)
-                turns[p] = {base + static_cast<int>(e), matches[e].shift, matches[e].residual};
+            if (matches[e].residual < assigned[p].residual)
+                assigned[p] = {base + static_cast<int>(e), matches[e].shift, matches[e].residual};
     });
 }
 
-// Seeds in a few rounds, each drawn by how badly points are matched so far (k-means||, Bahmani et
-// al. 2012).
+// Draws seeds from the points in kSeedRounds rounds, each point with a chance in proportion to its residual
+// so far (k-means||, Bahmani et al. 2012).
 Exemplars seeds(const NdfGrid& grid, const MaskedTables& points, int wanted,
-                std::mt19937_64& random, std::vector<PointTurn>& turns, const Progress& progress) {
+                std::mt19937_64& random, std::vector<Candidate>& assigned,
+                const Progress& progress) {
     Exemplars all;
     all.grid = grid;
     std::vector<double> chance(points.count, 1.0);
@@ -95,22 +97,22 @@ Exemplars seeds(const NdfGrid& grid, const MaskedTables& points, int wanted,
         const Exemplars fresh = with_points(grid, points, chosen);
         RotationMatcher matcher(grid);
         matcher.set_exemplars(fresh.tables());
-        improve(matcher, points, all.count, turns);
-        append(all, fresh);
+        improve(matcher, points, all.count, assigned);
+        append_all(all, fresh);
         for (std::size_t p = 0; p < points.count; ++p)
-            chance[p] = static_cast<double>(turns[p].residual);
+            chance[p] = static_cast<double>(assigned[p].residual);
     }
     return all;
 }
 
-// The mean of each exemplar's members, turned back onto it.
-void update(const MaskedTables& points, const std::vector<PointTurn>& turns, Exemplars& all) {
+// Replaces each exemplar by the mean of its members, rotated back onto it.
+void update(const MaskedTables& points, const std::vector<Candidate>& assigned, Exemplars& all) {
     const NdfGrid grid = all.grid;
     const std::size_t cells = cells_of(grid);
     std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(all.count));
-    for (std::size_t p = 0; p < turns.size(); ++p)
-        if (turns[p].exemplar >= 0)
-            members[static_cast<std::size_t>(turns[p].exemplar)].push_back(p);
+    for (std::size_t p = 0; p < assigned.size(); ++p)
+        if (assigned[p].exemplar >= 0)
+            members[static_cast<std::size_t>(assigned[p].exemplar)].push_back(p);
     parallel_for(members.size(), 1, [&](std::size_t e, std::size_t) {
         if (members[e].empty()) return;
         std::vector<float> sum(cells, 0.0f), total(cells, 0.0f), masked(cells), value(cells),
@@ -119,9 +121,10 @@ void update(const MaskedTables& points, const std::vector<PointTurn>& turns, Exe
             const float* t = points.values.data() + p * cells;
             const float* w = points.weights.data() + p * cells;
             for (std::size_t i = 0; i < cells; ++i) masked[i] = w[i] > 0.0f ? w[i] * t[i] : 0.0f;
-            turn_table(grid, masked.data(), -turns[p].shift, value.data());
-            turn_table(grid, w, -turns[p].shift, weight.data());
-            // The same shape on what both know: least squares of the scale against the exemplar.
+            rotate_table(grid, masked.data(), -assigned[p].shift, value.data());
+            rotate_table(grid, w, -assigned[p].shift, weight.data());
+            // A partial table has no scale of its own: it gets the one that fits the exemplar best, by least
+            // squares over the cells that both know.
             double own = 0.0, both = 0.0;
             const float* c = all.table(static_cast<int>(e));
             const float* cw = all.weight(static_cast<int>(e));
@@ -141,57 +144,52 @@ void update(const MaskedTables& points, const std::vector<PointTurn>& turns, Exe
         float* table = all.table(static_cast<int>(e));
         float* weights = all.weight(static_cast<int>(e));
         for (std::size_t i = 0; i < cells; ++i) {
-            // A cell is known when half a point has seen it.
+            // A cell is known when its members' weights, each up to 1, add up to 1/2.
             weights[i] = total[i] < 0.5f ? 0.0f : std::min(total[i], 1.0f);
             table[i] = total[i] > 0.0f ? sum[i] / total[i] : 0.0f;
         }
-        normalise_known(grid, table, weights);
+        normalize_known(grid, table, weights);
     });
 }
 
-std::vector<PointTurn> assign(const MaskedTables& points, const Exemplars& all) {
-    std::vector<PointTurn> turns(points.count);
+std::vector<Candidate> assign(const MaskedTables& points, const Exemplars& all) {
+    std::vector<Candidate> assigned(points.count);
     RotationMatcher matcher(all.grid);
     matcher.set_exemplars(all.tables());
-    improve(matcher, points, 0, turns);
-    return turns;
+    improve(matcher, points, 0, assigned);
+    return assigned;
 }
 
-void keep_only(Exemplars& all, const std::vector<int>& kept) {
+Exemplars only(const Exemplars& all, const std::vector<int>& kept) {
     Exemplars out;
     out.grid = all.grid;
-    out.count = static_cast<int>(kept.size());
-    const auto cells = static_cast<std::ptrdiff_t>(cells_of(all.grid));
-    for (const int e : kept) {
-        out.D.insert(out.D.end(), all.table(e), all.table(e) + cells);
-        out.weights.insert(out.weights.end(), all.weight(e), all.weight(e) + cells);
-    }
-    all = std::move(out);
+    for (const int e : kept) out.append(all, e);
+    return out;
 }
 
-std::vector<int> member_counts(const Exemplars& all, const std::vector<PointTurn>& turns) {
+std::vector<int> member_counts(const Exemplars& all, const std::vector<Candidate>& assigned) {
     std::vector<int> counts(static_cast<std::size_t>(all.count), 0);
-    for (const PointTurn& turn : turns)
-        if (turn.exemplar >= 0) ++counts[static_cast<std::size_t>(turn.exemplar)];
+    for (const Candidate& own : assigned)
+        if (own.exemplar >= 0) ++counts[static_cast<std::size_t>(own.exemplar)];
     return counts;
 }
 
-void drop_small(Exemplars& all, const std::vector<PointTurn>& turns) {
-    const std::vector<int> counts = member_counts(all, turns);
+void drop_small(Exemplars& all, const std::vector<Candidate>& assigned) {
+    const std::vector<int> counts = member_counts(all, assigned);
     const int fewest =
         std::min<int>(kFewestMembers, *std::max_element(counts.begin(), counts.end()));
     std::vector<int> kept;
     for (int e = 0; e < all.count; ++e)
         if (counts[static_cast<std::size_t>(e)] >= std::max(fewest, 1)) kept.push_back(e);
-    keep_only(all, kept);
+    all = only(all, kept);
 }
 
 // Of each exemplar: the median residual of its members.
-std::vector<float> spreads(const Exemplars& all, const std::vector<PointTurn>& turns) {
+std::vector<float> spreads(const Exemplars& all, const std::vector<Candidate>& assigned) {
     std::vector<std::vector<float>> residuals(static_cast<std::size_t>(all.count));
-    for (const PointTurn& turn : turns)
-        if (turn.exemplar >= 0)
-            residuals[static_cast<std::size_t>(turn.exemplar)].push_back(turn.residual);
+    for (const Candidate& own : assigned)
+        if (own.exemplar >= 0)
+            residuals[static_cast<std::size_t>(own.exemplar)].push_back(own.residual);
     std::vector<float> out;
     for (auto& some : residuals) {
         if (some.empty()) {
@@ -205,10 +203,10 @@ std::vector<float> spreads(const Exemplars& all, const std::vector<PointTurn>& t
     return out;
 }
 
-// Larger clusters take in smaller ones that are alike within their members' own spread.
-void merge_alike(Exemplars& all, const std::vector<PointTurn>& turns) {
+// Drops exemplars that are alike another one, which has more members, within the spread of their members.
+void merge_alike(Exemplars& all, const std::vector<Candidate>& assigned) {
     if (all.count < 2) return;
-    const std::vector<float> spread = spreads(all, turns);
+    const std::vector<float> spread = spreads(all, assigned);
     const auto count = static_cast<std::size_t>(all.count);
     std::vector<float> between(count * count, 1.0f);
     RotationMatcher matcher(all.grid);
@@ -217,7 +215,7 @@ void merge_alike(Exemplars& all, const std::vector<PointTurn>& turns) {
         for (std::size_t e = 0; e < matches.size(); ++e)
             between[p * count + e] = matches[e].residual;
     });
-    const std::vector<int> members = member_counts(all, turns);
+    const std::vector<int> members = member_counts(all, assigned);
     std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -234,17 +232,27 @@ void merge_alike(Exemplars& all, const std::vector<PointTurn>& turns) {
         if (!has_twin) kept.push_back(e);
     }
     std::sort(kept.begin(), kept.end());
-    keep_only(all, kept);
+    all = only(all, kept);
 }
 
 }  // namespace
 
-void turn_table(const NdfGrid& grid, const float* table, float shift, float* out) {
+int Exemplars::append(const Exemplars& from, int index) {
+    const auto cells = static_cast<std::ptrdiff_t>(grid.cells());
+    D.insert(D.end(), from.table(index), from.table(index) + cells);
+    weights.insert(weights.end(), from.weight(index), from.weight(index) + cells);
+    origin.insert(origin.end(), cells_of(grid), NdfOrigin::extrapolated);
+    if (!from.areas.empty())
+        areas.insert(areas.end(), from.area(index), from.area(index) + kAreaGrid.cells());
+    return count++;
+}
+
+void rotate_table(const NdfGrid& grid, const float* table, float shift, float* out) {
     const auto columns = static_cast<float>(grid.azimuths);
-    float turn = std::fmod(shift, columns);
-    if (turn < 0.0f) turn += columns;
-    const int whole = static_cast<int>(turn) % grid.azimuths;
-    const float t = turn - std::floor(turn);
+    float rotation = std::fmod(shift, columns);
+    if (rotation < 0.0f) rotation += columns;
+    const int whole = static_cast<int>(rotation) % grid.azimuths;
+    const float t = rotation - std::floor(rotation);
     for (int r = 0; r < grid.rings; ++r)
         for (int c = 0; c < grid.azimuths; ++c) {
             const int near = (c - whole + grid.azimuths) % grid.azimuths;
@@ -255,35 +263,34 @@ void turn_table(const NdfGrid& grid, const float* table, float shift, float* out
 }
 
 Exemplars cluster_points(const NdfGrid& grid, const MaskedTables& points,
-                         const ClusterSettings& settings, std::vector<PointTurn>& turns,
+                         const ClusterSettings& settings, std::vector<Candidate>& assigned,
                          const Progress& progress) {
     std::mt19937_64 random(settings.seed);
-    turns.assign(points.count, {});
+    assigned.assign(points.count, {});
     const int wanted = std::clamp(settings.exemplars, 1, static_cast<int>(points.count));
-    Exemplars all = seeds(grid, points, wanted, random, turns, progress);
+    Exemplars all = seeds(grid, points, wanted, random, assigned, progress);
     for (int round = 0; round < settings.rounds; ++round) {
         progress.step("clustering", static_cast<double>(round) / settings.rounds);
-        turns = assign(points, all);
-        update(points, turns, all);
-        drop_small(all, turns);
+        assigned = assign(points, all);
+        update(points, assigned, all);
+        drop_small(all, assigned);
         if (round + 2 >= settings.rounds) merge_alike(all, assign(points, all));
     }
-    turns = assign(points, all);
-    all.origin.assign(all.D.size(), NdfOrigin::extrapolated);
+    assigned = assign(points, all);
     return all;
 }
 
-std::vector<std::vector<PointTurn>> best_turns(const RotationMatcher& matcher,
-                                               const MaskedTables& points, std::size_t most) {
-    std::vector<std::vector<PointTurn>> out(points.count);
+std::vector<std::vector<Candidate>> best_candidates(const RotationMatcher& matcher,
+                                                    const MaskedTables& points, std::size_t most) {
+    std::vector<std::vector<Candidate>> out(points.count);
     matcher.match(points, [&](std::size_t p, std::span<const RotationMatch> matches) {
-        std::vector<PointTurn> all;
+        std::vector<Candidate> all;
         for (std::size_t e = 0; e < matches.size(); ++e)
             all.push_back({static_cast<int>(e), matches[e].shift, matches[e].residual});
         const std::size_t kept = std::min(most, all.size());
         std::partial_sort(
             all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(),
-            [](const PointTurn& a, const PointTurn& b) { return a.residual < b.residual; });
+            [](const Candidate& a, const Candidate& b) { return a.residual < b.residual; });
         all.resize(kept);
         out[p] = std::move(all);
     });

@@ -1,5 +1,5 @@
-// Exemplars: the distributions that all points of a sample share, each point turned by its own
-// angle. Found by masked, rotation-aware k-means on partial distributions; docs/theory/capture-model.md.
+// Exemplars: the distributions that all points of a sample share, each point with its own rotation. Found
+// by masked, rotation-aware k-means on partial distributions; docs/theory/capture-model.md.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace burnish {
 struct Exemplars {
     NdfGrid grid;
     int count = 0;
-    std::vector<float> D;        // count x cells; each Int D (n.h) dw = 1 over what is known
-    std::vector<float> weights;  // count x cells, 0 to 1: how well a cell is known
-    std::vector<float> areas;    // count x kAreaGrid cells
-    std::vector<NdfOrigin> origin;
+    std::vector<float> D;           // count x cells; each Int D (n.h) dw = 1 over the known cells
+    std::vector<float> weights;     // count x cells, 0 (unknown) to 1
+    std::vector<float> areas;       // count x kAreaGrid cells; empty until tables are completed
+    std::vector<NdfOrigin> origin;  // count x cells
 
     float* table(int index) { return D.data() + static_cast<std::ptrdiff_t>(index) * grid.cells(); }
     const float* table(int index) const {
@@ -33,12 +33,17 @@ struct Exemplars {
         return areas.data() + static_cast<std::ptrdiff_t>(index) * kAreaGrid.cells();
     }
     MaskedTables tables() const { return {D, weights, static_cast<std::size_t>(count)}; }
+
+    // Copies exemplar `index` of `from`, of the same grid, to the end: D, weights and, where it has them,
+    // areas. Its cells count as extrapolated until complete_exemplars. Returns its index here.
+    int append(const Exemplars& from, int index);
 };
 
-struct PointTurn {
-    int exemplar = -1;   // -1: matched none
-    float shift = 0.0f;  // columns
-    float residual = 1.0f;
+// An exemplar that a point may have, and its rotation for that point.
+struct Candidate {
+    int exemplar = -1;      // -1: none
+    float shift = 0.0f;     // rotation in columns of the grid, counter-clockwise
+    float residual = 1.0f;  // of the match (RotationMatch::residual), 0 to 1
 };
 
 struct ClusterSettings {
@@ -47,17 +52,19 @@ struct ClusterSettings {
     std::uint64_t seed = 1;
 };
 
-// `points`: partial distributions. Returns at most `exemplars` tables, fewer where several would be
-// the same within the points' own spread; `turns` receives where each point went.
+// `points`: partial distributions. Returns at most `exemplars` tables, fewer where several would be the same
+// within the spread of their points; `assigned` receives the exemplar and rotation of each point.
+// Deterministic for a seed, whatever the number of threads.
 Exemplars cluster_points(const NdfGrid& grid, const MaskedTables& points,
-                         const ClusterSettings& settings, std::vector<PointTurn>& turns,
+                         const ClusterSettings& settings, std::vector<Candidate>& assigned,
                          const Progress& progress);
 
-// The matches of every point with its best exemplars, best first; `most` of them.
-std::vector<std::vector<PointTurn>> best_turns(const RotationMatcher& matcher,
-                                               const MaskedTables& points, std::size_t most);
+// For every point its `most` best exemplars, each at its best rotation, in increasing order of residuals.
+std::vector<std::vector<Candidate>> best_candidates(const RotationMatcher& matcher,
+                                                    const MaskedTables& points, std::size_t most);
 
-// `table` turned by `shift` columns (counter-clockwise), linear between columns.
-void turn_table(const NdfGrid& grid, const float* table, float shift, float* out);
+// Writes `table` rotated counter-clockwise by `shift` columns to `out`, linear between columns; both have
+// grid.cells() values and must not overlap.
+void rotate_table(const NdfGrid& grid, const float* table, float shift, float* out);
 
 }  // namespace burnish

@@ -101,8 +101,8 @@ PointFit PointFitter::descend(const ExemplarTables& tables, PointFit best, float
     return best;
 }
 
-void PointFitter::colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
-                          std::array<float, 3>& specular) const {
+void PointFitter::colors(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
+                         std::array<float, 3>& specular) const {
     const float area_out =
         area_at(tables.areas, samples_->out, samples_->to_eye[2], area_shift(tables.grid, shift));
     std::vector<float> shape(samples_->size());

@@ -58,8 +58,8 @@ class PointFitter {
     // The best turn within about 2 `width` of `shift`.
     PointFit nearby(const ExemplarTables& tables, float shift, float width) const;
     // Diffuse and specular of each channel at a turn.
-    void colours(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
-                 std::array<float, 3>& specular) const;
+    void colors(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
+                std::array<float, 3>& specular) const;
 
     const std::vector<float>& weights() const { return weights_; }
     const std::vector<float>& fresnel() const { return fresnel_; }

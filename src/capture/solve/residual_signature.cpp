@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 namespace burnish {
 
 void residual_signature(const ExemplarTables& tables, const PointSamples& samples,
-                        const PointFitter& fitter, const PointFit& fit, float* out) {
+                        const PointFitter& fitter, const PointFit& fit, Signature& out) {
     const auto cells = static_cast<std::size_t>(kSignature.cells());
     std::vector<float> sum(cells, 0.0f), total(cells, 0.0f);
     const float area_out =
@@ -34,22 +35,22 @@ void residual_signature(const ExemplarTables& tables, const PointSamples& sample
         out[i] = total[i] > 0.0f ? sum[i] / std::sqrt(total[i]) : 0.0f;
 }
 
-double main_variation(const std::vector<float>& signatures, const std::vector<std::size_t>& members,
-                      std::vector<float>& side) {
-    const auto cells = static_cast<std::size_t>(kSignature.cells());
-    std::vector<double> mean(cells, 0.0), axis(cells), next(cells);
-    for (const std::size_t p : members)
-        for (std::size_t i = 0; i < cells; ++i)
-            mean[i] += static_cast<double>(signatures[p * cells + i]) /
-                       static_cast<double>(members.size());
-    double variance = 0.0;
-    for (const std::size_t p : members)
-        for (std::size_t i = 0; i < cells; ++i)
-            variance += std::pow(static_cast<double>(signatures[p * cells + i]) - mean[i], 2);
-    for (std::size_t i = 0; i < cells; ++i) axis[i] = 1.0 + static_cast<double>(i % 7);
-    double along = 0.0;
-    side.resize(members.size());
+double main_variation(const std::vector<const Signature*>& signatures, std::vector<float>& place) {
+    constexpr std::size_t kCells = std::tuple_size_v<Signature>;
+    // More than enough for the share of the variance to settle to two digits.
     constexpr int kPowers = 20;
+    std::vector<double> mean(kCells, 0.0), axis(kCells), next(kCells);
+    for (const Signature* s : signatures)
+        for (std::size_t i = 0; i < kCells; ++i)
+            mean[i] += static_cast<double>((*s)[i]) / static_cast<double>(signatures.size());
+    double variance = 0.0;
+    for (const Signature* s : signatures)
+        for (std::size_t i = 0; i < kCells; ++i)
+            variance += std::pow(static_cast<double>((*s)[i]) - mean[i], 2);
+    // Any start does that is not orthogonal to the component.
+    for (std::size_t i = 0; i < kCells; ++i) axis[i] = 1.0 + static_cast<double>(i % 7);
+    double along = 0.0;
+    place.resize(signatures.size());
     for (int power = 0; power < kPowers; ++power) {
         const double length =
             std::sqrt(std::inner_product(axis.begin(), axis.end(), axis.begin(), 0.0));
@@ -57,15 +58,15 @@ double main_variation(const std::vector<float>& signatures, const std::vector<st
         for (double& a : axis) a /= length;
         std::fill(next.begin(), next.end(), 0.0);
         along = 0.0;
-        for (std::size_t k = 0; k < members.size(); ++k) {
-            const float* s = signatures.data() + members[k] * cells;
-            double place = 0.0;
-            for (std::size_t i = 0; i < cells; ++i)
-                place += (static_cast<double>(s[i]) - mean[i]) * axis[i];
-            side[k] = static_cast<float>(place);
-            along += place * place;
-            for (std::size_t i = 0; i < cells; ++i)
-                next[i] += place * (static_cast<double>(s[i]) - mean[i]);
+        for (std::size_t k = 0; k < signatures.size(); ++k) {
+            const Signature& s = *signatures[k];
+            double at = 0.0;
+            for (std::size_t i = 0; i < kCells; ++i)
+                at += (static_cast<double>(s[i]) - mean[i]) * axis[i];
+            place[k] = static_cast<float>(at);
+            along += at * at;
+            for (std::size_t i = 0; i < kCells; ++i)
+                next[i] += at * (static_cast<double>(s[i]) - mean[i]);
         }
         axis = next;
     }

@@ -1,6 +1,7 @@
 // What an exemplar leaves unexplained of each of its points, and whether that falls into two kinds.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -8,16 +9,19 @@
 
 namespace burnish {
 
+// Coarse enough that a few hundred samples fill its cells.
 inline constexpr NdfGrid kSignature = {8, 24};
 
-// Writes kSignature.cells() numbers: a point's residuals in the exemplar's frame, in units of what
-// its samples decide there, so that noise is about as large in every cell.
-void residual_signature(const ExemplarTables& tables, const PointSamples& samples,
-                        const PointFitter& fitter, const PointFit& fit, float* out);
+// One number for each cell of kSignature, ring by ring.
+using Signature = std::array<float, 8 * 24>;
 
-// The direction in which the members' signatures vary most (power iteration), as its share of all
-// their variance; `side` receives each member's place along it.
-double main_variation(const std::vector<float>& signatures, const std::vector<std::size_t>& members,
-                      std::vector<float>& side);
+// A point's residuals in the frame of its exemplar, each cell in units of what the samples decide there, so
+// that noise is about as large in every cell. Cells without samples are 0.
+void residual_signature(const ExemplarTables& tables, const PointSamples& samples,
+                        const PointFitter& fitter, const PointFit& fit, Signature& out);
+
+// The largest principal component of the signatures (by power iteration), as its share of their variance, 0 to
+// 1; `place` receives the place of each signature along it, from the mean.
+double main_variation(const std::vector<const Signature*>& signatures, std::vector<float>& place);
 
 }  // namespace burnish

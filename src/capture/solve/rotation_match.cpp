@@ -1,39 +1,25 @@
 #include "capture/solve/rotation_match.hpp"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
+#include "capture/product/small_product.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
 
 namespace {
 
-// The three products of a table with its weights that the four sums are made of.
+// The products of a table with its weights from which the four sums are made (products()).
 constexpr int kProducts = 3;
+// Points and exemplars that are matched together: the operands of a product of one frequency, 64 x 2 rings each, and
+// its result fit the second-level cache.
 constexpr std::size_t kPointTile = 64, kExemplarTile = 64;
 
-// C (m x n) = A^T B of A (k x m) and B (k x n), all row-major, A and C packed, B's rows `b_row`
-// floats apart. Called from many threads, each product on one. A build of OpenBLAS without threads
-// has no locks either and mixes up callers' buffers (measured with 0.3.21): there one call at a
-// time.
-void multiply(std::size_t m, std::size_t n, std::size_t k, const float* a, const float* b,
-              std::size_t b_row, float* c) {
-    static const bool unlocked = openblas_get_parallel() == OPENBLAS_SEQUENTIAL;
-    static std::mutex one_at_a_time;
-    std::unique_lock<std::mutex> lock(one_at_a_time, std::defer_lock);
-    if (unlocked) lock.lock();
-    cblas_sgemm(CblasRowMajor, CblasTrans, CblasNoTrans, static_cast<int>(m), static_cast<int>(n),
-                static_cast<int>(k), 1.0f, a, static_cast<int>(m), b, static_cast<int>(b_row), 0.0f,
-                c, static_cast<int>(n));
-}
-
-// Of a table's cell: point m T^2, m, m T; exemplar n, n C, n C^2. Masked cells may hold anything.
+// Of one cell of a table: m T^2, m, m T of a point; n, n C, n C^2 of an exemplar. The value of a masked cell may be
+// anything, not a number too.
 std::array<float, kProducts> products(float value, float weight, bool exemplar) {
     if (weight <= 0.0f) return {0.0f, 0.0f, 0.0f};
     const float first = weight * value, second = first * value;
@@ -41,12 +27,12 @@ std::array<float, kProducts> products(float value, float weight, bool exemplar) 
                     : std::array<float, kProducts>{second, weight, first};
 }
 
-// Turns from none to a quarter, of grids with so many frequencies (none to a half turn).
+// Number of rotations from 0 to a quarter circle, of a grid with so many frequencies (azimuths / 2 + 1).
 std::size_t quarter(std::size_t frequencies) {
     return (frequencies - 1) / 2 + 1;
 }
 
-// The lowest point of the parabola through three equidistant values, in steps from the middle one.
+// The minimum of the parabola through three equidistant values, in steps from the middle one; at most half a step.
 float vertex(float before, float at, float after) {
     const float bend = before - 2.0f * at + after;
     if (!(bend > 0.0f)) return 0.0f;
@@ -57,7 +43,6 @@ float vertex(float before, float at, float after) {
 
 RotationMatcher::RotationMatcher(const NdfGrid& grid, float least_overlap)
     : grid_(grid), least_overlap_(least_overlap), frequencies_(grid.azimuths / 2 + 1) {
-    openblas_set_num_threads(1);  // tiles are what runs in parallel: results do not depend on it
     const auto azimuths = static_cast<std::size_t>(grid.azimuths);
     const auto f_count = static_cast<std::size_t>(frequencies_);
     for (int r = 0; r < grid.rings; ++r)
@@ -86,9 +71,9 @@ std::size_t RotationMatcher::block() const {
     return static_cast<std::size_t>(frequencies_) * 2 * static_cast<std::size_t>(grid_.rings);
 }
 
-// Of one tile of tables, laid out as operands of the products over rings L conj(R): of points
-// out[product][frequency][2 rings][to give re, to give im][table], of exemplars
-// out[product][frequency][2 rings][table].
+// The spectra of one tile of tables, laid out as operands of the products over rings L conj(R), L of a point and R of
+// an exemplar. Of points: out[product][frequency][2 rings][for the real part, for the imaginary part][table]; of
+// exemplars: out[product][frequency][2 rings][table]. The 2 rings are the real and the imaginary parts of a table's.
 void RotationMatcher::spectra_of(const MaskedTables& tables, std::size_t first, std::size_t count,
                                  bool exemplar, std::vector<float>& out,
                                  std::vector<float>& sums) const {
@@ -106,15 +91,15 @@ void RotationMatcher::spectra_of(const MaskedTables& tables, std::size_t first, 
         const float* weight = tables.weights.data() + (first + t) * cells;
         for (std::size_t i = 0; i < cells; ++i) {
             const auto p = products(value[i], weight[i], exemplar);
-            // One side of every product carries the ring's weight.
+            // The weight of a ring, cos(theta) dw, enters each product once: with the point.
             const float share = exemplar ? 1.0f : ring_weight_[i / azimuths];
             for (std::size_t k = 0; k < kProducts; ++k)
                 columns[k][i % azimuths * rings + i / azimuths] = share * p[k];
             sums[t] += ring_weight_[i / azimuths] * std::max(weight[i], 0.0f);
         }
         for (std::size_t k = 0; k < kProducts; ++k) {
-            multiply(rings, 2 * f_count, azimuths, columns[k].data(), forward_.data(), 2 * f_count,
-                     transformed.data());
+            small_product(rings, 2 * f_count, azimuths, columns[k].data(), forward_.data(),
+                          2 * f_count, transformed.data());
             for (std::size_t f = 0; f < f_count; ++f)
                 for (std::size_t r = 0; r < rings; ++r) {
                     const float* from = transformed.data() + r * 2 * f_count + f;
@@ -151,7 +136,7 @@ void RotationMatcher::set_exemplars(const MaskedTables& exemplars) {
     });
 }
 
-// Points of one tile against exemplars of one tile.
+// Matches the points of one tile against the exemplars of one tile.
 class RotationMatcher::Tile {
   public:
     explicit Tile(const RotationMatcher& matcher)
@@ -172,7 +157,7 @@ class RotationMatcher::Tile {
         for (std::size_t first = 0; first < count; first += kChunk) {
             const std::size_t some = std::min(kChunk, count - first);
             for (std::size_t k = 0; k < kSums; ++k)
-                over_turns(k, first * exemplars_, some * exemplars_, count * exemplars_);
+                over_rotations(k, first * exemplars_, some * exemplars_, count * exemplars_);
             choose(some, sums + first, out + first * stride, stride);
         }
     }
@@ -180,10 +165,11 @@ class RotationMatcher::Tile {
   private:
     // The four sums of the header, as indices of sums_.
     enum Sum : std::size_t { kA, kO, kB, kX, kSums };
-    // Points whose sums at all turns are looked at while they are in the cache.
+    // Points whose four sums are worked out at all rotations, then compared: those of 4 points and 64 exemplars, 0.4 MB,
+    // are still in the cache when they are compared.
     static constexpr std::size_t kChunk = 4;
 
-    // products_[sum][parity of the frequency][frequency / 2][re, im][pair]
+    // Multiplies spectra: products_[sum][parity of the frequency][frequency / 2][re, im][pair].
     void correlate(const float* points, std::size_t count) {
         // A: m T^2 with n; O: m with n; B: m with n C^2; X: m T with n C.
         static constexpr std::size_t kOfPoint[] = {0, 1, 1, 2}, kOfExemplar[] = {0, 0, 2, 1};
@@ -192,41 +178,47 @@ class RotationMatcher::Tile {
             for (std::size_t odd = 0; odd < 2; ++odd)
                 products_[k][odd].resize(of_parity(odd) * 2 * pairs);
             for (std::size_t f = 0; f < f_count_; ++f)
-                multiply(2 * count, exemplars_, depth,
-                         points + (kOfPoint[k] * f_count_ + f) * 2 * count * depth,
-                         exemplar_spectra_ + (kOfExemplar[k] * f_count_ + f) * depth * exemplars_,
-                         exemplars_, products_[k][f % 2].data() + (f / 2) * 2 * pairs);
+                small_product(
+                    2 * count, exemplars_, depth,
+                    points + (kOfPoint[k] * f_count_ + f) * 2 * count * depth,
+                    exemplar_spectra_ + (kOfExemplar[k] * f_count_ + f) * depth * exemplars_,
+                    exemplars_, products_[k][f % 2].data() + (f / 2) * 2 * pairs);
         }
     }
 
+    // Number of even (odd = 0) or odd frequencies.
     std::size_t of_parity(std::size_t odd) const { return (f_count_ + 1 - odd) / 2; }
 
-    // sums_[k][shift][pair] of pairs [first, first + count) of `all`.
-    void over_turns(std::size_t k, std::size_t first, std::size_t count, std::size_t all) {
+    // Transforms products_[k] of the pairs [first, first + count) of `all` back: sums_[k][rotation][pair].
+    void over_rotations(std::size_t k, std::size_t first, std::size_t count, std::size_t all) {
         const std::size_t quarters = quarter(f_count_);
         for (std::size_t odd = 0; odd < 2; ++odd) {
             const float* re = products_[k][odd].data() + first;
             cosine_sums_[odd].resize(quarters * count);
             sine_sums_[odd].resize(quarters * count);
-            multiply(quarters, count, of_parity(odd), m_.cosines_[odd].data(), re, 2 * all,
-                     cosine_sums_[odd].data());
-            multiply(quarters, count, of_parity(odd), m_.sines_[odd].data(), re + all, 2 * all,
-                     sine_sums_[odd].data());
+            small_product(quarters, count, of_parity(odd), m_.cosines_[odd].data(), re, 2 * all,
+                          cosine_sums_[odd].data());
+            small_product(quarters, count, of_parity(odd), m_.sines_[odd].data(), re + all, 2 * all,
+                          sine_sums_[odd].data());
         }
         sums_[k].resize(static_cast<std::size_t>(m_.grid_.azimuths) * count);
         for (std::size_t s = 0; s < quarters; ++s) spread(s, count, sums_[k].data());
     }
 
-    // What a turn of s columns shares with those of -s and of half a turn from both: at half - s
-    // the cosine of frequency f is (-1)^f times that at s, the sine -(-1)^f times.
+    // From the sums over even and odd frequencies at s columns to the rotations by s, -s, half - s and half + s, where
+    // half is half a circle: at half - s the cosine of frequency f is (-1)^f times that at s, and the sine -(-1)^f times
+    // (docs/theory/rotation-match.md).
     void spread(std::size_t s, std::size_t pairs, float* to) const {
         const auto azimuths = static_cast<std::size_t>(m_.grid_.azimuths);
         const float *ce = cosine_sums_[0].data() + s * pairs,
                     *co = cosine_sums_[1].data() + s * pairs;
         const float *se = sine_sums_[0].data() + s * pairs, *so = sine_sums_[1].data() + s * pairs;
-        const auto turn = [&](std::size_t columns) { return to + columns % azimuths * pairs; };
-        float *forth = turn(s), *back = turn(azimuths - s);
-        float *near_half = turn(azimuths / 2 - s), *past_half = turn(azimuths / 2 + s);
+        const auto at_rotation = [&](std::size_t columns) {
+            return to + columns % azimuths * pairs;
+        };
+        float *forth = at_rotation(s), *back = at_rotation(azimuths - s);
+        float *near_half = at_rotation(azimuths / 2 - s),
+              *past_half = at_rotation(azimuths / 2 + s);
         const auto each = [&](float* row, auto value) {
             for (std::size_t i = 0; i < pairs; ++i) row[i] = value(i);
         };
@@ -269,10 +261,10 @@ class RotationMatcher::Tile {
         return sums_[k].data() + shift * least_.size();
     }
 
-    // Is there overlap enough?
+    // Is the overlap large enough for the rotation to count?
     bool counts(float o, float least) const { return o >= m_.least_overlap_ * least; }
 
-    // Of one turn of a pair whose smaller mask weighs `least`.
+    // Of one rotation of a pair whose smaller sum of weights is `least`.
     float residual(float a, float o, float b, float x, float least) const {
         // A positive correlation only: a negative scale would match the shape's opposite.
         const float cosine = std::max(x, 0.0f);
@@ -310,14 +302,13 @@ void RotationMatcher::match(const MaskedTables& points, const Take& take) const 
     match_range(points, 0, count_, take);
 }
 
-// Exemplars are laid out in tiles, of which whole ones are matched: what is before `first` is left
-// out.
+// Exemplars are laid out in tiles and matched by whole tiles: those before `first` are computed and left out.
 void RotationMatcher::match_range(const MaskedTables& points, std::size_t first, std::size_t count,
                                   const Take& take) const {
     const std::size_t begin_tile = first / kExemplarTile;
     const std::size_t end = std::min(first + count, count_);
-    // Groups of points meet a tile of exemplars while it is in the cache; 2 tiles of points keep
-    // their spectra within 10 MB.
+    // Points of a group are matched against a tile of exemplars while it is in the cache. Two tiles of points keep the
+    // memory of their spectra within 10 MB a worker.
     constexpr std::size_t kGroup = 2 * kPointTile;
     parallel_for(points.count, kGroup, [&](std::size_t group_begin, std::size_t group_end) {
         const std::size_t group = group_end - group_begin;
@@ -350,71 +341,6 @@ void RotationMatcher::match_range(const MaskedTables& points, std::size_t first,
         for (std::size_t p = 0; p < group; ++p)
             take(group_begin + p, std::span(matches).subspan(p * width + skip, width - skip));
     });
-}
-
-std::vector<RotationMatcher::Turn> RotationMatcher::turns_directly(
-    const float* point, const float* point_weights, const float* exemplar,
-    const float* exemplar_weights) const {
-    const int azimuths = grid_.azimuths;
-    double point_sum = 0.0, exemplar_sum = 0.0;
-    for (int i = 0; i < grid_.cells(); ++i) {
-        const double w = static_cast<double>(ring_weight_[static_cast<std::size_t>(i / azimuths)]);
-        point_sum += w * static_cast<double>(point_weights[i]);
-        exemplar_sum += w * static_cast<double>(exemplar_weights[i]);
-    }
-    const double smaller = std::min(point_sum, exemplar_sum);
-    std::vector<Turn> out;
-    for (int s = 0; s < azimuths; ++s) {
-        double a = 0.0, b = 0.0, x = 0.0, o = 0.0;
-        for (int r = 0; r < grid_.rings; ++r)
-            for (int c = 0; c < azimuths; ++c) {
-                const int at = r * azimuths + c,
-                          from = r * azimuths + (c - s + azimuths) % azimuths;
-                const double w = static_cast<double>(ring_weight_[static_cast<std::size_t>(r)]) *
-                                 static_cast<double>(point_weights[at]) *
-                                 static_cast<double>(exemplar_weights[from]);
-                if (w <= 0.0) continue;
-                const auto t = static_cast<double>(point[at]),
-                           u = static_cast<double>(exemplar[from]);
-                a += w * t * t;
-                b += w * u * u;
-                x += w * t * u;
-                o += w;
-            }
-        Turn turn;
-        if (o >= static_cast<double>(least_overlap_) * smaller)
-            turn.residual =
-                std::max(1.0 - std::pow(std::max(x, 0.0), 2) / std::max(a * b, 1e-30), 0.0);
-        turn.scale = x / std::max(b, 1e-30);
-        turn.overlap = o / std::max(smaller, 1e-30);
-        out.push_back(turn);
-    }
-    return out;
-}
-
-std::vector<double> RotationMatcher::residuals_directly(const float* point,
-                                                        const float* point_weights,
-                                                        const float* exemplar,
-                                                        const float* exemplar_weights) const {
-    std::vector<double> out;
-    for (const Turn& turn : turns_directly(point, point_weights, exemplar, exemplar_weights))
-        out.push_back(turn.residual);
-    return out;
-}
-
-RotationMatch RotationMatcher::match_directly(const float* point, const float* point_weights,
-                                              const float* exemplar,
-                                              const float* exemplar_weights) const {
-    const std::vector<Turn> all = turns_directly(point, point_weights, exemplar, exemplar_weights);
-    const auto best = std::min_element(all.begin(), all.end(), [](const Turn& a, const Turn& b) {
-        return a.residual < b.residual;
-    });
-    RotationMatch match;
-    match.residual = static_cast<float>(best->residual);
-    match.shift = static_cast<float>(best - all.begin());
-    match.scale = static_cast<float>(best->scale);
-    match.overlap = static_cast<float>(best->overlap);
-    return match;
 }
 
 }  // namespace burnish

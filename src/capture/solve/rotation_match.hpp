@@ -1,12 +1,12 @@
-// How alike are two distributions, each known on a part of the hemisphere only, when one may be
-// turned and scaled? All turns at once, by correlation over azimuth in frequency space;
-// docs/theory/capture-model.md derives it.
+// How alike two distributions are when each is known on a part of the hemisphere only and one of them may be rotated
+// about the normal and scaled. All rotations by whole columns are tried at once, by correlation over azimuth in
+// frequency space; docs/theory/rotation-match.md derives it.
 //
-// For a point's table T with weights m and an exemplar's C with weights n, over cells weighted by
-// cos(theta) times solid angle, at a turn of s columns:
+// For a point's table T with weights m and an exemplar's table C with weights n, over cells weighted by cos(theta)
+// times solid angle, at a rotation of the exemplar by s columns:
 //   A = sum m T^2 n(s)    B = sum m n(s) C(s)^2    X = sum m T n(s) C(s)    O = sum m n(s)
-// The scale that fits best is X / B, and what it leaves is A - X^2 / B; the residual is that over
-// A: 0 for the same shape, 1 for unrelated ones. Turns whose overlap O is too small do not count.
+// The scale that fits best is X / B, and it leaves A - X^2 / B; the residual is that over A: 0 for the same shape, 1
+// for unrelated ones. Rotations whose overlap O is too small do not count.
 #pragma once
 
 #include <array>
@@ -20,9 +20,10 @@
 namespace burnish {
 
 struct RotationMatch {
-    float residual = 1.0f;  // at the nearest whole turn; 1 also where no turn has enough overlap
-    // Columns by which the exemplar is turned to lie on the point, from -1/2 to azimuths - 1/2;
-    // whole where a turn beside the best one does not count.
+    float residual =
+        1.0f;  // at the nearest whole column; 1 also where no rotation has enough overlap
+    // Columns by which the exemplar is rotated to lie on the point, from -1/2 to azimuths - 1/2; whole where a rotation
+    // beside the best one does not count.
     float shift = 0.0f;
     float scale = 0.0f;    // the point's table over the exemplar's
     float overlap = 0.0f;  // O over the smaller of the two tables' own sums of weights
@@ -45,32 +46,16 @@ class RotationMatcher {
     void set_exemplars(const MaskedTables& exemplars);
     std::size_t exemplars() const { return count_; }
 
-    // Every point against the exemplars of set_exemplars [first, first + count): `take(point,
-    // matches)` receives the best turn of each. Called from several threads, once for each point.
-    // The same whatever the number of threads; another number of points in one call changes
-    // rounding.
+    // Matches every point against the exemplars [first, first + count) of set_exemplars: `take(point, matches)`
+    // receives the best rotation of each exemplar. It is called from several threads, once for each point. Results do
+    // not depend on the number of threads; another number of points in one call may change their rounding.
     using Take = std::function<void(std::size_t point, std::span<const RotationMatch> matches)>;
     void match(const MaskedTables& points, const Take& take) const;
     void match_range(const MaskedTables& points, std::size_t first, std::size_t count,
                      const Take& take) const;
 
-    // One pair by the definition, every whole turn in double precision: the oracle.
-    RotationMatch match_directly(const float* point, const float* point_weights,
-                                 const float* exemplar, const float* exemplar_weights) const;
-
-    // Of all turns of one pair, by either way; for tests. residual[s] is 1 where overlap is
-    // lacking.
-    std::vector<double> residuals_directly(const float* point, const float* point_weights,
-                                           const float* exemplar,
-                                           const float* exemplar_weights) const;
-
   private:
     class Tile;
-    struct Turn {
-        double residual = 1.0, scale = 0.0, overlap = 0.0;
-    };
-    std::vector<Turn> turns_directly(const float* point, const float* point_weights,
-                                     const float* exemplar, const float* exemplar_weights) const;
     void spectra_of(const MaskedTables& tables, std::size_t first, std::size_t count, bool exemplar,
                     std::vector<float>& out, std::vector<float>& sums) const;
     std::size_t block() const;  // floats of one table's spectrum of one product
@@ -80,7 +65,7 @@ class RotationMatcher {
     int frequencies_;
     std::vector<float> ring_weight_;  // cos(theta) dw of a cell
     std::vector<float> forward_;      // azimuths x 2 frequencies
-    // Back again, for even and odd frequencies apart: quarter turns x frequencies of that parity.
+    // The transform back, apart for even and odd frequencies: frequencies of that parity x rotations up to a quarter.
     std::array<std::vector<float>, 2> cosines_, sines_;
     std::size_t count_ = 0;
     std::vector<float> spectra_, sums_;  // of the exemplars

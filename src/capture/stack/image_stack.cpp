@@ -26,7 +26,6 @@ namespace fs = std::filesystem;
 // sample that is a ten thousandth of it.
 constexpr float kMostCode = 65534.0f;
 constexpr std::uint16_t kClippedCode = 65535;
-constexpr std::size_t kBandBytes = std::size_t{48} << 20;
 
 constexpr char kMagic[16] = "burnish-stack 2";
 
@@ -172,11 +171,12 @@ std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height) {
     return mask;
 }
 
-ImageStack::ImageStack(const Rig& rig, const fs::path& cache, const Progress& progress)
+ImageStack::ImageStack(const Rig& rig, const fs::path& cache, const Progress& progress,
+                       std::size_t band_bytes)
     : identity_(identity_of(rig)), name_(cache.string()) {
     if (rig.lights.empty()) throw Error(rig.file.string(), "lights", "at least one light", "none");
     if (open_cache(cache)) return;
-    make_cache(rig, cache, progress);
+    make_cache(rig, cache, progress, band_bytes);
     if (!open_cache(cache))
         throw Error(name_, "", "the stack that was just written", "something else");
 }
@@ -222,7 +222,8 @@ bool ImageStack::open_cache(const fs::path& cache) {
     return true;
 }
 
-void ImageStack::make_cache(const Rig& rig, const fs::path& cache, const Progress& progress) {
+void ImageStack::make_cache(const Rig& rig, const fs::path& cache, const Progress& progress,
+                            std::size_t band_bytes) {
     const Image white = read_flat_field(rig);
     write_file_whole(cache, [&](const fs::path& temporary) {
         const OpenFile file(temporary, O_RDWR);
@@ -243,7 +244,7 @@ void ImageStack::make_cache(const Rig& rig, const fs::path& cache, const Progres
             if (k == 0) {
                 header.width = static_cast<std::uint64_t>(image.rgb.width);
                 header.height = static_cast<std::uint64_t>(image.rgb.height);
-                header.band_pixels = std::clamp<std::uint64_t>(kBandBytes / (6 * header.lights), 16,
+                header.band_pixels = std::clamp<std::uint64_t>(band_bytes / (6 * header.lights), 16,
                                                                header.width * header.height);
                 mask = read_mask(rig, image.rgb.width, image.rgb.height);
             }

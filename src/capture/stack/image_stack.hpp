@@ -51,9 +51,14 @@ struct StackBand {
 
 class ImageStack {
   public:
-    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same
-    // files by size and time of change). Throws Error.
-    ImageStack(const Rig& rig, const std::filesystem::path& cache, const Progress& progress);
+    // Memory of one band: large enough that reads from a disk are sequential, small beside other memory.
+    static constexpr std::size_t kUsualBandBytes = std::size_t{48} << 20;
+
+    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same files by
+    // size and time of change). `band_bytes`: size of a band of a cache that is written, one of at least 16
+    // pixels. Throws Error.
+    ImageStack(const Rig& rig, const std::filesystem::path& cache, const Progress& progress,
+               std::size_t band_bytes = kUsualBandBytes);
     ImageStack(const ImageStack&) = delete;
     ImageStack& operator=(const ImageStack&) = delete;
     ~ImageStack();
@@ -77,7 +82,8 @@ class ImageStack {
 
   private:
     bool open_cache(const std::filesystem::path& cache);
-    void make_cache(const Rig& rig, const std::filesystem::path& cache, const Progress& progress);
+    void make_cache(const Rig& rig, const std::filesystem::path& cache, const Progress& progress,
+                    std::size_t band_bytes);
 
     int width_ = 0, height_ = 0;
     std::size_t band_pixels_ = 0;

@@ -1,8 +1,11 @@
 // burnish capture directions: a rig from pictures of mirror balls.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -46,15 +49,29 @@ ProbeCircle parse_circle(const std::string& text) {
     return c;
 }
 
+std::string describe(const FoundDirection& light, bool several) {
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    const Vec3d& d = light.direction;
+    const double theta = std::atan2(std::hypot(d[0], d[1]), d[2]) * kDegrees;
+    const double phi = std::atan2(d[1], d[0]) * kDegrees;
+    return fmt::format("{}: {:.4f} {:.4f} {:.4f}, theta {:.1f}, phi {:.1f}, spread {:.1f} deg{}\n",
+                       one_line(light.picture.filename().string()), d[0], d[1], d[2], theta,
+                       phi < 0.0 ? phi + 360.0 : phi, light.spread_deg,
+                       several ? fmt::format(", balls {:.1f} deg apart", light.apart_deg) : "");
+}
+
 void run(const Flags& flags, const Session& session) {
-    DirectionsRequest request;
+    CaptureDirectionsRequest request;
     request.balls.assign(flags.balls.begin(), flags.balls.end());
     request.pictures.assign(flags.pictures.begin(), flags.pictures.end());
     for (const std::string& text : flags.circles) request.circles.push_back(parse_circle(text));
     request.rig = flags.rig.overrides();
     request.output = flags.output;
-    const DirectionsReport report = find_directions(request, session.progress());
-    print(report.text);
+    const CaptureDirectionsResult report = capture_directions(request, session.progress());
+    std::string text;
+    for (const FoundDirection& light : report.lights)
+        text += describe(light, request.circles.size() > 1);
+    print(text);
     print_report(report.warnings, report.written);
 }
 

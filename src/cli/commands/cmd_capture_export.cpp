@@ -26,7 +26,7 @@ struct Flags {
 
 void run(const Flags& flags, const Session& session) {
     const CaptureExportRequest request = {flags.material, flags.output, session.command_line()};
-    const CaptureExportReport report = export_material(request, session.progress());
+    const CaptureExportResult report = capture_export(request, session.progress());
     print_report(report.warnings, report.written);
 }
 

@@ -30,7 +30,7 @@ Examples:
   burnish capture fit dome/lights.lp -o coin.exr --camera 0,-1,1 --width-mm 40 --hold-out 10)";
 
 struct Flags {
-    FitCaptureRequest request;
+    CaptureFitRequest request;
     RigFlags rig;
     std::string grid, until, output;
     double eta = -1.0, f0 = -1.0;
@@ -68,8 +68,38 @@ void set_fresnel(Flags& flags) {
     }
 }
 
+// What was found, for people.
+std::string describe(const CaptureFitResult& r, const CaptureFitRequest& request) {
+    std::string text = fmt::format(
+        "{} x {} pixels, {} lights, half vectors {:.1f} degrees apart, {:.2g} % clipped, {:.2g} % "
+        "black\n",
+        r.width, r.height, r.lights, r.fit.spacing_deg, 100.0 * r.fit.census.clipped_share,
+        100.0 * r.fit.census.black_share);
+    if (r.fit.exemplars > 0) {
+        text += fmt::format("{} from {} points, eta {:.3g}{}, {:.2g} % of the light unexplained\n",
+                            plural(static_cast<std::size_t>(r.fit.exemplars), "exemplar"),
+                            r.fit.training_points, r.fit.eta,
+                            request.settings.eta ? "" : " (estimated)", 100.0 * r.unexplained);
+        text += fmt::format(
+            "of the hemisphere {:.0f} % is measured, {:.0f} % completed from other exemplars, "
+            "{:.0f} % extrapolated\n",
+            100.0 * r.fit.completion.measured, 100.0 * r.fit.completion.completed_share,
+            100.0 * r.fit.completion.extrapolated);
+    }
+    if (request.until)
+        text += fmt::format(
+            "stopped after {}: no material yet; the same command without --until goes on from {}\n",
+            capture_stage_names()[static_cast<std::size_t>(*request.until)], r.stages.string());
+    if (!r.held_out.empty())
+        text += fmt::format("on the {} held out, PSNR by their brightest sample, {:.3g}:\n",
+                            plural(r.held_out_lights, "light"), r.held_out.front().peak);
+    for (const HeldOutError& e : r.held_out)
+        text += fmt::format("  {:<18} {:5.1f} dB, RMSE {:.3g}\n", e.model, e.psnr, e.rmse);
+    return text;
+}
+
 void run(Flags& flags, const Session& session) {
-    FitCaptureRequest& request = flags.request;
+    CaptureFitRequest& request = flags.request;
     request.overrides = flags.rig.overrides();
     set_grid(flags);
     set_fresnel(flags);
@@ -84,9 +114,9 @@ void run(Flags& flags, const Session& session) {
     if (request.output.extension() != ".exr")
         throw UsageError("-o", "", "a file name that ends in .exr", shown(flags.output));
     request.command = session.command_line();
-    const FitCaptureReport report = fit_capture(request, session.progress());
-    print(report.text);
-    print_report(report.warnings, report.written);
+    const CaptureFitResult result = capture_fit(request, session.progress());
+    print(describe(result, request));
+    print_report(result.warnings, result.written);
 }
 
 }  // namespace
@@ -94,7 +124,7 @@ void run(Flags& flags, const Session& session) {
 void add_capture_fit_command(CLI::App& capture, Session& session) {
     CLI::App* command = capture.add_subcommand("fit", "Fit a material to a stack of pictures");
     const auto flags = std::make_shared<Flags>();
-    FitCaptureRequest& request = flags->request;
+    CaptureFitRequest& request = flags->request;
     CaptureFitSettings& settings = request.settings;
     command->add_option("stack", request.stack, "a rig file whose lights name pictures")
         ->required()

@@ -1,4 +1,6 @@
 // burnish capture relight: a fitted material under the lights of a rig.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
@@ -22,25 +24,43 @@ Examples:
   burnish capture relight brass.exr --rig capture/rig.json --compare capture/rig.json -o relit)";
 
 struct Flags {
-    RelightRequest request;
+    CaptureRelightRequest request;
     std::string material, rig, compare, output;
     RigFlags rig_flags;
     bool each_light = false;
 };
 
+// The totals in two lines; with `each_light` a table before them.
+std::string describe(const StackError& error, bool each_light) {
+    std::string out;
+    if (each_light) {
+        out += "light   samples        RMSE     PSNR\n";
+        for (std::size_t k = 0; k < error.lights.size(); ++k)
+            out += fmt::format("{:5} {:9} {:11.4g} {:5.1f} dB\n", k, error.lights[k].samples,
+                               error.lights[k].rmse, error.lights[k].psnr);
+    }
+    out += fmt::format(
+        "PSNR {:.1f} dB in the median of {} lights, {:.1f} in the mean, {:.1f} at "
+        "worst (light {})\n",
+        error.psnr_median, error.lights.size(), error.psnr_mean, error.psnr_worst, error.worst);
+    out += fmt::format("RMSE {:.4g} over {} samples, the brightest of which is {:.4g}\n",
+                       error.rmse, error.samples, error.peak);
+    return out;
+}
+
 void run(Flags& flags, const Session& session) {
-    RelightRequest& request = flags.request;
+    CaptureRelightRequest& request = flags.request;
     request.material = flags.material;
     request.rig = flags.rig;
     if (!flags.compare.empty()) request.compare = flags.compare;
     request.overrides = flags.rig_flags.overrides();
     request.output = flags.output;
     request.command = session.command_line();
-    RelightReport report = relight_material(request, session.progress());
+    CaptureRelightResult report = capture_relight(request, session.progress());
     // Hundreds of pictures: the rig names them.
     std::erase_if(report.written, [](const auto& path) { return path.extension() == ".exr"; });
     print_report(report.warnings, report.written);
-    if (report.error) print(describe_error(*report.error, flags.each_light));
+    if (report.error) print(describe(*report.error, flags.each_light));
 }
 
 }  // namespace

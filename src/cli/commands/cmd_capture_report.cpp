@@ -39,7 +39,7 @@ void run(Flags& flags, bool hold_out, const Session& session) {
     request.overrides = flags.rig.overrides();
     if (hold_out) request.hold_out = flags.hold_out;
     request.command = session.command_line();
-    CaptureReportResult result = report_capture(request, session.progress());
+    CaptureReportResult result = capture_report(request, session.progress());
     // The page shows them.
     std::erase_if(result.written, [](const auto& path) { return path.extension() == ".png"; });
     print_report(result.warnings, result.written);

@@ -29,7 +29,7 @@ Examples:
 constexpr std::array<std::string_view, 3> kFormats = {"exr", "png16", "png8"};
 
 struct Flags {
-    SimulateCaptureRequest request;
+    CaptureSimulateRequest request;
     std::string size = "64", lights, format = "exr", output;
     double noise_percent = 0.0;
     int seed = 1;
@@ -42,7 +42,7 @@ void require_range(double value, double low, double high, const char* flag) {
 
 void set_lights(Flags& flags) {
     if (flags.lights.empty()) return;
-    SimulateCaptureRequest& request = flags.request;
+    CaptureSimulateRequest& request = flags.request;
     const std::size_t at = flags.lights.find('x');
     if (request.rig == "dome") {
         request.dome_lights = whole_number(flags.lights, {1, 100000}, "--lights");
@@ -55,7 +55,7 @@ void set_lights(Flags& flags) {
 }
 
 void run(Flags& flags, const Session& session) {
-    SimulateCaptureRequest& request = flags.request;
+    CaptureSimulateRequest& request = flags.request;
     const std::size_t at = flags.size.find('x');
     constexpr IntegerRange kPixels = {1, 8192};
     request.sample.width = whole_number(flags.size.substr(0, at), kPixels, "--size");
@@ -76,7 +76,7 @@ void run(Flags& flags, const Session& session) {
     set_lights(flags);
     request.output = flags.output;
     request.command = session.command_line();
-    const SimulateCaptureReport report = simulate_capture(request, session.progress());
+    const CaptureSimulateResult report = capture_simulate(request, session.progress());
     print(
         fmt::format("{} pictures in {}\n", report.pictures, (request.output / "images").string()));
     print_report({}, report.written);
@@ -88,7 +88,7 @@ void add_capture_simulate_command(CLI::App& capture, Session& session) {
     CLI::App* command =
         capture.add_subcommand("simulate", "Make pictures of a sample that is known");
     const auto flags = std::make_shared<Flags>();
-    SimulateCaptureRequest& request = flags->request;
+    CaptureSimulateRequest& request = flags->request;
     std::string names;
     for (const VirtualPreset& preset : virtual_presets())
         names += fmt::format("{}{} ({})", names.empty() ? "" : "; ", preset.name, preset.help);

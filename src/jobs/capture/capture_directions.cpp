@@ -18,9 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-// Balls of one lamp that is far away agree to a degree (docs/guide/capture.md).
+// Degrees between the directions of two balls from which a warning is due: of a lamp that is far away they agree to
+// one degree.
 constexpr double kApart = 3.0;
-// A second spot of this share is no reflection of the room.
+// Share of the brightest spot's light from which a second one is taken as another lamp: reflections of a room are
+// dimmer.
 constexpr double kTwoLamps = 0.5;
 
 enum class Format { json, lp };
@@ -32,7 +34,7 @@ Format format_of(const fs::path& output) {
     throw UsageError("-o", "", "a file name that ends in .json or .lp", shown(output.string()));
 }
 
-void check_request(const DirectionsRequest& r) {
+void check_request(const CaptureDirectionsRequest& r) {
     if (format_of(r.output) == Format::lp && (r.rig.response || r.rig.camera || r.rig.width_mm))
         throw UsageError("-o", "",
                          "a .json file, where --response, --camera or --width-mm is given",
@@ -105,7 +107,8 @@ void warn_of(const Found& found, const fs::path& path, std::vector<std::string>&
                         path.string(), 100.0 * found.second));
 }
 
-// A diameter for a radius, or y counted from the bottom, would go unnoticed else.
+// Warns of outlines that were given by their diameter, or with y counted from the bottom: directions come out of
+// those, too.
 void warn_of_outlines(const std::vector<ProbeCircle>& circles, const fs::path& path,
                       const Image& image, std::vector<std::string>& warnings) {
     for (const ProbeCircle& c : circles)
@@ -117,17 +120,8 @@ void warn_of_outlines(const std::vector<ProbeCircle>& circles, const fs::path& p
                 path.string(), c.x, c.y, c.radius, image.width, image.height));
 }
 
-std::string line_of(const fs::path& path, const Vec3d& d, const Found& found, bool several) {
-    const double theta = std::atan2(std::hypot(d[0], d[1]), d[2]) * kDegrees;
-    const double phi = std::atan2(d[1], d[0]) * kDegrees;
-    return fmt::format("{}: {:.4f} {:.4f} {:.4f}, theta {:.1f}, phi {:.1f}, spread {:.1f} deg{}\n",
-                       one_line(path.filename().string()), d[0], d[1], d[2], theta,
-                       phi < 0.0 ? phi + 360.0 : phi, found.spread_deg,
-                       several ? fmt::format(", balls {:.1f} deg apart", found.apart_deg) : "");
-}
-
-// All that the rig says but where the lights are.
-Rig rig_without_places(const DirectionsRequest& request, std::vector<std::string>& warnings) {
+// The whole rig except for the places of its lights.
+Rig rig_without_places(const CaptureDirectionsRequest& request, std::vector<std::string>& warnings) {
     Rig rig;
     rig.file = request.output;
     const auto& pictures = request.pictures.empty() ? request.balls : request.pictures;
@@ -151,7 +145,7 @@ Rig rig_without_places(const DirectionsRequest& request, std::vector<std::string
 }
 
 // The balls' pictures are those of the sample, or what pictures of their kind are.
-bool linear_ball(const DirectionsRequest& request, const fs::path& path) {
+bool linear_ball(const CaptureDirectionsRequest& request, const fs::path& path) {
     const bool same = request.pictures.empty();
     return (same && request.rig.response ? *request.rig.response : usual_response(path)) ==
            RigResponse::linear;
@@ -159,8 +153,8 @@ bool linear_ball(const DirectionsRequest& request, const fs::path& path) {
 
 }  // namespace
 
-DirectionsReport find_directions(const DirectionsRequest& request, const Progress& progress) {
-    DirectionsReport report;
+CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request, const Progress& progress) {
+    CaptureDirectionsResult report;
     check_request(request);
     require_writable(request.output);
     Rig rig = rig_without_places(request, report.warnings);
@@ -179,7 +173,7 @@ DirectionsReport find_directions(const DirectionsRequest& request, const Progres
             throw Error(path.string(), "", "a light above the sample (z > 0)",
                         fmt::format("z = {:.3f}", place.at[2]));
         warn_of(found, path, report.warnings);
-        report.text += line_of(path, place.at, found, request.circles.size() > 1);
+        report.lights.push_back({path, place.at, found.spread_deg, found.apart_deg});
     }
     progress.step("directions", 1.0);
     if (format_of(request.output) == Format::lp) {

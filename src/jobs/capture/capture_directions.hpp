@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-struct DirectionsRequest {
+struct CaptureDirectionsRequest {
     std::vector<std::filesystem::path> balls;  // pictures of the balls, a light each
     std::vector<ProbeCircle> circles;          // the balls in every one of them; at least one
     // Of the sample, in the same order; empty: the balls lie beside the sample.
@@ -22,8 +22,16 @@ struct DirectionsRequest {
     std::filesystem::path output;  // .json or .lp
 };
 
-struct DirectionsReport {
-    std::string text;  // a line for each light
+// What the balls of one picture say of its light.
+struct FoundDirection {
+    std::filesystem::path picture;
+    Vec3d direction{};        // unit, in the sample's coordinates
+    double spread_deg = 0.0;  // of the highlight about its direction; the largest of the balls
+    double apart_deg = 0.0;   // largest angle between the directions of two balls; 0 for one ball
+};
+
+struct CaptureDirectionsResult {
+    std::vector<FoundDirection> lights;
     std::vector<std::string> warnings;
     std::vector<std::filesystem::path> written;
 };
@@ -31,6 +39,6 @@ struct DirectionsReport {
 // Writes the rig, whole or not at all. Throws UsageError for another ending of `output`, for a
 // size, response or camera that an .lp file cannot say, and where there are not as many pictures as
 // lights; Error naming the picture for what cannot be read or shows no lamp.
-DirectionsReport find_directions(const DirectionsRequest& request, const Progress& progress);
+CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request, const Progress& progress);
 
 }  // namespace burnish

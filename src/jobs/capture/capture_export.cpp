@@ -127,8 +127,8 @@ void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobe
 
 }  // namespace
 
-CaptureExportReport export_material(const CaptureExportRequest& request, const Progress& progress) {
-    CaptureExportReport report;
+CaptureExportResult capture_export(const CaptureExportRequest& request, const Progress& progress) {
+    CaptureExportResult report;
     const auto loaded = load_tabulated(request.material);
     const TabulatedMaterial& m = *loaded;
     const OutputFolder folder(request.output);

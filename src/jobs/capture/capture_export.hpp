@@ -16,12 +16,12 @@ struct CaptureExportRequest {
     std::string command;           // for metadata
 };
 
-struct CaptureExportReport {
+struct CaptureExportResult {
     std::vector<std::filesystem::path> written;  // material.gltf first
     std::vector<std::string> warnings;
 };
 
 // Writes all files or, when anything fails, none.
-CaptureExportReport export_material(const CaptureExportRequest& request, const Progress& progress);
+CaptureExportResult capture_export(const CaptureExportRequest& request, const Progress& progress);
 
 }  // namespace burnish

@@ -8,13 +8,10 @@
 #include <numbers>
 
 #include "burnish/error.hpp"
-#include "capture/judge/held_out.hpp"
 #include "capture/rig/coverage.hpp"
 #include "core/files.hpp"
-#include "core/text.hpp"
 #include "core/version.hpp"
 #include "fit/lobe_fit.hpp"
-#include "jobs/info/info_scene.hpp"
 #include "jobs/map_folder.hpp"
 #include "formats/tabulated/tabulated_file.hpp"
 
@@ -25,10 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kStages = {"pictures", "exemplars", "texels"};
-// A share of clipped samples from which highlights miss their tops.
+// Share of clipped samples from which a warning is due: highlights, which are few samples, miss their tops.
 constexpr double kMuchClipped = 0.001;
+// Share of the light from which a warning is due when the fit leaves it unexplained: 5 % of noise leaves less.
+constexpr double kMuchUnexplained = 0.15;
 
-// What the pictures themselves cannot support, said before hours are spent on them.
+// Warns of what the pictures cannot support before hours are spent on them; throws where nothing can be fitted.
 void judge_stack(const ImageStack& stack, const std::string& name,
                  std::vector<std::string>& warnings) {
     const StackCensus& census = stack.census();
@@ -43,8 +42,8 @@ void judge_stack(const ImageStack& stack, const std::string& name,
                         name, 100.0 * census.clipped_share));
 }
 
-// Spread of the turns of an exemplar's texels about their mean, as lines, in degrees (of a wrapped
-// normal distribution with the same mean resultant).
+// Spread of the rotations of an exemplar's texels about their mean, as lines, in degrees (of a wrapped normal
+// distribution with the same mean resultant).
 double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels) {
     double x = 0.0, y = 0.0;
     texels = 0;
@@ -59,81 +58,54 @@ double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels)
     return 0.5 * std::sqrt(-2.0 * std::log(std::max(resultant, 1e-12))) * 180.0 / std::numbers::pi;
 }
 
-// What the distributions that were found cannot be, given what they were found from.
-void judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m, const std::string& name,
-                     std::vector<std::string>& warnings) {
-    constexpr double kOneDirection = 15.0;     // degrees
-    constexpr double kMuchUnexplained = 0.15;  // of the light
-    const double narrowest = narrowest_ggx_alpha(fit.report().spacing_deg);
-    int one_direction = 0, narrow = 0, dark = 0, used = 0;
+ExemplarJudgement judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m) {
+    ExemplarJudgement out;
+    out.narrowest_alpha = narrowest_ggx_alpha(fit.report().spacing_deg);
     for (int e = 0; e < m.exemplars; ++e) {
         std::size_t texels = 0;
         const double spread = spread_deg(m, e, texels);
         if (texels == 0) continue;
-        ++used;
+        ++out.used;
         const auto first = m.origin.begin() + static_cast<std::ptrdiff_t>(e) * m.grid.cells();
         if (std::all_of(first, first + m.grid.cells(),
                         [](NdfOrigin o) { return o == NdfOrigin::extrapolated; })) {
-            ++dark;
+            ++out.dark;
             continue;
         }
-        one_direction += spread < kOneDirection;
-        narrow += fit_lobe(m.grid, m.table(e), Mdf::ggx).alpha_along < narrowest;
+        out.one_direction += spread < kOneDirectionDeg;
+        out.narrow += fit_lobe(m.grid, m.table(e), Mdf::ggx).alpha_along < out.narrowest_alpha;
     }
-    if (one_direction > 0)
+    return out;
+}
+
+// What the fit cannot be, given what it was made from.
+void warn_of_fit(const CaptureFitResult& result, const CaptureFitRequest& request,
+                 std::vector<std::string>& warnings) {
+    const std::string name = request.stack.string();
+    const ExemplarJudgement& e = result.exemplars;
+    if (e.one_direction > 0)
         warnings.push_back(
             fmt::format("{}: {} of {} exemplars have one grain direction (within {:.0f} degrees): "
-                        "nothing turns, so nothing "
-                        "beyond what the lights reach could be completed",
-                        name, one_direction, used, kOneDirection));
-    if (narrow > 0)
-        warnings.push_back(
-            fmt::format("{}: {} of {} exemplars are narrower than lights {:.1f} degrees apart "
-                        "resolve (alpha {:.3f}): their "
-                        "peaks are a guess",
-                        name, narrow, used, fit.report().spacing_deg, narrowest));
-    if (dark > 0)
+                        "nothing turns, so nothing beyond what the lights reach could be completed",
+                        name, e.one_direction, e.used, kOneDirectionDeg));
+    if (e.narrow > 0)
+        warnings.push_back(fmt::format(
+            "{}: {} of {} exemplars are narrower than lights {:.1f} degrees apart resolve (alpha "
+            "{:.3f}): their peaks are a guess",
+            name, e.narrow, e.used, result.fit.spacing_deg, e.narrowest_alpha));
+    if (e.dark > 0)
         warnings.push_back(
             fmt::format("{}: {} of {} exemplars show no highlight under any light: there is none, "
                         "or it falls between the lights",
-                        name, dark, used));
-    if (fit.unexplained() > kMuchUnexplained)
-        warnings.push_back(fmt::format(
-            "{}: {:.0f} % of the light is unexplained: {}, or shadows and light between "
-            "its parts are no reflectance of a surface",
-            name, 100.0 * fit.unexplained(),
-            fit.settings().normals ? "the lights may be too few for its highlights"
-                                   : "the sample may not be flat (--normals)"));
-}
-
-// The fit beside other people's models, where it was not told the answer.
-std::string describe(const std::vector<HeldOutError>& errors, std::size_t lights) {
-    if (errors.empty()) return "";
-    std::string text = fmt::format("on the {} held out, PSNR by their brightest sample:\n",
-                                   plural(lights, "light"));
-    for (const HeldOutError& e : errors)
-        text += fmt::format("  {:<18} {:5.1f} dB, RMSE {:.3g}\n", e.model, e.psnr, e.rmse);
-    return text;
-}
-
-std::string describe(const CaptureFit& fit, const FitCaptureRequest& request) {
-    const CaptureFitReport& r = fit.report();
-    std::string text = fmt::format(
-        "{} x {} pixels, {} lights, half vectors {:.1f} degrees apart, {:.2g} % clipped, {:.2g} % "
-        "black\n",
-        fit.stack().width(), fit.stack().height(), fit.stack().lights(), r.spacing_deg,
-        100.0 * r.census.clipped_share, 100.0 * r.census.black_share);
-    if (r.exemplars == 0) return text;
-    text +=
-        fmt::format("{} from {} points, eta {:.3g}{}, {:.2g} % of the light unexplained\n",
-                    plural(static_cast<std::size_t>(r.exemplars), "exemplar"), r.training_points,
-                    r.eta, request.settings.eta ? "" : " (estimated)", 100.0 * fit.unexplained());
-    text += fmt::format(
-        "of the hemisphere {:.0f} % is measured, {:.0f} % completed from other exemplars, {:.0f} % "
-        "extrapolated\n",
-        100.0 * r.completion.measured, 100.0 * r.completion.completed_share,
-        100.0 * r.completion.extrapolated);
-    return text;
+                        name, e.dark, e.used));
+    if (result.unexplained > kMuchUnexplained)
+        warnings.push_back(
+            fmt::format("{}: {:.0f} % of the light is unexplained: {}, or shadows and light between "
+                        "its parts are no reflectance of a surface",
+                        name, 100.0 * result.unexplained,
+                        request.settings.normals
+                            ? "the lights may be too few for its highlights"
+                            : "the sample may not be flat (--normals)"));
 }
 
 class InterruptedFit : public Interrupted {
@@ -147,35 +119,34 @@ class InterruptedFit : public Interrupted {
     std::string text_;
 };
 
-// The stages, then the material from them.
-void fit_into(const FitCaptureRequest& request, const Rig& rig, const fs::path& stages,
-              const Progress& progress, FitCaptureReport& report) {
-    CaptureFit fit(rig, request.settings, stages, progress);
-    judge_stack(fit.stack(), request.stack.string(), report.warnings);
+// Runs the stages, then makes the material from them.
+void fit_into(const CaptureFitRequest& request, const Rig& rig, const Progress& progress,
+              CaptureFitResult& result) {
+    CaptureFit fit(rig, request.settings, result.stages, progress);
+    judge_stack(fit.stack(), request.stack.string(), result.warnings);
     const bool all = !request.until;
     if (all || *request.until != CaptureStage::pictures) fit.find_exemplars();
     if (all || *request.until == CaptureStage::texels) fit.fit_texels();
-    report.text = describe(fit, request);
-    if (!all) {
-        report.text += fmt::format(
-            "stopped after {}: no material yet; the same command without --until goes on from {}\n",
-            kStages[static_cast<std::size_t>(*request.until)], stages.string());
-        return;
-    }
+    result.width = fit.stack().width();
+    result.height = fit.stack().height();
+    result.lights = fit.stack().lights();
+    result.fit = fit.report();
+    result.unexplained = fit.unexplained();
+    if (!all) return;
 
     TabulatedMaterial material = fit.material();
-    const std::vector<std::uint8_t> keep =
-        fitted_lights(fit.stack().lights(), request.settings.hold_out);
-    report.text += describe(held_out_errors(fit.stack(), fit.rig(), material, keep, progress),
-                            static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0)));
-    judge_exemplars(fit, material, request.stack.string(), report.warnings);
+    const std::vector<std::uint8_t> keep = fitted_lights(result.lights, request.settings.hold_out);
+    result.held_out_lights = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
+    result.held_out = held_out_errors(fit.stack(), fit.rig(), material, keep, progress);
+    result.exemplars = judge_exemplars(fit, material);
+    warn_of_fit(result, request, result.warnings);
     material.metadata["burnish:version"] = version();
     material.metadata["burnish:command"] = request.command;
     write_tabulated_material(request.output, material);
-    report.written.push_back(request.output);
+    result.written.push_back(request.output);
     if (!request.keep_stages) {
-        std::error_code ignored;  // the material is written; leftovers harm nobody
-        fs::remove_all(stages, ignored);
+        std::error_code ignored;  // the material is written; leftovers do no harm
+        fs::remove_all(result.stages, ignored);
     }
 }
 
@@ -185,25 +156,25 @@ std::span<const std::string_view> capture_stage_names() {
     return kStages;
 }
 
-FitCaptureReport fit_capture(const FitCaptureRequest& request, const Progress& progress) {
-    FitCaptureReport report;
+CaptureFitResult capture_fit(const CaptureFitRequest& request, const Progress& progress) {
+    CaptureFitResult result;
     require_writable(request.output);
     const Rig rig = read_rig(request.stack, true, request.overrides);
-    report.warnings = rig.warnings;
+    result.warnings = rig.warnings;
     if (rig.lights.size() < 3)  // before many pictures are read
         throw Error(request.stack.string(), "lights", "at least 3 lights to fit anything",
                     fmt::to_string(rig.lights.size()));
     for (const std::string& line : rig_coverage(rig).diagnosis)
-        report.warnings.push_back(fmt::format("{}: {}", request.stack.string(), line));
-    const fs::path stages = request.output.string() + ".stages";
-    const OutputFolder folder(stages);  // goes again when no stage came to an end
+        result.warnings.push_back(fmt::format("{}: {}", request.stack.string(), line));
+    result.stages = request.output.string() + ".stages";
+    const OutputFolder folder(result.stages);  // removed again when no stage came to an end
     try {
-        fit_into(request, rig, stages, progress, report);
+        fit_into(request, rig, progress, result);
     } catch (const Interrupted&) {
-        if (fs::is_empty(stages)) throw;
-        throw InterruptedFit(stages);
+        if (fs::is_empty(result.stages)) throw;
+        throw InterruptedFit(result.stages);
     }
-    return report;
+    return result;
 }
 
 }  // namespace burnish

@@ -58,7 +58,7 @@ std::string csv_of(const Rig& stack, const StackError& error) {
     return out;
 }
 
-std::unique_ptr<StackComparison> comparison_of(const RelightRequest& request, const Rig& rig,
+std::unique_ptr<StackComparison> comparison_of(const CaptureRelightRequest& request, const Rig& rig,
                                                const TabulatedMaterial& m, Rig& stack,
                                                std::vector<std::string>& warnings) {
     if (!request.compare) return nullptr;
@@ -94,8 +94,8 @@ void take_size_of(const TabulatedMaterial& m, Rig& rig, std::vector<std::string>
         rig.file.string()));
 }
 
-RelightReport relight_material(const RelightRequest& request, const Progress& progress) {
-    RelightReport report;
+CaptureRelightResult capture_relight(const CaptureRelightRequest& request, const Progress& progress) {
+    CaptureRelightResult report;
     const auto material = load_tabulated(request.material);
     Rig rig = read_rig(request.rig, false, request.overrides);
     report.warnings = rig.warnings;
@@ -134,23 +134,6 @@ RelightReport relight_material(const RelightRequest& request, const Progress& pr
     write_files_whole(files);
     for (const FileToWrite& file : files) report.written.push_back(file.path);
     return report;
-}
-
-std::string describe_error(const StackError& error, bool each_light) {
-    std::string out;
-    if (each_light) {
-        out += "light   samples        RMSE     PSNR\n";
-        for (std::size_t k = 0; k < error.lights.size(); ++k)
-            out += fmt::format("{:5} {:9} {:11.4g} {:5.1f} dB\n", k, error.lights[k].samples,
-                               error.lights[k].rmse, error.lights[k].psnr);
-    }
-    out += fmt::format(
-        "PSNR {:.1f} dB in the median of {} lights, {:.1f} in the mean, {:.1f} at "
-        "worst (light {})\n",
-        error.psnr_median, error.lights.size(), error.psnr_mean, error.psnr_worst, error.worst);
-    out += fmt::format("RMSE {:.4g} over {} samples, the brightest of which is {:.4g}\n",
-                       error.rmse, error.samples, error.peak);
-    return out;
 }
 
 }  // namespace burnish

@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-struct RelightRequest {
+struct CaptureRelightRequest {
     std::filesystem::path material, rig;
     std::optional<std::filesystem::path> compare;  // a rig whose lights name pictures
     RigOverrides overrides;                        // of both rigs
@@ -22,7 +22,7 @@ struct RelightRequest {
     std::string command;                           // for metadata
 };
 
-struct RelightReport {
+struct CaptureRelightResult {
     std::vector<std::filesystem::path> written;  // rig.json first
     std::vector<std::string> warnings;
     std::optional<StackError> error;  // where there was something to compare with
@@ -30,13 +30,10 @@ struct RelightReport {
 
 // Writes 0000.exr ... and rig.json, which names them, so that they are a stack; with `compare` also
 // compare.csv. All or, when anything fails, none.
-RelightReport relight_material(const RelightRequest& request, const Progress& progress);
+CaptureRelightResult capture_relight(const CaptureRelightRequest& request, const Progress& progress);
 
 // Texels lie where the material says, then where the rig says, else 1 mm apart: the rig's size is
 // set, and what does not agree warned of.
 void take_size_of(const TabulatedMaterial& material, Rig& rig, std::vector<std::string>& warnings);
-
-// The totals in a line or two; with `each_light` a table before them.
-std::string describe_error(const StackError& error, bool each_light);
 
 }  // namespace burnish

@@ -112,7 +112,7 @@ void write_report(const CaptureReportRequest& request, const report::Page& page,
 
 }  // namespace
 
-CaptureReportResult report_capture(const CaptureReportRequest& request, const Progress& progress) {
+CaptureReportResult capture_report(const CaptureReportRequest& request, const Progress& progress) {
     CaptureReportResult result;
     const auto material = load_tabulated(request.material);
     Rig rig = read_rig(request.stack, true, request.overrides);

@@ -30,6 +30,6 @@ struct CaptureReportResult {
 // Writes index.html and its pictures, all or, when anything fails, none. Throws Error when the
 // pictures are of another size than the material, or no light can judge. What the material lacks
 // and a machine that cannot render is said on the page.
-CaptureReportResult report_capture(const CaptureReportRequest& request, const Progress& progress);
+CaptureReportResult capture_report(const CaptureReportRequest& request, const Progress& progress);
 
 }  // namespace burnish

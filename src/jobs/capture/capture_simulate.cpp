@@ -25,7 +25,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 // Integer pictures end somewhere: here, unless asked otherwise, at so many times a white diffuser.
 constexpr double kUsualClip = 4.0;
 
-Rig rig_of(const SimulateCaptureRequest& request, const VirtualSample& sample) {
+Rig rig_of(const CaptureSimulateRequest& request, const VirtualSample& sample) {
     if (request.rig == "bar")
         return make_bar_rig(sample, request.leds, request.steps, request.placing);
     if (request.rig == "dome") return make_dome_rig(sample, request.dome_lights, request.placing);
@@ -62,7 +62,7 @@ void write_codes(const fs::path& temporary, const std::string& name, Image image
     write_data_picture(temporary, picture, name, [](double) {});
 }
 
-std::string truth_json(const SimulateCaptureRequest& request, const VirtualSample& sample) {
+std::string truth_json(const CaptureSimulateRequest& request, const VirtualSample& sample) {
     nlohmann::ordered_json out;
     out["format"] = "burnish-virtual-sample";
     out["version"] = 1;
@@ -98,7 +98,7 @@ Image truth_map(const VirtualSample& sample,
     return image;
 }
 
-void add_truth(const SimulateCaptureRequest& request, const VirtualSample& sample,
+void add_truth(const CaptureSimulateRequest& request, const VirtualSample& sample,
                const Metadata& metadata, std::vector<FileToWrite>& files) {
     const fs::path folder = request.output / "truth";
     const auto add = [&](const char* name, const std::function<Vec3d(const VirtualTexel&)>& value) {
@@ -121,7 +121,7 @@ void add_truth(const SimulateCaptureRequest& request, const VirtualSample& sampl
 }
 
 // The rig that is written: its pictures, and intensities in the units of their codes.
-Rig written_rig(const SimulateCaptureRequest& request, const Rig& rig, double level) {
+Rig written_rig(const CaptureSimulateRequest& request, const Rig& rig, double level) {
     Rig out = rig;
     out.response = request.format == StackFormat::png8 ? RigResponse::srgb : RigResponse::linear;
     for (std::size_t k = 0; k < out.lights.size(); ++k) {
@@ -135,9 +135,9 @@ Rig written_rig(const SimulateCaptureRequest& request, const Rig& rig, double le
 
 }  // namespace
 
-SimulateCaptureReport simulate_capture(const SimulateCaptureRequest& request,
+CaptureSimulateResult capture_simulate(const CaptureSimulateRequest& request,
                                        const Progress& progress) {
-    SimulateCaptureReport report;
+    CaptureSimulateResult report;
     const VirtualSample sample = make_virtual_sample(request.preset, request.sample);
     const Rig rig = rig_of(request, sample);
     VirtualCamera camera = request.camera;

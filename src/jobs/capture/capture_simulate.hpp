@@ -14,7 +14,7 @@ namespace burnish {
 
 enum class StackFormat { exr, png16, png8 };
 
-struct SimulateCaptureRequest {
+struct CaptureSimulateRequest {
     std::string preset;
     VirtualSettings sample;
     std::string rig = "bar";    // bar, dome, or a rig file whose lights are taken
@@ -27,13 +27,13 @@ struct SimulateCaptureRequest {
     std::string command;
 };
 
-struct SimulateCaptureReport {
+struct CaptureSimulateResult {
     std::vector<std::filesystem::path> written;  // the rig and the truth; not each picture
     std::size_t pictures = 0;
 };
 
 // All or, when anything fails, none: an older stack of that folder stays whole. Throws Error.
-SimulateCaptureReport simulate_capture(const SimulateCaptureRequest& request,
+CaptureSimulateResult capture_simulate(const CaptureSimulateRequest& request,
                                        const Progress& progress);
 
 }  // namespace burnish

@@ -1,0 +1,226 @@
+// Changes of which exemplars there are: splitting, merging, joining.
+#include <algorithm>
+#include <numeric>
+
+#include "capture/solve/search_state.hpp"
+
+namespace burnish {
+
+namespace {
+
+// An exemplar of fewer points is dropped by a split, and a split makes no half of fewer than twice as many.
+constexpr std::size_t kFewestMembers = 4;
+// Ratio of the mean errors of the worse and the better half of an exemplar's points from which it is split; noise
+// alone makes 1.1.
+constexpr double kSplitRatio = 1.8;
+// Share of the largest principal component in the variance of the points' residual signatures from which an
+// exemplar is split; noise alone makes a few hundredths.
+constexpr double kSplitVariation = 0.15;
+// Ratio of the mean errors of an exemplar's points with other exemplars and with their own up to which the others
+// take them.
+constexpr double kMergeRatio = 1.25;
+
+using Members = std::vector<std::vector<std::size_t>>;
+
+void drop_candidates(SearchState& state) {
+    for (PointState& point : state.points) {
+        point.candidates.clear();
+        point.trials.clear();
+    }
+}
+
+// The exemplars that are alive, at least one, under new numbers.
+SearchState keep_exemplars(SearchState state, std::vector<bool> alive) {
+    if (std::none_of(alive.begin(), alive.end(), [](bool a) { return a; })) alive.front() = true;
+    Exemplars next;
+    next.grid = state.exemplars.grid;
+    std::vector<int> renamed(alive.size(), -1);
+    for (std::size_t e = 0; e < alive.size(); ++e)
+        if (alive[e]) renamed[e] = next.append(state.exemplars, static_cast<int>(e));
+    for (PointState& point : state.points)
+        if (int& e = point.assigned.exemplar; e >= 0) e = renamed[static_cast<std::size_t>(e)];
+    state.exemplars = std::move(next);
+    drop_candidates(state);
+    return state;
+}
+
+// Exemplars in increasing order of the number of their points.
+std::vector<std::size_t> smallest_first(const Members& members) {
+    std::vector<std::size_t> order(members.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return members[a].size() < members[b].size();
+    });
+    return order;
+}
+
+// ---- splitting
+
+// How an exemplar's points fall into two: `second` says of each of `points` whether it is in the second half.
+struct Halves {
+    bool differ = false;  // more than noise makes them
+    std::vector<bool> second;
+};
+
+// Sorts `points` by error.
+Halves halves_of(const SearchState& state, std::vector<std::size_t>& points) {
+    const auto error_of = [&](std::size_t p) { return state.points[p].fit.error; };
+    std::stable_sort(points.begin(), points.end(),
+                     [&](std::size_t a, std::size_t b) { return error_of(a) < error_of(b); });
+    const std::size_t half = points.size() / 2;
+    const auto mean = [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t k = begin; k < end; ++k) sum += static_cast<double>(error_of(points[k]));
+        return sum / static_cast<double>(end - begin);
+    };
+    std::vector<const Signature*> signatures;
+    for (const std::size_t p : points) signatures.push_back(&state.points[p].signature);
+    std::vector<float> place;  // of each point along the main variation
+    const bool uneven = mean(half, points.size()) > kSplitRatio * mean(0, half);
+    const bool varied = main_variation(signatures, place) > kSplitVariation;
+    Halves out;
+    out.differ = uneven || varied;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        out.second.push_back(varied ? !(place[k] < 0.0f) : !(k < half));
+    return out;
+}
+
+// ---- merging
+
+// What a point would have without exemplar `own`: the best of its other candidates that are alive. No candidate:
+// exemplar -1 and an error of 1.
+struct Alternative {
+    Candidate candidate;
+    double error = 1.0;
+};
+
+Alternative alternative_to(int own, const PointState& point, const std::vector<bool>& alive) {
+    Alternative out;
+    for (std::size_t c = 0; c < point.candidates.size(); ++c) {
+        const Candidate& candidate = point.candidates[c];
+        const auto error = static_cast<double>(point.trials[c].error);
+        if (candidate.exemplar == own || !alive[static_cast<std::size_t>(candidate.exemplar)] ||
+            error >= out.error)
+            continue;
+        out.error = error;
+        out.candidate = {candidate.exemplar, point.trials[c].shift, candidate.residual};
+    }
+    return out;
+}
+
+// Share of the samples of an exemplar's points that its known cells, which were fitted to them, leave free.
+double freedom_of(const Exemplars& all, int e, std::size_t points, std::size_t lights) {
+    const auto known = static_cast<double>(std::count_if(
+        all.weight(e), all.weight(e) + all.grid.cells(), [](float w) { return w > 0.0f; }));
+    const auto samples = static_cast<double>(points * lights);
+    // 0.9: the share is divided by, and is 0 where there are no more samples than cells.
+    return 1.0 - std::min(0.9, known / std::max(samples, 1.0));
+}
+
+// ---- joining
+
+// The residuals and rotations between all pairs of exemplars.
+std::vector<std::vector<RotationMatch>> matches_between(const Exemplars& exemplars) {
+    std::vector<std::vector<RotationMatch>> out(static_cast<std::size_t>(exemplars.count));
+    RotationMatcher matcher(exemplars.grid);
+    const MaskedTables tables = exemplars.tables();
+    matcher.set_exemplars(tables);
+    matcher.match(tables, [&](std::size_t e, std::span<const RotationMatch> matches) {
+        out[e].assign(matches.begin(), matches.end());
+    });
+    return out;
+}
+
+}  // namespace
+
+SearchState split_exemplars(const SearchInput& input, SearchState state) {
+    Members members = members_of(state);
+    Exemplars next;
+    next.grid = state.exemplars.grid;
+    const auto largest = static_cast<std::size_t>(
+        std::max_element(members.begin(), members.end(),
+                         [](const auto& a, const auto& b) { return a.size() < b.size(); }) -
+        members.begin());
+    int room = input.settings.exemplars -
+               static_cast<int>(std::count_if(members.begin(), members.end(), [](const auto& some) {
+                   return some.size() >= kFewestMembers;
+               }));
+    for (std::size_t e = 0; e < members.size(); ++e) {
+        std::vector<std::size_t>& own = members[e];
+        if (own.size() < kFewestMembers && e != largest) {
+            for (const std::size_t p : own) state.points[p].assigned.exemplar = -1;
+            continue;
+        }
+        const Halves halves = halves_of(state, own);
+        const int kept = next.append(state.exemplars, static_cast<int>(e));
+        const bool splits = own.size() >= 4 * kFewestMembers && room > 0 && halves.differ;
+        const int fresh = splits ? next.append(state.exemplars, static_cast<int>(e)) : kept;
+        room -= splits ? 1 : 0;
+        for (std::size_t k = 0; k < own.size(); ++k)
+            state.points[own[k]].assigned.exemplar = halves.second[k] ? fresh : kept;
+    }
+    state.exemplars = std::move(next);
+    drop_candidates(state);
+    // The samples of the two halves decide what their tables become.
+    return solve_tables(input, std::move(state));
+}
+
+SearchState merge_exemplars(const SearchInput& input, SearchState state) {
+    Members members = members_of(state);
+    std::vector<bool> alive(members.size(), true);
+    for (const std::size_t e : smallest_first(members)) {
+        std::vector<std::size_t>& own = members[e];
+        double now = 0.0, then = 0.0;
+        std::vector<Candidate> move;
+        for (const std::size_t p : own) {
+            const Alternative other = alternative_to(static_cast<int>(e), state.points[p], alive);
+            now += static_cast<double>(state.points[p].fit.error);
+            then += other.error;
+            move.push_back(other.candidate);
+        }
+        // Generalized cross-validation (Craven & Wahba 1979): a table of few points was fitted to their noise,
+        // too, and its error on other samples is larger by the square of its freedom.
+        const double freedom = freedom_of(state.exemplars, static_cast<int>(e), own.size(),
+                                          input.context.geometry->lights());
+        if (!own.empty() && then > kMergeRatio * now / (freedom * freedom)) continue;
+        alive[e] = false;
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            state.points[own[k]].assigned = move[k];
+            if (move[k].exemplar >= 0)
+                members[static_cast<std::size_t>(move[k].exemplar)].push_back(own[k]);
+        }
+        own.clear();
+    }
+    return solve_tables(input, keep_exemplars(std::move(state), std::move(alive)));
+}
+
+SearchState join_alike(const SearchInput& input, SearchState state, float alike) {
+    const auto between = matches_between(state.exemplars);
+    const std::vector<std::size_t> order = smallest_first(members_of(state));
+    std::vector<bool> alive(order.size(), true);
+    std::vector<Candidate> to(
+        order.size());  // of exemplars that go: where, and the further rotation
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        const std::size_t e = order[place];
+        float least = alike;
+        for (std::size_t later = place + 1; later < order.size(); ++later) {
+            const RotationMatch& match = between[e][order[later]];
+            if (match.residual >= least) continue;
+            least = match.residual;
+            alive[e] = false;
+            to[e] = {static_cast<int>(order[later]), match.shift, 0.0f};
+        }
+    }
+    for (PointState& point : state.points) {
+        Candidate& own = point.assigned;
+        while (own.exemplar >= 0 && !alive[static_cast<std::size_t>(own.exemplar)]) {
+            const Candidate& next = to[static_cast<std::size_t>(own.exemplar)];
+            own.shift += next.shift;
+            own.exemplar = next.exemplar;
+        }
+        point.fit.shift = own.shift;
+    }
+    return solve_tables(input, keep_exemplars(std::move(state), std::move(alive)));
+}
+
+}  // namespace burnish

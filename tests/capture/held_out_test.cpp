@@ -1,0 +1,119 @@
+// Errors under held-out lights where they are known: none at all, the rounding of the stack's codes, and a
+// known share of every sample.
+#include "capture/judge/held_out.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "capture/judge/relight.hpp"
+#include "capture/solve/capture_fit.hpp"
+#include "image/image_io.hpp"
+#include "support/program.hpp"
+#include "tabulate_sample.hpp"
+
+namespace burnish::test {
+namespace {
+
+constexpr std::size_t kLights = 12;
+constexpr int kHoldOut = 4;  // three of the twelve lights
+
+struct Judged {
+    Folder folder;
+    TabulatedMaterial material;
+    Rig rig;
+
+    Judged() {
+        VirtualSettings settings;
+        settings.width = 6;
+        settings.height = 4;
+        const VirtualSample sample = make_virtual_sample("satin", settings);
+        material = tabulated(sample, {32, 96});
+        rig = make_dome_rig(sample, static_cast<int>(kLights), {});
+    }
+
+    // Pictures of `shown`, all samples times `factor`, judged by what `material` predicts.
+    std::vector<HeldOutError> errors(const TabulatedMaterial& shown, float factor) {
+        const Relighter relighter(shown);
+        for (std::size_t k = 0; k < rig.lights.size(); ++k) {
+            Image picture = relighter.picture(rig, k);
+            for (float& value : picture.pixels) value *= factor;
+            const auto path = folder.path(fmt::format("{}.exr", k));
+            write_image(path, picture, {});
+            rig.lights[k].images = {{path, 1.0}};
+        }
+        const ImageStack stack(rig, folder.path("pictures.bin"), {});
+        return held_out_errors(stack, rig, material, fitted_lights(kLights, kHoldOut), {});
+    }
+};
+
+void make_black(TabulatedMaterial& material) {
+    for (Image* image : {&material.diffuse, &material.specular})
+        for (float& value : image->pixels) value = 0.0f;
+}
+
+TEST(HeldOut, APerfectFitIsInfinitelyManyDecibels) {
+    Judged judged;
+    make_black(judged.material);
+    // Maps of a model as a fit leaves them: for black samples its strengths are 0 too.
+    for (const char* number : {"alpha_along", "alpha_across", "groove_deg", "diffuse", "specular"})
+        judged.material.maps[fmt::format("ward.{}", number)].assign(
+            judged.material.texels(), std::string_view(number).starts_with("alpha") ? 0.3f : 0.0f);
+    const auto errors = judged.errors(judged.material, 1.0f);
+    ASSERT_EQ(errors.size(), 2u);
+    for (const HeldOutError& error : errors) {
+        EXPECT_GT(error.samples, 20u) << error.model;
+        EXPECT_EQ(error.rmse, 0.0) << error.model;
+        EXPECT_TRUE(std::isinf(error.psnr) && error.psnr > 0.0) << error.model;
+    }
+}
+
+// Samples are kept as 16-bit roots: a step is 2 / 65534 of the largest value at most, its rounding 1/2 of
+// that at worst and 1/sqrt(12) of it in the mean: more than 20 log10(65534 / 2 * sqrt(12)) = 101 dB of the
+// peak of each picture, and of the brightest of all no less.
+TEST(HeldOut, ItsOwnPicturesAreRightButForTheirCodes) {
+    Judged judged;
+    const auto errors = judged.errors(judged.material, 1.0f);
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_EQ(errors[0].model, "tabulated");
+    EXPECT_GT(errors[0].peak, 0.0);
+    EXPECT_GT(errors[0].psnr, 95.0);
+    EXPECT_LT(errors[0].psnr, 160.0) << "codes of 16 bits have no such precision";
+}
+
+// Pictures a tenth brighter than predicted: the error is 1/11 of every sample, so that the RMSE is 1/11 of the
+// root mean square of the samples, which is at most the peak.
+TEST(HeldOut, AKnownErrorIsFound) {
+    Judged judged;
+    const auto same = judged.errors(judged.material, 1.0f);
+    const auto brighter = judged.errors(judged.material, 1.1f);
+    EXPECT_EQ(brighter[0].samples, same[0].samples);
+    EXPECT_NEAR(brighter[0].peak / same[0].peak, 1.1, 1e-4);
+    EXPECT_NEAR(brighter[0].psnr, 20.0 * std::log10(brighter[0].peak / brighter[0].rmse), 1e-9);
+    TabulatedMaterial black = judged.material;
+    make_black(black);
+    Judged dark;
+    dark.material = black;
+    const auto all = dark.errors(judged.material, 1.1f);  // the error is the whole sample
+    EXPECT_NEAR(brighter[0].rmse / all[0].rmse, 1.0 / 11.0, 1e-4);
+}
+
+TEST(HeldOut, WithoutHeldOutLightsThereIsNothingToSay) {
+    Judged judged;
+    const Relighter relighter(judged.material);
+    judged.errors(judged.material, 1.0f);
+    const ImageStack stack(judged.rig, judged.folder.path("pictures.bin"), {});
+    EXPECT_TRUE(
+        held_out_errors(stack, judged.rig, judged.material, fitted_lights(kLights, 0), {}).empty());
+    // All texels outside the mask: lights judge, but no sample counts.
+    judged.material.exemplar.assign(judged.material.texels(), TabulatedMaterial::kNoExemplar);
+    const auto errors =
+        held_out_errors(stack, judged.rig, judged.material, fitted_lights(kLights, kHoldOut), {});
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_EQ(errors[0].samples, 0u);
+    EXPECT_TRUE(std::isnan(errors[0].psnr));
+}
+
+}  // namespace
+}  // namespace burnish::test
