@@ -67,8 +67,8 @@ AnisotropicRoughness anisotropic_roughness(const LobeFit& lobe) {
 
 double groove_at(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, std::size_t texel) {
     const double angle = lobes[m.exemplar[texel]].groove + static_cast<double>(m.angle[texel]);
-    const double turned = angle - kPi * std::floor(angle / kPi);
-    return turned < kPi ? turned : 0.0;  // rounding
+    const double wrapped = angle - kPi * std::floor(angle / kPi);
+    return wrapped < kPi ? wrapped : 0.0;  // rounding can make pi
 }
 
 Image base_color_texture(const TabulatedMaterial& m, bool masked) {

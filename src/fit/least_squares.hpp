@@ -1,5 +1,5 @@
-// Non-linear least squares within bounds, for any number of parameters (levenberg_marquardt.hpp has the
-// method). Deterministic; may be called from any thread.
+// Non-linear least squares within bounds, for any number of parameters (levenberg_marquardt.hpp has
+// the method). Deterministic; may be called from any thread.
 #pragma once
 
 #include <Eigen/Core>

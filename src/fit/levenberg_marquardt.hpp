@@ -1,6 +1,7 @@
-// Levenberg and Marquardt's method within bounds: the one loop behind every fit of the project. Problems whose
-// number of parameters is known when the program is compiled use it directly (no allocation for the
-// parameters); others go through least_squares.hpp. Deterministic; uses no state but its arguments.
+// Levenberg and Marquardt's method within bounds: the one loop behind every fit of the project.
+// Problems whose number of parameters is known when the program is compiled use it directly (no
+// allocation for the parameters); others go through least_squares.hpp. Deterministic; uses no state
+// but its arguments.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -20,8 +21,8 @@ struct DescentRules {
     double stiffen = 5;  // factor on the damping after one that does not
     // A damping below this one no longer changes a step that double precision can tell apart.
     double least_damping = 1e-12;
-    // Share of the trace that damps every parameter, whatever the residuals say of it: where they hardly depend
-    // on a parameter (the groove of a round lobe), its step stays finite.
+    // Share of the trace that damps every parameter, whatever the residuals say of it: where they
+    // hardly depend on a parameter (the groove of a round lobe), its step stays finite.
     double trace_share = 0;
     // Largest change of a parameter in one step.
     double most_step = std::numeric_limits<double>::infinity();
@@ -44,11 +45,13 @@ struct DescentResult {
 // `Problem` has
 //   void residuals(const Vector& x, Eigen::VectorXd& out);
 //   void derivatives(const Vector& x, Eigen::VectorXd& at_x, Derivatives& out);
-// with Vector = Eigen::Matrix<double, N, 1> and Derivatives = Eigen::Matrix<double, Eigen::Dynamic, N>: a row a
-// residual, a column a parameter. `at_x` holds the residuals at x and may be written again with the same.
+// with Vector = Eigen::Matrix<double, N, 1> and Derivatives = Eigen::Matrix<double, Eigen::Dynamic,
+// N>: a row a residual, a column a parameter. `at_x` holds the residuals at x and may be written
+// again with the same.
 //
-// Parameters at a bound that the slope pushes against are held there. A step is cut at the bounds and taken
-// only when it lowers the sum; a step that makes the sum infinite or not a number counts as worse.
+// Parameters at a bound that the slope pushes against are held there. A step is cut at the bounds
+// and taken only when it lowers the sum; a step that makes the sum infinite or not a number counts
+// as worse.
 template <int N>
 class Descent {
   public:

@@ -17,8 +17,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kPi = std::numbers::pi;
-// Tables of 32 rings know nothing narrower: their second ring lies at 0.2 degrees.
+// Least alpha that is fitted: tables of 32 rings, whose second ring lies at 0.2 degrees, resolve
+// nothing narrower.
 constexpr double kLeastFitted = 0.002;
+// Largest alpha that is fitted: a broader lobe can hardly be told from an even distribution.
 constexpr double kMostFitted = 1.5;
 
 struct Cells {
@@ -54,10 +56,9 @@ Cells cells_of(const NdfGrid& grid, const float* table) {
     return out;
 }
 
-// The logarithm of the symmetrical matrix of widths, which knows no singular place where a lobe is
-// round: x = (p, d cos 2a, d sin 2a) with ln alpha = p - d along the groove, whose angle is a, and
-// p
-// + d across.
+// Parameters of the search: the logarithm of the symmetric matrix of widths, x = (p, d cos 2a, d
+// sin 2a), with ln alpha = p - d along the groove, whose angle is a, and p + d across it. Round
+// lobes (d = 0) are not singular there.
 struct Widths {
     double along, across, groove;
 };
@@ -113,7 +114,7 @@ LeastSquaresProblem problem_of(const Cells& cells, Mdf mdf) {
 
 // The best of a coarse lattice of widths along the axes of the table's moments.
 VectorXd start_of(const Cells& cells, const LeastSquaresProblem& problem) {
-    // The axis of the larger moment, and a quarter turn from it the groove.
+    // The axis of the larger moment; the groove is at a right angle to it.
     const double groove = 0.5 * std::atan2(2 * cells.xy, cells.xx - cells.yy) + kPi / 2;
     VectorXd best, residuals;
     double least = HUGE_VAL;
@@ -131,8 +132,8 @@ VectorXd start_of(const Cells& cells, const LeastSquaresProblem& problem) {
 }
 
 double line_angle(double angle) {
-    const double turned = angle - kPi * std::floor(angle / kPi);
-    return turned < kPi ? turned : 0.0;  // -1e-17 comes out as pi
+    const double wrapped = angle - kPi * std::floor(angle / kPi);
+    return wrapped < kPi ? wrapped : 0.0;  // of -1e-17, rounding makes pi
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The analytic lobe that is nearest to a table: two widths and the direction of the groove, for
-// programs that know no tables and for maps that people read.
+// programs that cannot draw tables and for maps that people read.
 #pragma once
 
 #include <vector>

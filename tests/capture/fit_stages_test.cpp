@@ -1,5 +1,6 @@
-// Stages of a fit: interrupted anywhere and continued, it gives what an uninterrupted one gives; so does a fit in
-// parts; the number of threads does not matter; and what other settings left is not taken.
+// Stages of a fit: interrupted anywhere and continued, it gives what an uninterrupted one gives; so
+// does a fit in parts; the number of threads does not matter; and what other settings left is not
+// taken.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 

@@ -1,6 +1,6 @@
 // The whole fit against samples that are known exactly: grain, distributions, strengths, pictures
-// under held-out lights and from unseen views, beside Ward's models (docs/evidence/capture-results.md has the
-// figures).
+// under held-out lights and from unseen views, beside Ward's models
+// (docs/evidence/capture-results.md has the figures).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -132,8 +132,9 @@ void fit_ward(const Fitted& fitted, const std::filesystem::path& stages,
     }
 }
 
-// Bounds about twice what was measured with these samples and lights (the figures are beside the tests): other
-// roundings choose other seeds and clusters, which changes errors by some ten percent, never twofold.
+// Bounds about twice what was measured with these samples and lights (the figures are beside the
+// tests): other roundings choose other seeds and clusters, which changes errors by some ten
+// percent, never twofold.
 struct Bounds {
     double angle_deg;  // median
     double l1;         // where known, and in all

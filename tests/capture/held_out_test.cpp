@@ -1,5 +1,5 @@
-// Errors under held-out lights where they are known: none at all, the rounding of the stack's codes, and a
-// known share of every sample.
+// Errors under held-out lights where they are known: none at all, the rounding of the stack's
+// codes, and a known share of every sample.
 #include "capture/judge/held_out.hpp"
 
 #include <fmt/format.h>
@@ -69,9 +69,9 @@ TEST(HeldOut, APerfectFitIsInfinitelyManyDecibels) {
     }
 }
 
-// Samples are kept as 16-bit roots: a step is 2 / 65534 of the largest value at most, its rounding 1/2 of
-// that at worst and 1/sqrt(12) of it in the mean: more than 20 log10(65534 / 2 * sqrt(12)) = 101 dB of the
-// peak of each picture, and of the brightest of all no less.
+// Samples are kept as 16-bit roots: a step is 2 / 65534 of the largest value at most, its rounding
+// 1/2 of that at worst and 1/sqrt(12) of it in the mean: more than 20 log10(65534 / 2 * sqrt(12)) =
+// 101 dB of the peak of each picture, and of the brightest of all no less.
 TEST(HeldOut, ItsOwnPicturesAreRightButForTheirCodes) {
     Judged judged;
     const auto errors = judged.errors(judged.material, 1.0f);
@@ -82,8 +82,8 @@ TEST(HeldOut, ItsOwnPicturesAreRightButForTheirCodes) {
     EXPECT_LT(errors[0].psnr, 160.0) << "codes of 16 bits have no such precision";
 }
 
-// Pictures a tenth brighter than predicted: the error is 1/11 of every sample, so that the RMSE is 1/11 of the
-// root mean square of the samples, which is at most the peak.
+// Pictures a tenth brighter than predicted: the error is 1/11 of every sample, so that the RMSE is
+// 1/11 of the root mean square of the samples, which is at most the peak.
 TEST(HeldOut, AKnownErrorIsFound) {
     Judged judged;
     const auto same = judged.errors(judged.material, 1.0f);

@@ -1,4 +1,5 @@
-// Matching by the definition, one turn after the other in double precision, and tables to match.
+// Matching by the definition, one rotation after the other in double precision, and tables to
+// match.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,13 +19,13 @@ struct Table {
     std::vector<float> value, weight;
 };
 
-struct Turn {
+struct AtRotation {
     double residual = 1, scale = 0, overlap = 0;
 };
 
-// One turn of the definition: the exemplar's column a - shift lies on the point's column a.
-inline Turn by_definition(const NdfGrid& grid, const Table& point, const Table& exemplar, int shift,
-                          double least_overlap) {
+// One rotation by the definition: the exemplar's column a - shift lies on the point's column a.
+inline AtRotation by_definition(const NdfGrid& grid, const Table& point, const Table& exemplar,
+                                int shift, double least_overlap) {
     double A = 0, B = 0, X = 0, O = 0, m_sum = 0, n_sum = 0;
     for (int r = 0; r < grid.rings; ++r) {
         const double w = cosine_weight(grid, r);
@@ -43,7 +44,7 @@ inline Turn by_definition(const NdfGrid& grid, const Table& point, const Table& 
             O += w * m * n;
         }
     }
-    Turn out;
+    AtRotation out;
     const double smaller = std::min(m_sum, n_sum);
     out.overlap = smaller > 0 ? O / smaller : 0;
     if (out.overlap < least_overlap || !(A > 0) || !(B > 0)) return {1, 0, out.overlap};
@@ -53,22 +54,22 @@ inline Turn by_definition(const NdfGrid& grid, const Table& point, const Table& 
 }
 
 struct Best {
-    Turn turn;
+    AtRotation at;
     int shift = 0;
 };
 
 inline Best best_by_definition(const NdfGrid& grid, const Table& point, const Table& exemplar,
                                double least_overlap) {
     Best best;
-    best.turn.residual = 2;
+    best.at.residual = 2;
     for (int s = 0; s < grid.azimuths; ++s) {
-        const Turn turn = by_definition(grid, point, exemplar, s, least_overlap);
-        if (turn.residual < best.turn.residual) best = {turn, s};
+        const AtRotation at = by_definition(grid, point, exemplar, s, least_overlap);
+        if (at.residual < best.at.residual) best = {at, s};
     }
     return best;
 }
 
-inline double turn_between(double a, double b, double columns) {
+inline double columns_between(double a, double b, double columns) {
     const double d = std::fmod(std::fmod(a - b, columns) + columns, columns);
     return std::min(d, columns - d);
 }
@@ -91,8 +92,8 @@ inline Table random_table(const NdfGrid& grid, Mask mask, Random& random) {
                 w = random.uniform() < 0.7 ? 1 : 0;
                 break;
             case Mask::half: {
-                const double turn = std::abs(a - middle);
-                w = std::min(turn, grid.azimuths - turn) < 0.3 * grid.azimuths ? 1 : 0;
+                const double away = std::abs(a - middle);
+                w = std::min(away, grid.azimuths - away) < 0.3 * grid.azimuths ? 1 : 0;
                 break;
             }
             case Mask::soft:
@@ -114,7 +115,7 @@ inline Table random_table(const NdfGrid& grid, Mask mask, Random& random) {
     return out;
 }
 
-// A coarse pattern with noise: answers differ clearly between turns, as real tables' do.
+// A coarse pattern with noise: answers differ clearly between rotations, as real tables' do.
 inline Table patterned(const NdfGrid& grid, Mask mask, Random& random) {
     Table out = random_table(grid, mask, random);
     const double phase = random.uniform(0, 2 * kPi), skew = random.uniform(0, 2 * kPi);
@@ -172,7 +173,7 @@ inline RotationMatch one_match(const NdfGrid& grid, const Table& point, const Ta
     return all_matches(matcher, p.tables()).at(0).at(0);
 }
 
-inline Table turned(const NdfGrid& grid, const Table& table, int columns) {
+inline Table rotated(const NdfGrid& grid, const Table& table, int columns) {
     Table out = table;
     for (int r = 0; r < grid.rings; ++r) {
         for (int a = 0; a < grid.azimuths; ++a) {

@@ -62,7 +62,7 @@ Fitted fit_sample(const VirtualSample& sample, const Rig& rig, bool normals,
 }
 
 // Seen with four seeds of the clustering: 0.18 to 0.66 deg where the truth tilts by 5.67 in the
-// median, 38.9 to 47.5 dB where flat normals foretell 32.0, and an L1 of 0.015 to 0.046 in place of
+// median, 38.9 to 47.5 dB where flat normals give 32.0, and an L1 of 0.015 to 0.046 in place of
 // 0.62. Bounds leave room for other roundings, which choose other clusters as seeds do.
 TEST(CaptureFitNormals, FindTheTiltOfTheTruth) {
     const Folder folder;

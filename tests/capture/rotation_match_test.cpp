@@ -18,13 +18,13 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 class Match : public testing::TestWithParam<NdfGrid> {};
 INSTANTIATE_TEST_SUITE_P(Grids, Match, testing::ValuesIn(test::kGrids), test::name_of_grid);
 
-// Is there a turn within half a column of the answer, as good as the best within rounding, that has
-// the answer's scale and overlap? Small masks have several equally good ones.
+// Is there a rotation within half a column of the answer, as good as the best within rounding, that
+// has the answer's scale and overlap? Small masks have several equally good ones.
 bool is_answer(const NdfGrid& grid, const Table& point, const Table& exemplar, double residual,
                const RotationMatch& found) {
     for (int s = 0; s < grid.azimuths; ++s) {
-        if (turn_between(static_cast<double>(found.shift), s, grid.azimuths) > 0.501) continue;
-        const Turn there = by_definition(grid, point, exemplar, s, 0);
+        if (columns_between(static_cast<double>(found.shift), s, grid.azimuths) > 0.501) continue;
+        const AtRotation there = by_definition(grid, point, exemplar, s, 0);
         if (std::abs(there.residual - residual) < kResidualRounding &&
             std::abs(static_cast<double>(found.scale) - there.scale) < 1e-3 * there.scale &&
             std::abs(static_cast<double>(found.overlap) - there.overlap) < 1e-3)
@@ -33,8 +33,8 @@ bool is_answer(const NdfGrid& grid, const Table& point, const Table& exemplar, d
     return false;
 }
 
-// The spectral match finds the turn that the definition finds (or one as good within rounding), and
-// says what the definition says there. 33 points and 9 exemplars: no multiple of a tile.
+// The spectral match finds the rotation that the definition finds (or one as good within rounding),
+// and says what the definition says there. 33 points and 9 exemplars: no multiple of a tile.
 TEST_P(Match, SpectralMatchIsBruteForce) {
     const NdfGrid grid = GetParam();
     const float least = 0.4f;
@@ -58,17 +58,17 @@ TEST_P(Match, SpectralMatchIsBruteForce) {
             // Overlaps within rounding of the least one count or not, as rounding has it.
             const double low =
                 best_by_definition(grid, points[i], exemplars[k], static_cast<double>(least) - 1e-4)
-                    .turn.residual;
+                    .at.residual;
             const Best best = best_by_definition(grid, points[i], exemplars[k],
                                                  static_cast<double>(least) + 1e-4);
             const auto residual = static_cast<double>(found.residual);
-            EXPECT_LE(residual, best.turn.residual + kResidualRounding) << where;
-            if (best.turn.residual == 1) continue;
+            EXPECT_LE(residual, best.at.residual + kResidualRounding) << where;
+            if (best.at.residual == 1) continue;
             ++answered;
             EXPECT_GE(residual, low - kResidualRounding) << where;
-            EXPECT_TRUE(is_answer(grid, points[i], exemplars[k], best.turn.residual, found))
-                << where << ": turn " << found.shift << ", scale " << found.scale << ", overlap "
-                << found.overlap;
+            EXPECT_TRUE(is_answer(grid, points[i], exemplars[k], best.at.residual, found))
+                << where << ": rotation " << found.shift << ", scale " << found.scale
+                << ", overlap " << found.overlap;
         }
     }
     EXPECT_GT(answered, 33 * 9 / 4);
@@ -100,7 +100,7 @@ bool alike(const Matches& a, const Matches& b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (a[i].size() != b[i].size()) return false;
         for (std::size_t k = 0; k < a[i].size(); ++k)
-            // A turn with just the least overlap counts or not, as rounding has it.
+            // A rotation with just the least overlap counts or not, as rounding has it.
             if (std::min(a[i][k].overlap, b[i][k].overlap) > 0.401f &&
                 !(std::abs(a[i][k].residual - b[i][k].residual) < 1e-3f))
                 return false;
@@ -193,8 +193,9 @@ TEST_P(Match, PeaksDoNotDrownTails) {
         }
         const Best best = best_by_definition(grid, p, e, 0.4);
         const RotationMatch found = one_match(grid, p, e);
-        EXPECT_NEAR(static_cast<double>(found.residual), best.turn.residual, 1e-3) << i;
-        EXPECT_LT(turn_between(static_cast<double>(found.shift), best.shift, grid.azimuths), 0.501)
+        EXPECT_NEAR(static_cast<double>(found.residual), best.at.residual, 1e-3) << i;
+        EXPECT_LT(columns_between(static_cast<double>(found.shift), best.shift, grid.azimuths),
+                  0.501)
             << i;
     }
 }

@@ -29,7 +29,8 @@ std::vector<Named> kernels() {
 
 constexpr float kUntouched = -77.0f;
 
-// Sums of k products of numbers up to 1, each rounded once: at most k half units in the last place of sums up to k.
+// Sums of k products of numbers up to 1, each rounded once: at most k half units in the last place
+// of sums up to k.
 double rounding(std::size_t k) {
     const auto terms = static_cast<double>(k);
     return terms * terms * 6e-8 + 1e-12;
@@ -74,7 +75,8 @@ TEST(SmallProduct, OfNothingIsZero) {
         }
 }
 
-// A sum does not depend on which rows and columns are computed with it: what lets matches of parts agree.
+// A sum does not depend on which rows and columns are computed with it: what lets matches of parts
+// agree.
 TEST(SmallProduct, ASumDoesNotDependOnItsNeighbors) {
     test::Random random(5);
     const std::size_t k = 50, m = 30, n = 45;

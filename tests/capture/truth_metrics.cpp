@@ -149,7 +149,7 @@ Vec3d material_brdf(const TabulatedMaterial& m, const std::vector<std::vector<fl
     const std::size_t t = static_cast<std::size_t>(row * m.width + column);
     const int e = m.exemplar[t];
     const double a = -static_cast<double>(m.angle[t]);
-    const Vec3d i = turned_about_z(to_light, a), o = turned_about_z(to_eye, a);
+    const Vec3d i = rotated_about_z(to_light, a), o = rotated_about_z(to_eye, a);
     if (i[2] <= 0.0 || o[2] <= 0.0) return {};
     const Vec3d sum = {i[0] + o[0], i[1] + o[1], i[2] + o[2]};
     const double length = std::sqrt(dot(sum, sum));

@@ -112,7 +112,7 @@ TEST(VirtualNdf, TurnAndLeanAreAsDescribed) {
             EXPECT_NEAR(ndf.D(h), D, 1e-6 * D + 1e-12) << i;
         }
     }
-    const Vec3d v = turned_about_z({1, 0, 0.5}, kPi / 2);
+    const Vec3d v = rotated_about_z({1, 0, 0.5}, kPi / 2);
     EXPECT_NEAR(v[0], 0, 1e-15);
     EXPECT_NEAR(v[1], 1, 1e-15);
     EXPECT_EQ(v[2], 0.5);
@@ -147,7 +147,7 @@ TEST(VirtualBrdf, IsTheModelOfTheManual) {
             const Vec3d wi = direction(random.uniform(0, 1.4), random.uniform(0, 7));
             const Vec3d wo = direction(random.uniform(0, 1.4), random.uniform(0, 7));
             const Vec3d h = unit({wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]});
-            const auto back = [&](const Vec3d& v) { return turned_about_z(v, -0.9); };
+            const auto back = [&](const Vec3d& v) { return rotated_about_z(v, -0.9); };
             const double shape = ndf.D(back(h)) / (4 * ndf.area(back(wi)) * ndf.area(back(wo))) *
                                  (eta == 0 ? 1 : fresnel(eta, dot(wi, h)) / fresnel(eta, 1));
             const Vec3d rho = virtual_brdf(sample, texel, wi, wo);

@@ -17,6 +17,8 @@ namespace burnish {
 
 namespace {
 
+// Pixels whose sums are added together: sums of tiles are merged in order, so that they do not
+// depend on the threads.
 constexpr std::size_t kTile = 64;
 
 // Of luminance, over the samples that count.

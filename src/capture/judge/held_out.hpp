@@ -1,5 +1,5 @@
-// How well a fit predicts pictures that took no part in it, those of the lights that were held out, beside
-// the analytic models that were fitted to the same pictures.
+// How well a fit predicts pictures that took no part in it, those of the lights that were held out,
+// beside the analytic models that were fitted to the same pictures.
 #pragma once
 
 #include <string>

@@ -41,8 +41,8 @@ class StackComparison {
     StackError result() const;
 
   private:
-    // Samples at the light's largest value are summed apart: whether they are clipped can be told only once
-    // all pictures are known (kRepeatsOfClipping in image_stack.hpp).
+    // Samples at the light's largest value are summed apart: whether they are clipped can be told
+    // only once all pictures are known (kRepeatsOfClipping in image_stack.hpp).
     struct Sums {
         SquaredError all, at_top;
         double top = 0.0, next = 0.0;  // the largest value, and the largest below it

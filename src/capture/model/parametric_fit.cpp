@@ -16,8 +16,8 @@ namespace {
 constexpr std::array<std::string_view, 4> kNames = {"ward-isotropic", "ward", "ggx",
                                                     "ashikhmin-shirley"};
 constexpr float kPi = std::numbers::pi_v<float>;
-// Bounds of both alphas. Lights a few degrees apart resolve nothing narrower than the least; wider than the
-// most, a lobe cannot be told from diffuse light.
+// Bounds of both alphas. Lights a few degrees apart resolve nothing narrower than the least; wider
+// than the most, a lobe cannot be told from diffuse light.
 constexpr float kLeastAlpha = 0.01f, kMostAlpha = 1.2f;
 
 // ln alpha along the groove, ln alpha across it, the groove in radians.
@@ -121,7 +121,8 @@ class Problem {
     double square_ = 0.0;
 };
 
-// What Descent minimizes. N is 3: ln alpha along, ln alpha across, groove; or 1 for a lobe that is round.
+// What Descent minimizes. N is 3: ln alpha along, ln alpha across, groove; or 1 for a lobe that is
+// round.
 template <int N>
 class Residuals {
   public:
@@ -159,8 +160,8 @@ class Residuals {
     }
 
   private:
-    // Of ln alpha, or of the groove in radians: the residuals are single precision, of which forward
-    // differences of this size keep five digits.
+    // Of ln alpha, or of the groove in radians: the residuals are single precision, of which
+    // forward differences of this size keep five digits.
     static constexpr double kDifference = 0.01;
 
     Problem& problem_;

@@ -1,6 +1,7 @@
-// Analytic models fitted to one point's samples: what others would have made of them, and maps for
-// engines that know no tables. Least squares on the pictures' values, all weighted alike, in four
-// parameters at most; diffuse and specular strengths are solved for within (variable projection).
+// Analytic models fitted to one point's samples: for comparison with the tables, and as maps for
+// engines that cannot draw tables. Least squares on the pictures' values, all weighted alike, in
+// four parameters at most; diffuse and specular strengths are solved for within (variable
+// projection).
 #pragma once
 
 #include <array>

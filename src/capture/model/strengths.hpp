@@ -14,7 +14,7 @@ struct Strengths {
 inline Strengths solve_strengths(double uu, double uv, double vv, double uy, double vy) {
     const double determinant = uu * vv - uv * uv;
     double d = 0.0, s = -1.0;
-    // Below this the two are one to rounding: all is diffuse.
+    // Below this share u and v are the same to rounding, and all light counts as diffuse.
     if (determinant > 1e-9 * uu * vv) {
         d = (uy * vv - vy * uv) / determinant;
         s = (vy * uu - uy * uv) / determinant;

@@ -1,5 +1,5 @@
-// Compiled with -mavx2 -mfma (CMakeLists.txt); called only where the processor has both: 16 registers of 8
-// numbers.
+// Compiled with -mavx2 -mfma (CMakeLists.txt); called only where the processor has both: 16
+// registers of 8 numbers.
 #define BURNISH_PRODUCT small_product_avx2
 #define BURNISH_LANES 8
 #define BURNISH_ROWS 6

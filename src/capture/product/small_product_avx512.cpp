@@ -1,4 +1,5 @@
-// Compiled for x86-64-v4 (CMakeLists.txt); called only where the processor has it: 32 registers of 16 numbers.
+// Compiled for x86-64-v4 (CMakeLists.txt); called only where the processor has it: 32 registers of
+// 16 numbers.
 #define BURNISH_PRODUCT small_product_avx512
 #define BURNISH_LANES 16
 #define BURNISH_ROWS 13

@@ -1,5 +1,5 @@
-// The compiled kernels of small_product.hpp, one for each instruction set. Plain pointers only: a file compiled
-// for AVX2 must not share inline functions of the standard library with the rest.
+// The compiled kernels of small_product.hpp, one for each instruction set. Plain pointers only: a
+// file compiled for AVX2 must not share inline functions of the standard library with the rest.
 #pragma once
 
 #include <cstddef>

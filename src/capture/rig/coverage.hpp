@@ -1,6 +1,6 @@
-// What a rig can see: which half vectors its lights make with the camera, how far turning about the
-// normal carries them, and how narrow a lobe may be before it falls between them. Derivations in
-// docs/theory/capture-model.md.
+// What a rig can see: which half vectors its lights make with the camera, how far rotation about
+// the normal carries them, and how narrow a lobe may be before it falls between them. Derivations
+// in docs/theory/capture-model.md.
 #pragma once
 
 #include <string>

@@ -16,8 +16,8 @@ f64::Lobe lobe_of(const VirtualLobe& lobe) {
 // A lean by the slopes s maps h to h' with slopes m - s: D(h) = P(m - s) / h_z^4 and P(m') = D(h')
 // h'_z^4.
 double leaning_D(const VirtualLobe& lobe, const Vec3d& h) {
-    const Vec3d own =
-        turned_about_z({h[0] - lobe.lean_x * h[2], h[1] - lobe.lean_y * h[2], h[2]}, -lobe.turn);
+    const Vec3d own = rotated_about_z({h[0] - lobe.lean_x * h[2], h[1] - lobe.lean_y * h[2], h[2]},
+                                      -lobe.rotation);
     const f64::vec3 direction = f64::normalize(f64::vec3(own[0], own[1], own[2]));
     const double ratio = direction.z / h[2];
     const f64::Perturbation flat =
@@ -40,7 +40,7 @@ double resting_area(const VirtualLobe& lobe, const Vec3d& k) {
 
 }  // namespace
 
-Vec3d turned_about_z(const Vec3d& v, double angle) {
+Vec3d rotated_about_z(const Vec3d& v, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
 }
@@ -56,7 +56,7 @@ double VirtualNdf::area(const Vec3d& k) const {
     double sum = 0.0;
     for (const VirtualLobe& lobe : lobes) {
         const double z = k[2] + k[0] * lobe.lean_x + k[1] * lobe.lean_y;
-        sum += lobe.weight * resting_area(lobe, turned_about_z({k[0], k[1], z}, -lobe.turn));
+        sum += lobe.weight * resting_area(lobe, rotated_about_z({k[0], k[1], z}, -lobe.rotation));
     }
     return sum;
 }

@@ -10,14 +10,14 @@
 
 namespace burnish {
 
-// A lobe with its x axis turned by `turn` radians from the class's, about a mean slope: facets
+// A lobe with its x axis rotated by `rotation` radians from the class's, about a mean slope: facets
 // lean, as those of a pile or of half-worn scratches do. Slopes are (h_x, h_y) / h_z in the class's
 // frame.
 struct VirtualLobe {
     double weight = 1.0;
     Mdf mdf = Mdf::ggx;
     double alpha_x = 0.1, alpha_y = 0.4;
-    double turn = 0.0;
+    double rotation = 0.0;
     double lean_x = 0.0, lean_y = 0.0;
 };
 
@@ -30,7 +30,7 @@ struct VirtualNdf {
     double area(const Vec3d& k) const;  // Int max(h.k, 0) D dw, closed: |k_z| Lambda terms of Smith
 };
 
-// `v` turned by `angle` radians about z, counter-clockwise.
-Vec3d turned_about_z(const Vec3d& v, double angle);
+// `v` rotated by `angle` radians about z, counter-clockwise.
+Vec3d rotated_about_z(const Vec3d& v, double angle);
 
 }  // namespace burnish

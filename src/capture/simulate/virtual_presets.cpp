@@ -26,7 +26,7 @@ VirtualNdf ggx() {
 VirtualNdf two_lobes() {
     return {"two-lobe",
             {{.weight = 0.6, .alpha_x = 0.12, .alpha_y = 0.45},
-             {.weight = 0.4, .alpha_x = 0.12, .alpha_y = 0.30, .turn = kPi / 2}}};
+             {.weight = 0.4, .alpha_x = 0.12, .alpha_y = 0.30, .rotation = kPi / 2}}};
 }
 // Scratches worn on one side: a part of the facets leans across the groove.
 VirtualNdf asymmetric() {
@@ -35,10 +35,13 @@ VirtualNdf asymmetric() {
              {.weight = 0.4, .alpha_x = 0.15, .alpha_y = 0.20, .lean_y = 0.45}}};
 }
 VirtualNdf satin(double along, double across) {
-    return {
-        "satin",
-        {{.weight = 0.8, .mdf = Mdf::beckmann, .alpha_x = along, .alpha_y = across},
-         {.weight = 0.2, .mdf = Mdf::beckmann, .alpha_x = 0.25, .alpha_y = 0.35, .turn = kPi / 2}}};
+    return {"satin",
+            {{.weight = 0.8, .mdf = Mdf::beckmann, .alpha_x = along, .alpha_y = across},
+             {.weight = 0.2,
+              .mdf = Mdf::beckmann,
+              .alpha_x = 0.25,
+              .alpha_y = 0.35,
+              .rotation = kPi / 2}}};
 }
 // A pile that stands up and leans: bright towards the edge, dark from above.
 VirtualNdf velvet() {
@@ -68,7 +71,7 @@ VirtualTexel texel(int ndf, double grain, Vec3d diffuse, double specular) {
     return t;
 }
 
-// Grain that turns through every direction: brushed in rings about a point off the middle.
+// Grain in every direction: brushed in rings about a point off the middle.
 double rings(double u, double v) {
     return std::atan2(v - 0.42, u - 0.55) + kPi / 2;
 }
@@ -85,7 +88,7 @@ Recipe one(const VirtualNdf& ndf, Vec3d diffuse, double specular) {
             }};
 }
 
-// Four patches, one distribution each, the grain turning across all.
+// Four patches, one distribution each, the grain rotating across all.
 Recipe classes() {
     return {{beckmann(), ggx(), two_lobes(), asymmetric()}, [](double u, double v) {
                 const int patch = (u >= 0.5 ? 1 : 0) + (v >= 0.5 ? 2 : 0);

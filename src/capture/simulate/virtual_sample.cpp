@@ -15,7 +15,7 @@ double dot(const Vec3d& a, const Vec3d& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Components of `v` in the frame that the shortest turn takes from z to `n`.
+// Components of `v` in the frame that the shortest rotation takes from z to `n`.
 Vec3d in_frame_of(const Vec3d& n, const Vec3d& v) {
     const f64::Frame frame = f64::frame_shortest_arc(f64::vec3(n[0], n[1], n[2]));
     const f64::vec3 d(v[0], v[1], v[2]);
@@ -70,7 +70,7 @@ Vec3d virtual_brdf(const VirtualSample& sample, const VirtualTexel& texel, const
     const double length = std::sqrt(dot(sum, sum));
     const Vec3d h = {sum[0] / length, sum[1] / length, sum[2] / length};
     const VirtualNdf& ndf = sample.ndfs[static_cast<std::size_t>(texel.ndf)];
-    const auto own = [&](const Vec3d& v) { return turned_about_z(v, -texel.grain); };
+    const auto own = [&](const Vec3d& v) { return rotated_about_z(v, -texel.grain); };
     const double shape = ndf.D(own(h)) * relative_fresnel(sample.eta, 0.5 * length) /
                          (4.0 * ndf.area(own(i)) * ndf.area(own(o)));
     Vec3d rho;

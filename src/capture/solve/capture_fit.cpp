@@ -16,8 +16,8 @@ namespace burnish {
 
 namespace {
 
-// To be raised when the same settings give other numbers or stages have another layout: stages of programs before
-// are then made anew.
+// To be raised when the same settings give other numbers or stages have another layout: stages of
+// programs before are then made anew.
 constexpr int kMethodVersion = 4;
 // How often finished bands are written: an interruption costs at most this time, and one band.
 constexpr std::chrono::seconds kSaveEvery{20};

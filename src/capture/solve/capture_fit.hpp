@@ -1,8 +1,9 @@
-// From a stack of pictures to a material of measured distributions, in stages that are kept on disk: an
-// interrupted fit continues where it was, and gives what an uninterrupted one gives.
+// From a stack of pictures to a material of measured distributions, in stages that are kept on
+// disk: an interrupted fit continues where it was, and gives what an uninterrupted one gives.
 //
 //   pictures    every picture read once (image_stack.hpp)
-//   exemplars   partial distributions of some points, clustered, solved for, completed; eta (exemplar_search.hpp)
+//   exemplars   partial distributions of some points, clustered, solved for, completed; eta
+//               (exemplar_search.hpp)
 //   texels      every pixel: exemplar, rotation, diffuse, specular, normal, models (texel_fit.hpp)
 #pragma once
 
@@ -49,12 +50,13 @@ struct CaptureFitReport {
 // A light each: 1 takes part, 0 is held out.
 std::vector<std::uint8_t> fitted_lights(std::size_t lights, int hold_out);
 
-// One object per fit; its members must not be called from several threads at a time, and run in parallel
-// themselves. Results do not depend on the number of threads. Members throw Error for files, Interrupted when
-// cancelled; what was written by then is found by the next run.
+// One object per fit; its members must not be called from several threads at a time, and run in
+// parallel themselves. Results do not depend on the number of threads. Members throw Error for
+// files, Interrupted when cancelled; what was written by then is found by the next run.
 class CaptureFit {
   public:
-    // Reads the pictures. `stages`: a folder for what is kept between runs; made when it is not there.
+    // Reads the pictures. `stages`: a folder for what is kept between runs; made when it is not
+    // there.
     CaptureFit(const Rig& rig, const CaptureFitSettings& settings,
                const std::filesystem::path& stages, const Progress& progress);
     ~CaptureFit();
@@ -64,10 +66,11 @@ class CaptureFit {
 
     // Every texel; needs the exemplars. Continues after the last band that an earlier run left.
     void fit_texels();
-    // The same in parts, for several jobs over one folder: the texels of bands [first, last) of stack().bands().
-    // They are the same as fit_texels finds. Nothing is written.
+    // The same in parts, for several jobs over one folder: the texels of bands [first, last) of
+    // stack().bands(). They are the same as fit_texels finds. Nothing is written.
     Texels fit_bands(std::size_t first, std::size_t last);
-    // Takes the texels of all bands over, as parts of fit_bands merged (Texels::merge), in place of fit_texels.
+    // Takes the texels of all bands over, as parts of fit_bands merged (Texels::merge), in place of
+    // fit_texels.
     void take_texels(Texels texels);
 
     // After all texels.
@@ -78,7 +81,8 @@ class CaptureFit {
     const Exemplars& exemplars() const { return exemplars_; }
     const CaptureFitReport& report() const { return report_; }
     const CaptureFitSettings& settings() const { return settings_; }
-    // Root of the mean of PointFit::error: of the texels once they are done, else of the training points.
+    // Root of the mean of PointFit::error: of the texels once they are done, else of the training
+    // points.
     double unexplained() const;
 
   private:

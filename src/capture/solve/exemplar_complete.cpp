@@ -1,5 +1,5 @@
-// Completion of exemplars (W08 section on synthesis): what turns of a distribution's own points do
-// not reach comes from alike exemplars that they do reach; the rest is extrapolated.
+// Completion of exemplars (W08, section on synthesis): cells that no rotation of an exemplar's own
+// points reaches are taken from alike exemplars whose points reach them; the rest is extrapolated.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,18 +10,21 @@ namespace burnish {
 
 namespace {
 
-// Exemplars less alike than this do not speak for one another.
+// Residual (RotationMatch) up to which an exemplar gives cells to another.
 constexpr float kAlike = 0.05f;
+// Exemplars that give cells to another one at most, the most alike first.
 constexpr std::size_t kMostDonors = 4;
-// The tail as a power of the slope: GGX falls as the fourth, a Gaussian faster than any.
+// Bounds of the power of the slope with which a tail falls: GGX's falls with the fourth, a Gaussian
+// faster than with any power.
 constexpr float kLeastPower = 4.0f, kMostPower = 12.0f;
-constexpr float kLeastKnown = 0.5f;
+// Weight of a cell that was taken from others, beside 1 of one that samples decide.
+constexpr float kTakenWeight = 0.5f;
 
 std::size_t cells_of(const Exemplars& all) {
     return static_cast<std::size_t>(all.grid.cells());
 }
 
-// A box over three columns and rings: weights fall off towards a seam instead of ending at it.
+// Weights averaged over three columns and rings, so that they fall off towards a seam.
 std::vector<float> feathered(const NdfGrid& grid, const float* weights) {
     std::vector<float> out(static_cast<std::size_t>(grid.cells()));
     for (int r = 0; r < grid.rings; ++r)
@@ -39,7 +42,8 @@ std::vector<float> feathered(const NdfGrid& grid, const float* weights) {
     return out;
 }
 
-// What donors say about every cell, turned and scaled onto exemplar `e`; `known` counts them.
+// The mean of the donors' values at every cell, each donor rotated and scaled onto the exemplar;
+// `known` receives the sum of their weights.
 void gather_donors(const Exemplars& all, const std::vector<Candidate>& donors,
                    const std::vector<float>& scales, std::vector<float>& sum,
                    std::vector<float>& known) {
@@ -63,7 +67,7 @@ void gather_donors(const Exemplars& all, const std::vector<Candidate>& donors,
         if (known[i] > 0.0f) sum[i] /= known[i];
 }
 
-// Cells missing from `e` that donors know; true when there were any.
+// Fills the cells that `e` lacks and donors have; true when there were any.
 bool take_from_others(const Exemplars& before, int e, const std::vector<Candidate>& donors,
                       const std::vector<float>& scales, Exemplars& after) {
     std::vector<float> sum, known;
@@ -79,15 +83,15 @@ bool take_from_others(const Exemplars& before, int e, const std::vector<Candidat
         const float share = missing ? 0.0f : own[i];
         table[i] = share * before.table(e)[i] + (1.0f - share) * sum[i];
         if (!missing) continue;
-        weights[i] = kLeastKnown;
+        weights[i] = kTakenWeight;
         after.origin[static_cast<std::size_t>(e) * own.size() + i] = NdfOrigin::completed;
         any = true;
     }
     return any;
 }
 
-// Of an angle's outermost known ring, averaged over neighbours: P = D cos^4 as a power of the
-// slope.
+// The power of the slope with which the density of slopes, P = D cos^4, falls at the outermost
+// known ring of an azimuth, from averages over neighboring columns.
 float tail_power(const Exemplars& all, int e, int column, int ring) {
     const NdfGrid& grid = all.grid;
     const auto mean = [&](int r) {
@@ -116,7 +120,7 @@ void extrapolate(Exemplars& all, int e) {
     for (int c = 0; c < grid.azimuths; ++c) {
         int last = grid.rings - 1;
         while (last >= 0 && weights[last * grid.azimuths + c] <= 0.0f) --last;
-        // Nothing known along this azimuth: the ring's neighbours speak, found below.
+        // Nothing is known along this azimuth: neighboring columns fill it below.
         if (last < 0) continue;
         const float power = tail_power(all, e, c, last);
         const float t0 = grid.theta(last);
@@ -160,11 +164,12 @@ void extrapolate(Exemplars& all, int e) {
         }
 }
 
-void normalise(Exemplars& all, int e) {
+void normalize(Exemplars& all, int e) {
     float* table = all.table(e);
     const double mass = ndf_mass(all.grid, table);
     if (!(mass > 0.0)) {
-        // No highlight was seen, so any shape will do: even over the hemisphere, all extrapolated.
+        // No highlight was seen, and nothing tells its shape: D is the same everywhere, all
+        // extrapolated.
         std::fill_n(table, cells_of(all), std::numbers::inv_pi_v<float>);
         return;
     }
@@ -208,7 +213,7 @@ CompletionReport complete_exemplars(Exemplars& exemplars) {
     double total = 0.0;
     for (int e = 0; e < exemplars.count; ++e) {
         extrapolate(exemplars, e);
-        normalise(exemplars, e);
+        normalize(exemplars, e);
         const std::vector<float> areas = ndf_areas(exemplars.grid, exemplars.table(e));
         exemplars.areas.insert(exemplars.areas.end(), areas.begin(), areas.end());
         for (std::size_t i = 0; i < cells; ++i) {

@@ -8,21 +8,22 @@ namespace burnish {
 
 namespace {
 
-// Rounds of solving: after the first, exemplars are joined; after the next, they are split; after round
-// kSplitRounds they are joined again; after each further one but the last, merged.
+// Rounds of solving: after the first, exemplars are joined; after the next, they are split; after
+// round kSplitRounds they are joined again; after each further one but the last, merged.
 constexpr int kSolveRounds = 8, kSplitRounds = 4;
-// Rounds where normals may tilt: normals, rotations and tables take longer to agree. With 8 rounds some
-// simulated samples stay 10 dB worse.
+// Rounds where normals may tilt: normals, rotations and tables take longer to agree. With 8 rounds
+// some simulated samples stay 10 dB worse.
 constexpr int kTiltedRounds = 16;
-// Residuals (RotationMatch) below which two exemplars are joined. At first generously, as splits take apart what
-// differs; then as close as 1 % of noise lets equal exemplars come.
+// Residuals (RotationMatch) below which two exemplars are joined. At first generously, as splits
+// take apart what differs; then as close as 1 % of noise lets equal exemplars come.
 constexpr float kAlikeAtFirst = 0.03f, kAlike = 0.004f;
 // The index of refraction before it is estimated: that of glass, varnish and most polymers.
 constexpr double kFirstEta = 1.5;
-// Rounds of solving for each trial of an index, and after the last trial. F and D are told apart only by
-// points that see one facet at different angles, so that tables must follow the index.
+// Rounds of solving for each trial of an index, and after the last trial. F and D are told apart
+// only by points that see one facet at different angles, so that tables must follow the index.
 constexpr int kEtaTrialRounds = 3, kEtaLastRounds = 2;
-// Trials of the golden section after its first two: the bracket of sqrt(F(1)), 0.51 wide, ends at 0.018.
+// Trials of the golden section after its first two: the bracket of sqrt(F(1)), 0.51 wide, ends at
+// 0.018.
 constexpr int kEtaTrials = 7;
 // Training points for each exemplar that is searched for at first.
 constexpr int kPointsPerExemplar = 16;
@@ -34,8 +35,8 @@ SearchState restarted(const SearchState& start, const SearchState& now) {
     return out;
 }
 
-// Golden section over sqrt(F(1)) = (eta-1)/(eta+1), on which steps change the shape of F evenly. Returns the state
-// to go on from, with the index that explains the points best.
+// Golden section over sqrt(F(1)) = (eta-1)/(eta+1), on which steps change the shape of F evenly.
+// Returns the state to go on from, with the index that explains the points best.
 SearchState estimate_eta(const SearchInput& input, const PartialTables& partial,
                          const SearchState& start) {
     SearchState now = start;

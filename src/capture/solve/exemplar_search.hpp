@@ -1,6 +1,7 @@
-// The exemplars of a sample from some of its points, the training points: partial distributions are clustered;
-// then exemplars, rotations and strengths are solved for alternately from the points' samples themselves, while
-// exemplars are joined, split and merged on the way (docs/theory/capture-model.md).
+// The exemplars of a sample from some of its points, the training points: partial distributions are
+// clustered; then exemplars, rotations and strengths are solved for alternately from the points'
+// samples themselves, while exemplars are joined, split and merged on the way
+// (docs/theory/capture-model.md).
 #pragma once
 
 #include <optional>
@@ -27,8 +28,8 @@ struct FoundExemplars {
     double mean_error = 0.0;  // of PointFit::error, each at most 1, over the training points
 };
 
-// `pixels`: of the training points; `values`: pixels x lights x 3, as the stack decodes them. Deterministic for
-// a seed, whatever the number of threads. Throws Interrupted.
+// `pixels`: of the training points; `values`: pixels x lights x 3, as the stack decodes them.
+// Deterministic for a seed, whatever the number of threads. Throws Interrupted.
 FoundExemplars find_exemplars(const SampleContext& context, const std::vector<std::size_t>& pixels,
                               const std::vector<float>& values,
                               const ExemplarSearchSettings& settings, const Progress& progress);

@@ -9,13 +9,16 @@ namespace burnish {
 
 namespace {
 
-// Of the mean of the equations' diagonal: enough to bridge cells without samples, too little to be
-// seen where there are some (tests/capture).
+// Weight of the smoothness, as a share of the mean of the equations' diagonal: enough to bridge
+// cells without samples, too little to change cells that have some (tests/capture).
 constexpr double kSmoothness = 2e-3;
-// A cell whose diagonal is below this share of the mean is not decided by samples.
+// Share of the mean diagonal below which a cell is not decided by samples: that of the smoothness.
 constexpr double kLeastShare = 2e-3;
+// Steps of the conjugate gradients at most; usual tables take a few dozen.
 constexpr int kMostSteps = 200;
-constexpr double kLeastStep = 1e-8;  // of the right side's square
+// Square of the residual, as a share of the right side's, at which they end: tables are single
+// precision.
+constexpr double kLeastStep = 1e-8;
 
 std::size_t at(const NdfGrid& grid, int ring, int column) {
     const int c = (column % grid.azimuths + grid.azimuths) % grid.azimuths;
@@ -42,11 +45,12 @@ TableEquations::TableEquations(const NdfGrid& grid)
 void TableEquations::add(const PointSamples& samples, const PointFitter& fitter,
                          const ExemplarTables& tables, const PointFit& fit) {
     if (fit.specular <= 0.0f) return;
-    const float turn = area_shift(grid_, fit.shift);
-    const float area_out = area_at(tables.areas, samples.out, samples.to_eye[2], turn);
+    const float rotation = area_shift(grid_, fit.shift);
+    const float area_out = area_at(tables.areas, samples.out, samples.to_eye[2], rotation);
     const auto columns = static_cast<float>(grid_.azimuths);
     for (std::size_t q = 0; q < samples.size(); ++q) {
-        const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2], turn);
+        const float area_in =
+            area_at(tables.areas, samples.in[q], samples.to_light[q][2], rotation);
         // What a density of 1 at this half vector adds to the sample.
         const double a = static_cast<double>(f32::area_brdf(
             samples.received[q] * fit.specular * fitter.fresnel()[q], area_in, area_out));
@@ -91,6 +95,19 @@ void TableEquations::add(const PointSamples& samples, const PointFitter& fitter,
     }
 }
 
+void TableEquations::merge(const TableEquations& other) {
+    const auto add = [](std::vector<double>& to, const std::vector<double>& from) {
+        std::transform(to.begin(), to.end(), from.begin(), to.begin(), std::plus<>());
+    };
+    add(diagonal_, other.diagonal_);
+    add(right_, other.right_);
+    add(next_ring_, other.next_ring_);
+    add(next_ring_right_, other.next_ring_right_);
+    add(next_ring_left_, other.next_ring_left_);
+    add(target_, other.target_);
+    add(diffuse_target_, other.diffuse_target_);
+}
+
 // out = (normal equations + smoothness x (second differences along rings and columns)^T (same)) x
 void TableEquations::apply(const std::vector<double>& x, double smoothness,
                            std::vector<double>& out) const {
@@ -124,7 +141,7 @@ void TableEquations::apply(const std::vector<double>& x, double smoothness,
 }
 
 // Conjugate gradients, scaled by the diagonal.
-std::vector<double> TableEquations::minimiser(const std::vector<double>& target,
+std::vector<double> TableEquations::minimizer(const std::vector<double>& target,
                                               std::vector<double> x) const {
     const std::size_t n = diagonal_.size();
     const double mean =
@@ -164,7 +181,7 @@ std::vector<float> TableEquations::diffuse_mimic() const {
     if (std::all_of(diagonal_.begin(), diagonal_.end(), [](double d) { return d <= 0.0; }))
         return out;
     const std::vector<double> x =
-        minimiser(diffuse_target_, std::vector<double>(diagonal_.size(), 0.0));
+        minimizer(diffuse_target_, std::vector<double>(diagonal_.size(), 0.0));
     std::transform(x.begin(), x.end(), out.begin(), [](double v) { return static_cast<float>(v); });
     return out;
 }
@@ -177,13 +194,14 @@ void TableEquations::solve(float* table, float* weights) const {
         std::fill_n(weights, n, 0.0f);
         return;
     }
-    const std::vector<double> x = minimiser(target_, std::vector<double>(table, table + n));
+    const std::vector<double> x = minimizer(target_, std::vector<double>(table, table + n));
     for (std::size_t i = 0; i < n; ++i) {
         table[i] = static_cast<float>(std::max(x[i], 0.0));
         weights[i] = diagonal_[i] > kLeastShare * mean ? 1.0f : 0.0f;
     }
-    // The innermost rings are tiny: where samples stand about them, smoothness decides well enough.
-    constexpr float kInner = 0.12f;  // radians
+    // Cells nearer to the pole than this angle, in radians, count as decided where a cell farther
+    // out on their azimuth is: they are so small that smoothness decides them well enough.
+    constexpr float kInner = 0.12f;
     for (int c = 0; c < grid_.azimuths; ++c) {
         int outer = 0;  // the outermost decided ring among them
         for (int r = 0; r < grid_.rings && grid_.theta(r) <= kInner; ++r)
@@ -196,11 +214,12 @@ void TableEquations::solve(float* table, float* weights) const {
 void SlideAlong::add(const PointSamples& samples, const PointFitter& fitter,
                      const ExemplarTables& tables, const float* mimic, const PointFit& fit) {
     if (fit.specular <= 0.0f) return;
-    const float turn = area_shift(tables.grid, fit.shift);
-    const float area_out = area_at(tables.areas, samples.out, samples.to_eye[2], turn);
+    const float rotation = area_shift(tables.grid, fit.shift);
+    const float area_out = area_at(tables.areas, samples.out, samples.to_eye[2], rotation);
     double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
     for (std::size_t q = 0; q < samples.size(); ++q) {
-        const float area_in = area_at(tables.areas, samples.in[q], samples.to_light[q][2], turn);
+        const float area_in =
+            area_at(tables.areas, samples.in[q], samples.to_light[q][2], rotation);
         const float a = f32::area_brdf(samples.received[q] * fit.specular * fitter.fresnel()[q],
                                        area_in, area_out);
         const auto u = static_cast<double>(samples.received[q] * std::numbers::inv_pi_v<float>);

@@ -10,9 +10,12 @@ namespace burnish {
 
 namespace {
 
-// Areas vary slowly: worked out for few directions from few cells (error: docs/theory/capture-model.md).
+// Directions and cells of which areas are worked out: they vary slowly.
+// docs/theory/capture-model.md has the error.
 constexpr NdfGrid kCoarse = {8, 24};
+// Rounds of solving for D and its areas alternately, at most.
 constexpr int kMostRounds = 10;
+// Largest change of an area, which are at most 1, at which the rounds end.
 constexpr float kTolerance = 1e-4f;
 
 Vec3f direction_at(float theta, float phi) {
@@ -41,7 +44,8 @@ Vec3f reflected(const Vec3f& o, const Vec3f& h) {
     return {twice * h[0] - o[0], twice * h[1] - o[1], twice * h[2] - o[2]};
 }
 
-// Equidistant: distance from the middle is theta, so that a gap is as wide wherever it lies.
+// Side of the picture of half vectors, in pixels. The distance from its middle is theta, so that
+// gaps between samples are as wide everywhere.
 int side_for(float spacing_rad) {
     const float pixel = 0.7f * std::clamp(spacing_rad, 0.01f, 0.3f);
     const float wanted = std::numbers::pi_v<float> / pixel;
@@ -112,7 +116,8 @@ void PartialNdfSolver::splat(const PointSamples& samples, float low, PartialNdfW
     push_pull(image, 2);
 }
 
-// From the picture to the polar grid; a cell is known as far as the pixels about it are.
+// Reads the cells of the polar grid from the picture; the weight of a cell is that of the pixels
+// around it.
 void PartialNdfSolver::read_cells(const PointSamples& samples, PartialNdfWork& work,
                                   float* weights) const {
     const auto side = static_cast<std::size_t>(side_);
@@ -172,7 +177,8 @@ PartialNdf PartialNdfSolver::solve(const PointSamples& samples, PartialNdfWork& 
     splat(samples, low, work);
     read_cells(samples, work, weights);
 
-    // g of both directions belongs to D: solved for in turns, from S = 1, g(k) = k_z.
+    // The areas g of both directions are those of D: both are solved for alternately, from no
+    // shadowing, g(k) = k_z.
     const GridPlace out =
         grid_place(kCoarse, samples.to_eye[0], samples.to_eye[1], samples.to_eye[2]);
     work.areas = least_area_;

@@ -20,7 +20,7 @@ struct PartialNdf {
     int rounds = 0;
 };
 
-// What a worker keeps from one point to the next: memory only.
+// Memory that a worker keeps from one point to the next.
 class PartialNdfWork {
     friend class PartialNdfSolver;
     struct Cell {

@@ -11,23 +11,24 @@ namespace burnish {
 
 namespace {
 
-// Share of the largest D from which cells belong to the peak: within it lobes of all kinds are near a
-// paraboloid in log D.
+// Share of the largest D from which cells belong to the peak: within it lobes of all kinds are near
+// a paraboloid in log D.
 constexpr float kOfPeak = 0.33f;
-// Least bend of a point's own peak. A Gaussian of slopes bends by 2 / alpha^2: this is alpha 0.26. Of a broader
-// lobe a point sees a part, whose middle is not the lobe's; refined_normal finds that.
+// Least bend of a point's own peak. A Gaussian of slopes bends by 2 / alpha^2: this is alpha 0.26.
+// Of a broader lobe a point sees a part, whose middle is not the lobe's; refined_normal finds that.
 constexpr double kLeastPointBend = 30.0;
 // Times that the normal is corrected: the part of the lobe that is seen depends on the normal.
 constexpr int kRounds = 3;
-// Slopes by which refined_normal tilts to either side: first about the accuracy of peak_normal, then about what
-// is reached.
+// Slopes by which refined_normal tilts to either side: first about the accuracy of peak_normal,
+// then about what is reached.
 constexpr float kTilts[] = {0.04f, 0.015f};
 // Columns to each side in which the rotation follows a normal that has moved.
 constexpr float kFollowColumns = 0.5f;
 
-// The slope at which an error is least if it is a paraboloid, from its values at six slopes `step` apart; at most
-// two steps away. `middle`: the error at slope 0. Both slopes are found at once: a lobe is narrow across its groove
-// and broad along it, so that searching in x and y alternately would hardly move.
+// The slope at which an error is least if it is a paraboloid, from its values at six slopes `step`
+// apart; at most two steps away. `middle`: the error at slope 0. Both slopes are found at once: a
+// lobe is narrow across its groove and broad along it, so that searching in x and y alternately
+// would hardly move.
 template <typename ErrorAt>
 std::array<float, 2> least_slope(const ErrorAt& error, float middle, float step) {
     const float right = error(step, 0.0f), up = error(0.0f, step);
@@ -68,7 +69,8 @@ std::array<float, 2> peak_slope(const NdfGrid& grid, const float* table, const f
             Eigen::Matrix<double, 6, 1> row;
             row << 1.0, x, y, x * x, x * y, y * y;
             const double value = static_cast<double>(table[i] / most);
-            // An error dD of D is an error dD / D of log D: the weight makes errors of D count alike.
+            // An error dD of D is an error dD / D of log D: the weight makes errors of D count
+            // alike.
             const double weight = value * value * grid.solid_angle(r);
             normal += weight * row * row.transpose();
             right += weight * std::log(value) * row;

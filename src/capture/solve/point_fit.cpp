@@ -11,7 +11,8 @@ namespace burnish {
 
 namespace {
 
-// By how much a turn that is a column off may be worse than it will be.
+// Ratio of the error before and after a search for the best rotation, at most: a rotation that is a
+// column off is no worse than that. A start that is worse is not searched from.
 constexpr float kHopeless = 4.0f;
 
 }  // namespace
@@ -24,7 +25,7 @@ PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(&sam
     RelativeFresnel(eta).of(samples.cosine_ih, fresnel_);
     for (auto* sums : {&weights_, &uv_, &vv_, &vy_}) sums->resize(samples.size());
     for (std::size_t q = 0; q < samples.size(); ++q) {
-        // A point that is black under every light says nothing.
+        // A point that is black under every light has no weight: nothing can be fitted to it.
         const float scale = floor > 1e-18f ? 1.0f / (samples.value[q] + floor) : 0.0f;
         weights_[q] = scale * scale;
         // With u = received / pi and v = received b, the sums' terms but for b.
@@ -39,14 +40,14 @@ PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(&sam
 }
 
 PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
-    const float turn = area_shift(tables.grid, shift);
-    const float area_out = area_at(tables.areas, samples_->out, samples_->to_eye[2], turn);
+    const float rotation = area_shift(tables.grid, shift);
+    const float area_out = area_at(tables.areas, samples_->out, samples_->to_eye[2], rotation);
     double uv = 0.0, vv = 0.0, vy = 0.0;
     for (std::size_t q = 0; q < samples_->size(); ++q) {
         const float area_in =
-            area_at(tables.areas, samples_->in[q], samples_->to_light[q][2], turn);
-        // All samples share g(o): with 1/4 in its place this is F D / g(i), and the sums are multiplied by
-        // the rest of b once.
+            area_at(tables.areas, samples_->in[q], samples_->to_light[q][2], rotation);
+        // All samples share g(o): with 1/4 in its place this is F D / g(i), and the sums are
+        // multiplied by the rest of b once.
         const float b = f32::area_brdf(
             fresnel_[q] * lookup(tables.grid, tables.D, samples_->half[q], shift), area_in, 0.25f);
         uv += static_cast<double>(uv_[q] * b);

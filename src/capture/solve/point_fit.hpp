@@ -1,5 +1,5 @@
-// What one point is, given an exemplar: the angle by which the exemplar is turned, diffuse and
-// specular strength, and a tilt of the normal, by least squares on the pictures' own values.
+// The fit of one point to a given exemplar: the rotation of the exemplar, and the diffuse and
+// specular strengths, by least squares on the pictures' own values.
 //
 //   I_q = received_q (d / pi + s b_q),  b_q = F(i.h)/F(1) D(h) / (4 g(i) g(o))
 //
@@ -25,7 +25,7 @@ inline float area_shift(const NdfGrid& grid, float shift) {
     return shift * static_cast<float>(kAreaGrid.azimuths) / static_cast<float>(grid.azimuths);
 }
 
-// b of one sample at a turn of `shift` columns. `fresnel` is F(c)/F(1).
+// b of one sample where the exemplar is rotated by `shift` columns. `fresnel` is F(c)/F(1).
 inline float specular_shape(const ExemplarTables& tables, const PointSamples& samples,
                             std::size_t q, float shift, float fresnel, float area_out) {
     const float d = lookup(tables.grid, tables.D, samples.half[q], shift);
@@ -40,24 +40,25 @@ struct PointFit {
     float error = 0.0f;  // weighted mean square of the residuals, 1: nothing explained
 };
 
-// The weight of a sample is 1 / (I + mean I)^2: relative where a highlight is bright, so that its
-// peak does not speak alone, absolute in the dark.
+// The weight of a sample is 1 / (I + mean I)^2: errors count relatively in a bright highlight, so
+// that its peak does not decide alone, and absolutely in the dark. Keeps a pointer to the samples;
+// const members may be called from several threads.
 class PointFitter {
   public:
     // eta: Fresnel's index, 0 for none. `samples` must outlive the fitter.
     PointFitter(const PointSamples& samples, float eta);
 
-    // Diffuse and specular at a given turn, neither below 0.
+    // Diffuse and specular strength at a given rotation, neither below 0.
     PointFit at(const ExemplarTables& tables, float shift) const;
-    // The best turn near `shift` or half a turn from it, to about 0.02 columns, searched within
-    // `width` columns to each side: what one camera sees of a distribution is often much the same
-    // from behind.
-    // Gives up where the error is above `give_up` after the first step: not the best, then.
+    // The best rotation near `shift` or half a circle from it, to about 0.02 columns, searched
+    // within `width` columns to each side: one camera often sees much the same of a distribution
+    // that is rotated by half a circle. Ends early, away from the best, where the error is above
+    // `give_up` after the first step.
     PointFit refined(const ExemplarTables& tables, float shift, float width,
                      float give_up = 1e30f) const;
-    // The best turn within about 2 `width` of `shift`.
+    // The best rotation within about 2 `width` columns of `shift`.
     PointFit nearby(const ExemplarTables& tables, float shift, float width) const;
-    // Diffuse and specular of each channel at a turn.
+    // Diffuse and specular strength of each channel at a rotation.
     void colors(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
                 std::array<float, 3>& specular) const;
 
@@ -69,7 +70,7 @@ class PointFitter {
 
     const PointSamples* samples_;
     std::vector<float> weights_, fresnel_;
-    std::vector<float> uv_, vv_, vy_;  // terms of the normal equations that no turn changes
+    std::vector<float> uv_, vv_, vy_;  // terms of the normal equations that hold at every rotation
     double uu_ = 0.0, uy_ = 0.0, value_square_ = 0.0;
 };
 

@@ -21,8 +21,8 @@ struct SampleContext {
     NdfGrid grid;                    // of the exemplars
     float spacing_rad = 0.05f;       // median distance of neighboring half vectors
 
-    // Fills work.samples with the samples of a pixel in the frame of `normal`. `values`: lights x 3, as the
-    // stack decodes them.
+    // Fills work.samples with the samples of a pixel in the frame of `normal`. `values`: lights x
+    // 3, as the stack decodes them.
     void gather(std::size_t pixel, const Vec3f& normal, const float* values,
                 PixelWork& work) const {
         geometry->at(pixel, work.lights);

@@ -8,16 +8,17 @@ namespace burnish {
 
 namespace {
 
-// An exemplar of fewer points is dropped by a split, and a split makes no half of fewer than twice as many.
+// An exemplar of fewer points is dropped by a split, and a split makes no half of fewer than twice
+// as many.
 constexpr std::size_t kFewestMembers = 4;
-// Ratio of the mean errors of the worse and the better half of an exemplar's points from which it is split; noise
-// alone makes 1.1.
+// Ratio of the mean errors of the worse and the better half of an exemplar's points from which it
+// is split; noise alone makes 1.1.
 constexpr double kSplitRatio = 1.8;
-// Share of the largest principal component in the variance of the points' residual signatures from which an
-// exemplar is split; noise alone makes a few hundredths.
+// Share of the largest principal component in the variance of the points' residual signatures from
+// which an exemplar is split; noise alone makes a few hundredths.
 constexpr double kSplitVariation = 0.15;
-// Ratio of the mean errors of an exemplar's points with other exemplars and with their own up to which the others
-// take them.
+// Ratio of the mean errors of an exemplar's points with other exemplars and with their own up to
+// which the others take them.
 constexpr double kMergeRatio = 1.25;
 
 using Members = std::vector<std::vector<std::size_t>>;
@@ -56,7 +57,8 @@ std::vector<std::size_t> smallest_first(const Members& members) {
 
 // ---- splitting
 
-// How an exemplar's points fall into two: `second` says of each of `points` whether it is in the second half.
+// How an exemplar's points fall into two: `second` says of each of `points` whether it is in the
+// second half.
 struct Halves {
     bool differ = false;  // more than noise makes them
     std::vector<bool> second;
@@ -87,8 +89,8 @@ Halves halves_of(const SearchState& state, std::vector<std::size_t>& points) {
 
 // ---- merging
 
-// What a point would have without exemplar `own`: the best of its other candidates that are alive. No candidate:
-// exemplar -1 and an error of 1.
+// What a point would have without exemplar `own`: the best of its other candidates that are alive.
+// No candidate: exemplar -1 and an error of 1.
 struct Alternative {
     Candidate candidate;
     double error = 1.0;
@@ -108,7 +110,8 @@ Alternative alternative_to(int own, const PointState& point, const std::vector<b
     return out;
 }
 
-// Share of the samples of an exemplar's points that its known cells, which were fitted to them, leave free.
+// Share of the samples of an exemplar's points that its known cells, which were fitted to them,
+// leave free.
 double freedom_of(const Exemplars& all, int e, std::size_t points, std::size_t lights) {
     const auto known = static_cast<double>(std::count_if(
         all.weight(e), all.weight(e) + all.grid.cells(), [](float w) { return w > 0.0f; }));
@@ -178,8 +181,8 @@ SearchState merge_exemplars(const SearchInput& input, SearchState state) {
             then += other.error;
             move.push_back(other.candidate);
         }
-        // Generalized cross-validation (Craven & Wahba 1979): a table of few points was fitted to their noise,
-        // too, and its error on other samples is larger by the square of its freedom.
+        // Generalized cross-validation (Craven & Wahba 1979): a table of few points was fitted to
+        // their noise, too, and its error on other samples is larger by the square of its freedom.
         const double freedom = freedom_of(state.exemplars, static_cast<int>(e), own.size(),
                                           input.context.geometry->lights());
         if (!own.empty() && then > kMergeRatio * now / (freedom * freedom)) continue;

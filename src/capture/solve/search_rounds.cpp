@@ -13,18 +13,19 @@ namespace burnish {
 
 namespace {
 
-// Exemplars that each point is tried with: the right one is among the first of a match by partial tables
-// nearly always.
+// Exemplars that each point is tried with: the right one is among the first of a match by partial
+// tables nearly always.
 constexpr std::size_t kTrainingCandidates = 6;
-// Columns to each side of a matched rotation in which the best one is searched: partial tables are blurred by
-// about a column.
+// Columns to each side of a matched rotation in which the best one is searched: partial tables are
+// blurred by about a column.
 constexpr float kSearchColumns = 1.5f;
 // Error of a fit that does not exist: larger than any fit has, whose errors are at most 1.
 constexpr float kNoFit = 2.0f;
-// Points of an exemplar from which its slide along the diffuse direction is worked out: one number needs no more.
+// Points of an exemplar from which its slide along the diffuse direction is worked out: one number
+// needs no more.
 constexpr std::size_t kSlidePoints = 256;
-// Least bend of a peak (peak_slope) by which an exemplar is centered, that of alpha 1: many points show an exemplar
-// from all sides, so that even broad lobes have a middle.
+// Least bend of a peak (peak_slope) by which an exemplar is centered, that of alpha 1: many points
+// show an exemplar from all sides, so that even broad lobes have a middle.
 constexpr double kLeastExemplarBend = 2.0;
 // Points that a worker takes at a time.
 constexpr std::size_t kPointTile = 32;
@@ -68,8 +69,8 @@ void fit_point(const SearchInput& input, const SearchState& state, std::size_t p
         if (candidate.exemplar == point.assigned.exemplar) candidate.shift = point.fit.shift;
 }
 
-// A tilt of the normals of all its points and a lean of an exemplar the other way explain the same samples: the
-// lean is taken from the exemplar and given to the normals.
+// A tilt of the normals of all its points and a lean of an exemplar the other way explain the same
+// samples: the lean is taken from the exemplar and given to the normals.
 SearchState center_exemplars(const SearchInput& input, SearchState state) {
     const auto members = members_of(state);
     const NdfGrid& grid = input.context.grid;

@@ -1,5 +1,5 @@
-// The state of a search for exemplars, and its steps: functions from a state to the next one. Private to
-// exemplar_search.cpp, search_*.cpp and their tests.
+// The state of a search for exemplars, and its steps: functions from a state to the next one.
+// Private to exemplar_search.cpp, search_*.cpp and their tests.
 #pragma once
 
 #include <array>
@@ -25,7 +25,8 @@ struct SearchInput {
     }
 };
 
-// The partial distributions of the training points, points x cells, in the frames of their first normals.
+// The partial distributions of the training points, points x cells, in the frames of their first
+// normals.
 struct PartialTables {
     std::vector<float> tables, weights;
     std::size_t count = 0;
@@ -62,24 +63,26 @@ double mean_error(const SearchState& state);
 
 // What each point shows by itself, which clustering starts from; the points' first normals.
 SearchState solve_partial(const SearchInput& input, double eta, PartialTables& partial);
-// Assigns to every point its best candidate, then solves for every exemplar from its points and, where normals
-// may tilt, centers the exemplars. `match`: candidates are found anew, by the partial tables; without, they stay.
+// Assigns to every point its best candidate, then solves for every exemplar from its points and,
+// where normals may tilt, centers the exemplars. `match`: candidates are found anew, by the partial
+// tables; without, they stay.
 SearchState solve_round(const SearchInput& input, const PartialTables& partial, SearchState state,
                         bool match);
 // Solves for every exemplar from the samples of its points and completes it.
 SearchState solve_tables(const SearchInput& input, SearchState state);
 
-// ---- search_changes.cpp: changes of which exemplars there are. Candidates are dropped, as they name exemplars
-// of the state before; tables are solved for at the end.
+// ---- search_changes.cpp: changes of which exemplars there are. Candidates are dropped, as they
+// name exemplars of the state before; tables are solved for at the end.
 
-// Gives the worse explained half of an exemplar's points an exemplar of their own where the halves differ more
-// than noise makes them; the next round takes the two apart. Exemplars of hardly any points are dropped.
+// Gives the worse explained half of an exemplar's points an exemplar of their own where the halves
+// differ more than noise makes them; the next round takes the two apart. Exemplars of hardly any
+// points are dropped.
 SearchState split_exemplars(const SearchInput& input, SearchState state);
-// Drops exemplars whose points others explain about as well: those that stay have more points, and more
-// rotations, each. The exemplars with the fewest points are tried first.
+// Drops exemplars whose points others explain about as well: those that stay have more points, and
+// more rotations, each. The exemplars with the fewest points are tried first.
 SearchState merge_exemplars(const SearchInput& input, SearchState state);
-// Joins exemplars with a residual (RotationMatch) below `alike`: the one with fewer points gives them to the
-// other.
+// Joins exemplars with a residual (RotationMatch) below `alike`: the one with fewer points gives
+// them to the other.
 SearchState join_alike(const SearchInput& input, SearchState state, float alike);
 
 }  // namespace burnish

@@ -15,29 +15,35 @@ namespace burnish {
 
 namespace {
 
-// Exemplars that a pixel is tried with, in the order of its match: the right one is nearly always among them.
+// Exemplars that a pixel is tried with, in the order of its match: the right one is nearly always
+// among them.
 constexpr std::size_t kCandidates = 3;
 // Exemplars that a pixel is tried with when none of the first explains it.
 constexpr std::size_t kDoubtCandidates = 8;
 // Ratio of a pixel's error and the mean one of the training points from which it is tried again.
 constexpr float kDoubt = 3.0f;
-// Columns between the rotations that are tried again: half the width within which a search finds the best.
+// Columns between the rotations that are tried again: half the width within which a search finds
+// the best.
 constexpr int kDoubtStep = 2;
-// Columns to each side of a matched rotation in which the best is searched: exemplars are no longer blurred, so
-// that matches are this good.
+// Columns to each side of a matched rotation in which the best is searched: exemplars are no longer
+// blurred, so that matches are this good.
 constexpr float kTexelColumns = 1.0f;
-// Samples by which candidates are told apart, half of them the brightest: a fifth of the usual capture's.
+// Samples by which candidates are told apart, half of them the brightest: a fifth of the usual
+// capture's.
 constexpr std::size_t kSearchSamples = 320;
-// Columns to each side in which the best rotation by all samples is searched, from the best by kSearchSamples.
+// Columns to each side in which the best rotation by all samples is searched, from the best by
+// kSearchSamples.
 constexpr float kLastColumns = 0.25f;
-// Ratio of a candidate's error and the least one, by kSearchSamples, up to which all samples decide.
+// Ratio of a candidate's error and the least one, by kSearchSamples, up to which all samples
+// decide.
 constexpr float kClose = 1.5f;
-// Ratio of a candidate's error and the least one from which, after one step of its search, it is given up: further
-// steps lower an error by less.
+// Ratio of a candidate's error and the least one from which, after one step of its search, it is
+// given up: further steps lower an error by less.
 constexpr float kGiveUp = 4.0f;
 // Times that the normal and the rotation of a pixel are solved for alternately.
 constexpr int kNormalPasses = 3;
-// Samples that models are fitted to: enough for five numbers; more of them predict held-out lights no better.
+// Samples that models are fitted to: enough for five numbers; more of them predict held-out lights
+// no better.
 constexpr std::size_t kModelSamples = 96;
 // Steps of a model's search: it starts from the exemplar's nearest lobe.
 constexpr int kModelSteps = 3;
@@ -76,8 +82,9 @@ class Trials {
         add(candidate.exemplar, lowest.shift, kNever);
     }
 
-    // The best by all samples among those that are close to the best by the few; exemplar -1 when nothing was added.
-    // What all samples say of a rotation differs from what the few say by less than kLastColumns.
+    // The best by all samples among those that are close to the best by the few; exemplar -1 when
+    // nothing was added. What all samples say of a rotation differs from what the few say by less
+    // than kLastColumns.
     Tried best() const {
         Tried out{-1, {}};
         out.fit.error = kNoFit;
@@ -191,8 +198,8 @@ void TexelFitter::gather_tile(const StackBand& band, std::size_t begin, std::siz
     }
 }
 
-// The best exemplar and rotation of a pixel, the k-th of its tile, and its strengths in each channel. A pixel that no
-// candidate explains stays without an exemplar.
+// The best exemplar and rotation of a pixel, the k-th of its tile, and its strengths in each
+// channel. A pixel that no candidate explains stays without an exemplar.
 void TexelFitter::fit_texel(std::size_t pixel, std::size_t k,
                             const std::vector<Candidate>& candidates, TileWork& tile,
                             Texels& texels) const {

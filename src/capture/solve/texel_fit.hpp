@@ -19,20 +19,22 @@ struct TexelFitSettings {
     bool normals = false;  // the normals of pixels may tilt
     bool models = true;    // the analytic models of every pixel too
     double eta = 0.0;      // of Fresnel; 0: none
-    // Root of the mean of PointFit::error of the training points: tells which pixels are fitted badly.
+    // Root of the mean of PointFit::error of the training points: tells which pixels are fitted
+    // badly.
     double training_error = 0.0;
 };
 
 class TexelFitter {
   public:
-    // `context`, `stack` and `exemplars` must outlive the fitter. `lobes`: the nearest GGX lobe of each exemplar, from
-    // which models start.
+    // `context`, `stack` and `exemplars` must outlive the fitter. `lobes`: the nearest GGX lobe of
+    // each exemplar, from which models start.
     TexelFitter(const SampleContext& context, const ImageStack& stack, const Exemplars& exemplars,
                 std::vector<LobeFit> lobes, const TexelFitSettings& settings);
     ~TexelFitter();
 
-    // Fits the pixels of a band, which lie within `texels`. Runs in parallel; the results do not depend on the
-    // number of threads, nor on which bands were fitted before. One call at a time. Throws Interrupted.
+    // Fits the pixels of a band, which lie within `texels`. Runs in parallel; the results do not
+    // depend on the number of threads, nor on which bands were fitted before. One call at a time.
+    // Throws Interrupted.
     void fit(const StackBand& band, const Progress& progress, Texels& texels);
 
   private:

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Samples are stored as square roots, 16 bits, of the light's largest: a step is at most 0.3 % of a
-// sample that is a ten thousandth of it.
+// Samples are stored as 16-bit codes of the square root of their ratio to the light's largest
+// sample. A step is at most 0.3 % of a sample that is a ten thousandth of the largest.
 constexpr float kMostCode = 65534.0f;
 constexpr std::uint16_t kClippedCode = 65535;
 
@@ -35,8 +35,8 @@ struct Header {
     std::uint64_t width, height, lights, band_pixels;
     double clipped_share, black_share, brightest;
 };
-// The header is followed by the mask (width x height bytes), the scales (lights floats), the flags of
-// clipping pictures (lights bytes) and the samples, band by band.
+// The header is followed by the mask (width x height bytes), the scales (lights floats), the flags
+// of clipping pictures (lights bytes) and the samples, band by band.
 
 std::uint64_t data_start(const Header& h) {
     return sizeof(Header) + h.width * h.height + h.lights * (sizeof(float) + 1);

@@ -1,5 +1,5 @@
-// The pictures of a capture, one light each, read into one flat file so that a band of pixels can
-// be had for all lights at once, however large the stack is.
+// The pictures of a capture, one light each, read into one flat file from which a band of pixels is
+// read for all lights at once, however large the stack is.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct LightImage {
     Image rgb;  // linear, brackets merged, divided by the flat field; never negative
     // Codes of integer pictures end somewhere: samples that every exposure shows at its last code.
     std::vector<std::uint8_t> clipped;  // one a sample; empty: none
-    bool coded = false;                 // some exposure is of integers: `clipped` knows all
+    bool coded = false;                 // some exposure is of integers: `clipped` is complete
 };
 
 // `white`: empty, or the flat field (as read_flat_field gives it). Throws Error for pictures that
@@ -32,9 +32,9 @@ Image read_flat_field(const Rig& rig);
 // The rig's mask, 1 where the sample is to be measured, a pixel each; 1 everywhere without one.
 std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
 
-// A file of floats does not say at which value its sensor clips. A picture is taken as clipped at its
-// largest value when that value is the largest of the whole stack and at least this many of the picture's
-// samples have it: samples of an unclipped sensor hardly ever agree in all bits.
+// A file of floats does not say at which value its sensor clips. A picture is taken as clipped at
+// its largest value when that value is the largest of the whole stack and at least this many of the
+// picture's samples have it: samples of an unclipped sensor hardly ever agree in all bits.
 inline constexpr int kRepeatsOfClipping = 8;
 
 struct StackCensus {
@@ -51,12 +51,13 @@ struct StackBand {
 
 class ImageStack {
   public:
-    // Memory of one band: large enough that reads from a disk are sequential, small beside other memory.
+    // Memory of one band: large enough that reads from a disk are sequential, small beside other
+    // memory.
     static constexpr std::size_t kUsualBandBytes = std::size_t{48} << 20;
 
-    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same files by
-    // size and time of change). `band_bytes`: size of a band of a cache that is written, one of at least 16
-    // pixels. Throws Error.
+    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same
+    // files by size and time of change). `band_bytes`: size of a band of a cache that is written,
+    // one of at least 16 pixels. Throws Error.
     ImageStack(const Rig& rig, const std::filesystem::path& cache, const Progress& progress,
                std::size_t band_bytes = kUsualBandBytes);
     ImageStack(const ImageStack&) = delete;

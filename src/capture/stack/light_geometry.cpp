@@ -94,7 +94,8 @@ GridPlace area_place(float x, float y, float z) {
 
 namespace {
 
-// So many directions at a time: loops over them take several at once.
+// Directions that are worked on at a time: a multiple of the numbers of a vector register, small
+// enough for the first-level cache.
 constexpr std::size_t kBlock = 64;
 struct Block {
     std::array<float, kBlock> x, y, z;

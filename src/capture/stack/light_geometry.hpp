@@ -1,5 +1,5 @@
-// Where light comes from and goes to at a pixel, in the shape that fitting wants: one array a
-// quantity, single precision, places on polar grids worked out once.
+// Directions of light and view at the pixels of a stack, and the samples made from them, as fits
+// read them: one array for each quantity, single precision, places on polar grids worked out once.
 #pragma once
 
 #include <array>
@@ -49,13 +49,14 @@ GridPlace grid_place(const NdfGrid& grid, float x, float y, float z);
 // Likewise on the nodes that ndf_areas has its values at.
 GridPlace area_place(float x, float y, float z);
 
-// ndf_lookup at a place worked out before, the table turned by `shift` columns.
+// ndf_lookup at a place worked out before, the table rotated by `shift` columns.
 inline float lookup(const NdfGrid& grid, const float* table, const GridPlace& place, float shift) {
     const auto columns = static_cast<float>(grid.azimuths);
-    // The turn within one circle is the same for all places of a loop.
-    float turn = shift - columns * static_cast<float>(static_cast<int>(shift / columns));
-    if (turn < 0.0f) turn += columns;
-    float c = place.column - turn;
+    // `shift` brought into one circle: the same for all places of a loop, out of which compilers
+    // take it.
+    float rotation = shift - columns * static_cast<float>(static_cast<int>(shift / columns));
+    if (rotation < 0.0f) rotation += columns;
+    float c = place.column - rotation;
     if (c < 0.0f) c += columns;
     int c0 = static_cast<int>(c);
     if (c0 >= grid.azimuths) c0 = 0;
@@ -91,8 +92,8 @@ class NormalFrame {
     Vec3f t_, b_, n_;
 };
 
-// What one point's samples look like to a distribution: only lights above the horizon of the normal
-// and samples that are not clipped.
+// The samples of one point in the frame of its normal: of lights above its horizon that are not
+// clipped.
 struct PointSamples {
     std::vector<int> light;       // which light each sample is of
     std::vector<GridPlace> half;  // of h, on the exemplars' grid
@@ -109,8 +110,8 @@ struct PointSamples {
     void resize(std::size_t count);
 };
 
-// Lights lower than this above the surface are left out: a small error of the normal would change
-// what they show by as much as they show.
+// Cosine to the normal below which a light is left out (6 degrees above the surface): an error of
+// the normal by a few degrees would change its sample by as much as the sample is.
 inline constexpr float kLeastLightCosine = 0.1f;
 
 // `values`: lights x 3, infinite where clipped. `keep`: lights to take part (empty: all).

@@ -18,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-// Degrees between the directions of two balls from which a warning is due: of a lamp that is far away they agree to
-// one degree.
+// Degrees between the directions of two balls from which a warning is due: of a lamp that is far
+// away they agree to one degree.
 constexpr double kApart = 3.0;
-// Share of the brightest spot's light from which a second one is taken as another lamp: reflections of a room are
-// dimmer.
+// Share of the brightest spot's light from which a second one is taken as another lamp: reflections
+// of a room are dimmer.
 constexpr double kTwoLamps = 0.5;
 
 enum class Format { json, lp };
@@ -107,8 +107,8 @@ void warn_of(const Found& found, const fs::path& path, std::vector<std::string>&
                         path.string(), 100.0 * found.second));
 }
 
-// Warns of outlines that were given by their diameter, or with y counted from the bottom: directions come out of
-// those, too.
+// Warns of outlines that were given by their diameter, or with y counted from the bottom:
+// directions come out of those, too.
 void warn_of_outlines(const std::vector<ProbeCircle>& circles, const fs::path& path,
                       const Image& image, std::vector<std::string>& warnings) {
     for (const ProbeCircle& c : circles)
@@ -121,7 +121,8 @@ void warn_of_outlines(const std::vector<ProbeCircle>& circles, const fs::path& p
 }
 
 // The whole rig except for the places of its lights.
-Rig rig_without_places(const CaptureDirectionsRequest& request, std::vector<std::string>& warnings) {
+Rig rig_without_places(const CaptureDirectionsRequest& request,
+                       std::vector<std::string>& warnings) {
     Rig rig;
     rig.file = request.output;
     const auto& pictures = request.pictures.empty() ? request.balls : request.pictures;
@@ -153,7 +154,8 @@ bool linear_ball(const CaptureDirectionsRequest& request, const fs::path& path) 
 
 }  // namespace
 
-CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request, const Progress& progress) {
+CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request,
+                                           const Progress& progress) {
     CaptureDirectionsResult report;
     check_request(request);
     require_writable(request.output);

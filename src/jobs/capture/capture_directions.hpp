@@ -39,6 +39,7 @@ struct CaptureDirectionsResult {
 // Writes the rig, whole or not at all. Throws UsageError for another ending of `output`, for a
 // size, response or camera that an .lp file cannot say, and where there are not as many pictures as
 // lights; Error naming the picture for what cannot be read or shows no lamp.
-CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request, const Progress& progress);
+CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request,
+                                           const Progress& progress);
 
 }  // namespace burnish

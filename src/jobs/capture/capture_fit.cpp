@@ -12,8 +12,8 @@
 #include "core/files.hpp"
 #include "core/version.hpp"
 #include "fit/lobe_fit.hpp"
-#include "jobs/map_folder.hpp"
 #include "formats/tabulated/tabulated_file.hpp"
+#include "jobs/map_folder.hpp"
 
 namespace burnish {
 
@@ -22,12 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kStages = {"pictures", "exemplars", "texels"};
-// Share of clipped samples from which a warning is due: highlights, which are few samples, miss their tops.
+// Share of clipped samples from which a warning is due: highlights, which are few samples, miss
+// their tops.
 constexpr double kMuchClipped = 0.001;
-// Share of the light from which a warning is due when the fit leaves it unexplained: 5 % of noise leaves less.
+// Share of the light from which a warning is due when the fit leaves it unexplained: 5 % of noise
+// leaves less.
 constexpr double kMuchUnexplained = 0.15;
 
-// Warns of what the pictures cannot support before hours are spent on them; throws where nothing can be fitted.
+// Warns of what the pictures cannot support before hours are spent on them; throws where nothing
+// can be fitted.
 void judge_stack(const ImageStack& stack, const std::string& name,
                  std::vector<std::string>& warnings) {
     const StackCensus& census = stack.census();
@@ -42,8 +45,8 @@ void judge_stack(const ImageStack& stack, const std::string& name,
                         name, 100.0 * census.clipped_share));
 }
 
-// Spread of the rotations of an exemplar's texels about their mean, as lines, in degrees (of a wrapped normal
-// distribution with the same mean resultant).
+// Spread of the rotations of an exemplar's texels about their mean, as lines, in degrees (of a
+// wrapped normal distribution with the same mean resultant).
 double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels) {
     double x = 0.0, y = 0.0;
     texels = 0;
@@ -99,13 +102,12 @@ void warn_of_fit(const CaptureFitResult& result, const CaptureFitRequest& reques
                         "or it falls between the lights",
                         name, e.dark, e.used));
     if (result.unexplained > kMuchUnexplained)
-        warnings.push_back(
-            fmt::format("{}: {:.0f} % of the light is unexplained: {}, or shadows and light between "
-                        "its parts are no reflectance of a surface",
-                        name, 100.0 * result.unexplained,
-                        request.settings.normals
-                            ? "the lights may be too few for its highlights"
-                            : "the sample may not be flat (--normals)"));
+        warnings.push_back(fmt::format(
+            "{}: {:.0f} % of the light is unexplained: {}, or shadows and light between "
+            "its parts are no reflectance of a surface",
+            name, 100.0 * result.unexplained,
+            request.settings.normals ? "the lights may be too few for its highlights"
+                                     : "the sample may not be flat (--normals)"));
 }
 
 class InterruptedFit : public Interrupted {

@@ -43,7 +43,8 @@ struct CaptureFitResult {
     std::filesystem::path stages;
     // The rest after all stages.
     std::size_t held_out_lights = 0;
-    std::vector<HeldOutError> held_out;  // of the material and its analytic models; none without such lights
+    // Of the material and its analytic models; none without such lights.
+    std::vector<HeldOutError> held_out;
     ExemplarJudgement exemplars;
     std::vector<std::string> warnings;
     std::vector<std::filesystem::path> written;  // empty when the fit stopped after a stage

@@ -94,7 +94,8 @@ void take_size_of(const TabulatedMaterial& m, Rig& rig, std::vector<std::string>
         rig.file.string()));
 }
 
-CaptureRelightResult capture_relight(const CaptureRelightRequest& request, const Progress& progress) {
+CaptureRelightResult capture_relight(const CaptureRelightRequest& request,
+                                     const Progress& progress) {
     CaptureRelightResult report;
     const auto material = load_tabulated(request.material);
     Rig rig = read_rig(request.rig, false, request.overrides);

@@ -30,7 +30,8 @@ struct CaptureRelightResult {
 
 // Writes 0000.exr ... and rig.json, which names them, so that they are a stack; with `compare` also
 // compare.csv. All or, when anything fails, none.
-CaptureRelightResult capture_relight(const CaptureRelightRequest& request, const Progress& progress);
+CaptureRelightResult capture_relight(const CaptureRelightRequest& request,
+                                     const Progress& progress);
 
 // Texels lie where the material says, then where the rig says, else 1 mm apart: the rig's size is
 // set, and what does not agree warned of.

@@ -74,7 +74,7 @@ std::vector<std::uint8_t> judges(const CaptureReportRequest& request, const Tabu
     if (!apart)
         text = fmt::format(
             "Judged on {} of {} lights, which took part in the fit: how well it describes what it "
-            "was given, not how well it foretells. capture fit --hold-out keeps lights apart.",
+            "was given, not how well it predicts. capture fit --hold-out keeps lights apart.",
             count, lights);
     else if (!request.hold_out)
         text = fmt::format(

@@ -1,5 +1,5 @@
-// burnish capture report: a page of HTML that shows what a stack is, what a fit made of it and how
-// well that foretells pictures (docs/guide/capture.md).
+// burnish capture report: a page of HTML that shows a stack, the fit to it and how well the fit
+// predicts pictures (docs/guide/capture.md).
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Pictures of held-out lights beside what the material and other models foretell.
+// Pictures of held-out lights beside those that the material and other models predict.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,9 +20,9 @@ namespace burnish::report {
 namespace {
 
 constexpr double kDegree = 3.14159265358979 / 180.0;
-// Of white: differences of this share are shown in full colour.
+// Difference, as a share of white, that is shown in full color.
 constexpr double kFullDifference = 0.25;
-// Share of the samples that are shown darker than white.
+// Share of the samples of a picture that are darker than its white.
 constexpr double kWhiteQuantile = 0.995;
 
 double luminance(const float* rgb) {
@@ -146,8 +146,8 @@ Image difference(const Image& made, const Image& real, double white) {
     return at_viewing_size(out);
 }
 
-// PSNR of luminance. The peak is the brightest sample of this picture: relative to the brightest of all
-// pictures, the error of a dim one would seem to be nothing.
+// PSNR of luminance. The peak is the brightest sample of this picture: relative to the brightest of
+// all pictures, the error of a dim one would seem to be nothing.
 double psnr_of(const Image& made, const Image& real) {
     SquaredError error;
     double peak = 0.0;

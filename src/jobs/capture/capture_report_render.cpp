@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "burnish/error.hpp"
+#include "burnish/stage.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 #include "stage/stage.hpp"
-#include "burnish/stage.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish::report {
 
@@ -48,7 +48,7 @@ void add_renderings(const CaptureReportRequest& request, Page& page, Pictures& p
             throw;
         } catch (const Error& error) {
             page.notes.push_back(fmt::format(
-                "Nothing was rendered: OpenGL is not to be had here ({}).", error.what()));
+                "Nothing was rendered: there is no OpenGL on this machine ({}).", error.what()));
             return;
         }
         page.device = context->renderer();

@@ -79,7 +79,7 @@ std::string truth_json(const CaptureSimulateRequest& request, const VirtualSampl
                              {"mdf", name_of(lobe.mdf)},
                              {"alpha_along", lobe.alpha_x},
                              {"alpha_across", lobe.alpha_y},
-                             {"turn_deg", lobe.turn * kDegrees},
+                             {"turn_deg", lobe.rotation * kDegrees},
                              {"lean", {lobe.lean_x, lobe.lean_y}}});
         out["distributions"].push_back({{"name", ndf.name}, {"lobes", lobes}});
     }

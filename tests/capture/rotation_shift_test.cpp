@@ -1,5 +1,5 @@
-// How far a table is turned: whole turns, turns between columns, and where there is too little to
-// say.
+// By how much a table is rotated: whole columns, between columns, and where there is too
+// little to say.
 #include <gtest/gtest.h>
 
 #include "capture/solve/rotation_match.hpp"
@@ -10,26 +10,26 @@ namespace {
 
 using namespace test;
 
-class MatchTurns : public testing::TestWithParam<NdfGrid> {};
-INSTANTIATE_TEST_SUITE_P(Grids, MatchTurns, testing::ValuesIn(test::kGrids), test::name_of_grid);
+class MatchShifts : public testing::TestWithParam<NdfGrid> {};
+INSTANTIATE_TEST_SUITE_P(Grids, MatchShifts, testing::ValuesIn(test::kGrids), test::name_of_grid);
 
-// Turning the point's table turns the answer, turning the exemplar's turns it back.
-TEST_P(MatchTurns, ShiftsGoWithTheTables) {
+// A rotation of the point's table adds to the answer, one of the exemplar's takes from it.
+TEST_P(MatchShifts, ShiftsGoWithTheTables) {
     const NdfGrid grid = GetParam();
     Random random(5);
     const Table p = patterned(grid, Mask::half, random), e = patterned(grid, Mask::holes, random);
     const RotationMatch plain = one_match(grid, p, e);
     ASSERT_LT(plain.residual, 1.0f);
     for (const int columns : {1, 5, grid.azimuths / 2, grid.azimuths - 1}) {
-        const RotationMatch of_exemplar = one_match(grid, p, turned(grid, e, columns));
-        const RotationMatch of_point = one_match(grid, turned(grid, p, columns), e);
+        const RotationMatch of_exemplar = one_match(grid, p, rotated(grid, e, columns));
+        const RotationMatch of_point = one_match(grid, rotated(grid, p, columns), e);
         // 0.02: what rounding makes of the place between columns.
-        EXPECT_LT(turn_between(static_cast<double>(of_exemplar.shift),
-                               static_cast<double>(plain.shift) - columns, grid.azimuths),
+        EXPECT_LT(columns_between(static_cast<double>(of_exemplar.shift),
+                                  static_cast<double>(plain.shift) - columns, grid.azimuths),
                   0.02)
             << columns;
-        EXPECT_LT(turn_between(static_cast<double>(of_point.shift),
-                               static_cast<double>(plain.shift) + columns, grid.azimuths),
+        EXPECT_LT(columns_between(static_cast<double>(of_point.shift),
+                                  static_cast<double>(plain.shift) + columns, grid.azimuths),
                   0.02)
             << columns;
         for (const RotationMatch& m : {of_exemplar, of_point}) {
@@ -42,12 +42,12 @@ TEST_P(MatchTurns, ShiftsGoWithTheTables) {
     }
 }
 
-TEST_P(MatchTurns, SelfMatchesAndScalesAreFound) {
+TEST_P(MatchShifts, SelfMatchesAndScalesAreFound) {
     const NdfGrid grid = GetParam();
     Random random(9);
     for (const Mask mask : {Mask::full, Mask::holes, Mask::half, Mask::soft}) {
         const Table e = patterned(grid, mask, random);
-        Table p = turned(grid, e, 7);
+        Table p = rotated(grid, e, 7);
         for (float& v : p.value) v *= 3.75f;
         const RotationMatch found = one_match(grid, p, e);
         EXPECT_LT(found.residual, 1e-4f) << static_cast<int>(mask);
@@ -57,9 +57,9 @@ TEST_P(MatchTurns, SelfMatchesAndScalesAreFound) {
     }
 }
 
-// A lobe that leans, so that one turn only fits, at places between the columns. The point is seen
-// through a mask of its own. 0.1 column is 0.4 degrees of the usual grid.
-TEST_P(MatchTurns, TurnsBetweenColumnsAreFound) {
+// A lobe that leans, so that one rotation only fits, at places between the columns. The point is
+// seen through a mask of its own. 0.1 column is 0.4 degrees of the usual grid.
+TEST_P(MatchShifts, RotationsBetweenColumnsAreFound) {
     const NdfGrid grid = GetParam();
     // As smooth as the columns are wide: a parabola through three of them knows no better.
     const double wide = grid.azimuths == 96 ? 1 : 1.8;
@@ -75,18 +75,19 @@ TEST_P(MatchTurns, TurnsBetweenColumnsAreFound) {
                 for (int r = 0; r < grid.rings; ++r)
                     for (int a = 0; a < grid.azimuths / 3; ++a) p.weight[cell(grid, r, a)] = 0;
             const RotationMatch found = one_match(grid, p, e);
-            EXPECT_LT(found.residual, 0.04f) << columns;  // that of the nearest whole turn
+            EXPECT_LT(found.residual, 0.04f) << columns;  // that of the nearest whole column
             worst = std::max(
-                worst, turn_between(static_cast<double>(found.shift), columns, grid.azimuths));
+                worst, columns_between(static_cast<double>(found.shift), columns, grid.azimuths));
         }
         // Wide columns with the mask's edge across the lobe bend the parabola.
         EXPECT_LT(worst, masked && grid.azimuths < 96 ? 0.2 : 0.1) << (masked ? "masked" : "whole");
     }
 }
 
-// Beside a turn that does not count no parabola can be drawn: the answer is a whole turn. Two masks
-// of half a circle each overlap enough within a quarter turn only, and the best shape lies beyond.
-TEST_P(MatchTurns, AnswersAtTheRimOfOverlapAreWhole) {
+// Beside a rotation that does not count no parabola can be drawn: the answer is a whole column. Two
+// masks of half a circle each overlap enough within a quarter circle only, and the best shape
+// lies beyond.
+TEST_P(MatchShifts, AnswersAtTheRimOfOverlapAreWhole) {
     const NdfGrid grid = GetParam();
     const auto lobe = test::beckmann(0.3, 0.6, 0.3, 0);
     Table p{test::sampled(grid, lobe, 0.4 * grid.azimuths), {}}, e{test::sampled(grid, lobe), {}};
@@ -101,7 +102,7 @@ TEST_P(MatchTurns, AnswersAtTheRimOfOverlapAreWhole) {
     ASSERT_LT(std::min(before, after), 0.399) << "the case is not at the rim";
     const RotationMatch found = one_match(grid, p, e);
     EXPECT_EQ(found.shift, static_cast<float>(best.shift));
-    EXPECT_NEAR(static_cast<double>(found.residual), best.turn.residual, kResidualRounding);
+    EXPECT_NEAR(static_cast<double>(found.residual), best.at.residual, kResidualRounding);
 }
 
 }  // namespace
