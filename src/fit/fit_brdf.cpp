@@ -35,7 +35,7 @@ double slope_of(FitMetric metric, double x) {
     return metric == FitMetric::rms ? 1 : 1 / (1 + x);
 }
 
-// Least squares of y = a kd + b ks for one colour, from its sums.
+// Least squares of y = a kd + b ks for one color, from its sums.
 struct TwoSums {
     double aa = 0, ab = 0, bb = 0, ay = 0, by = 0;
 
@@ -73,7 +73,7 @@ class Search {
     Index shape_size() const { return static_cast<Index>(variant_.free.size()); }
     struct Start {
         std::vector<double> q;
-        std::array<FitRgb, 2> colours{};  // kd, ks
+        std::array<FitRgb, 2> colors{};  // kd, ks
         double sum = std::numeric_limits<double>::infinity();
     };
     Start start_at(const std::vector<double>& q) const;
@@ -139,8 +139,8 @@ Search::Start Search::start_at(const std::vector<double>& q) const {
             sums.by += b * w * y;
         }
         const auto [kd, ks] = sums.solve(model_.most_scale);
-        start.colours[0][c] = kd;
-        start.colours[1][c] = ks;
+        start.colors[0][c] = kd;
+        start.colors[1][c] = ks;
         for (std::size_t i = 0; i < lobe.size(); ++i) {
             const BrdfSample& sample = samples_[i * stride];
             const double error = metric_of(metric_, sample.f[c] * sample.wi.z) -
@@ -216,8 +216,8 @@ LeastSquaresResult Search::run(const Start& start, int most_iterations) const {
     for (Index c = 0; c < 3; ++c) {
         problem.high[n + c] = 1;
         problem.high[n + 3 + c] = model_.most_scale;
-        x[n + c] = start.colours[0][static_cast<std::size_t>(c)];
-        x[n + 3 + c] = start.colours[1][static_cast<std::size_t>(c)];
+        x[n + c] = start.colors[0][static_cast<std::size_t>(c)];
+        x[n + 3 + c] = start.colors[1][static_cast<std::size_t>(c)];
     }
     problem.evaluate = [this](const VectorXd& at, VectorXd& residuals, MatrixXd* derivatives) {
         evaluate(at, residuals, derivatives);
@@ -277,8 +277,8 @@ LeastSquaresResult widened(const FitModel& model, const Search& search,
         if (stretch == 0) {
             const auto n = static_cast<Index>(isotropic_size);
             for (Index c = 0; c < 3; ++c) {
-                start.colours[0][static_cast<std::size_t>(c)] = isotropic.x[n + c];
-                start.colours[1][static_cast<std::size_t>(c)] = isotropic.x[n + 3 + c];
+                start.colors[0][static_cast<std::size_t>(c)] = isotropic.x[n + c];
+                start.colors[1][static_cast<std::size_t>(c)] = isotropic.x[n + 3 + c];
             }
         }
         LeastSquaresResult next = search.run(start, most_iterations);

@@ -1,6 +1,6 @@
 // Fits a reflection model to samples of a BRDF by non-linear least squares:
 //
-//   f = kd / pi + ks lobe(shape)      kd, ks for each colour, one shape for all
+//   f = kd / pi + ks lobe(shape)      kd, ks for each color, one shape for all
 //
 // kd is within [0, 1], ks within the range of the model's own ks ([0, 1] where it has none), the
 // shape within the ranges of shading/brdf_models.hpp.
@@ -26,7 +26,7 @@ struct BrdfSample {
     double weight;             // solid angle it stands for; only ratios matter
 };
 
-// What is squared and averaged over solid angle and colours, x being f cos(theta_i).
+// What is squared and averaged over solid angle and colors, x being f cos(theta_i).
 //  rms  x: the metric of Ngan, Durand & Matusik, "Experimental Analysis of BRDF Models", EGSR 2005
 //  log  ln(1 + x): Low, Kronander, Ynnerman & Unger, "BRDF Models for Accurate and Efficient
 //       Rendering of Glossy Surfaces", ACM TOG 31(1), 2012. Peaks do not drown everything else

@@ -1,6 +1,6 @@
 // The reflection models as they are fitted to measurements: which numbers of a lobe are free,
 // within which bounds, and from where the search starts. The lobe is that of
-// shading/brdf_models.hpp, its own strength (ks) at 1; the fit adds a scale for each colour and a
+// shading/brdf_models.hpp, its own strength (ks) at 1; the fit adds a scale for each color and a
 // Lambertian term.
 #pragma once
 
@@ -31,7 +31,7 @@ struct FitVariant {
 struct FitModel {
     std::string_view name;  // of brdf_models()
     const BrdfModel* brdf = nullptr;
-    double most_scale = 1;  // of each colour
+    double most_scale = 1;  // of each color
     std::vector<FitVariant> isotropic;
     // Adds parameters to the isotropic variant of the same index, whose numbers `widen` takes over
     // without a change of the lobe. Empty: the model has no anisotropic form.

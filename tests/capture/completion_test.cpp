@@ -78,7 +78,7 @@ TEST(Completion, TailsAreContinued) {
                           {"very wide beckmann", test::beckmann(0.8, 0.8), 0.008}};
     const int beyond = first_ring_beyond(60);
     for (const Case& c : cases) {
-        const std::vector<float> truth = test::normalised(kGrid, test::sampled(kGrid, c.lobe));
+        const std::vector<float> truth = test::normalized(kGrid, test::sampled(kGrid, c.lobe));
         Exemplars exemplars = exemplars_of({truth});
         for (int r = beyond; r < kGrid.rings; ++r)
             for (int a = 0; a < kGrid.azimuths; ++a) forget(exemplars, 0, r, a);
@@ -104,8 +104,8 @@ TEST(Completion, TailsAreContinued) {
 // sees: both are made whole.
 TEST(Completion, HolesAreFilledFromAlikeExemplars) {
     const auto lobe = test::ggx(0.2, 0.5, 0.15, 0.1);
-    const std::vector<float> a = test::normalised(kGrid, test::sampled(kGrid, lobe));
-    const std::vector<float> b = test::normalised(kGrid, test::sampled(kGrid, lobe, 31));
+    const std::vector<float> a = test::normalized(kGrid, test::sampled(kGrid, lobe));
+    const std::vector<float> b = test::normalized(kGrid, test::sampled(kGrid, lobe, 31));
     std::vector<float> stronger = b;
     for (float& v : stronger) v *= 1.4f;
     Exemplars exemplars = exemplars_of({a, stronger});
@@ -134,9 +134,9 @@ TEST(Completion, HolesAreFilledFromAlikeExemplars) {
 // One that is another thing altogether is not asked.
 TEST(Completion, UnlikeExemplarsDoNotSpeakForOneAnother) {
     const std::vector<float> narrow =
-        test::normalised(kGrid, test::sampled(kGrid, test::beckmann(0.1, 0.1)));
+        test::normalized(kGrid, test::sampled(kGrid, test::beckmann(0.1, 0.1)));
     const std::vector<float> wide =
-        test::normalised(kGrid, test::sampled(kGrid, test::beckmann(0.3, 0.9, 0.4, 0)));
+        test::normalized(kGrid, test::sampled(kGrid, test::beckmann(0.3, 0.9, 0.4, 0)));
     Exemplars exemplars = exemplars_of({narrow, wide});
     for (int r = 16; r < kGrid.rings; ++r)
         for (int k = 0; k < 30; ++k) forget(exemplars, 0, r, k);

@@ -217,7 +217,7 @@ TEST(RigCoverage, CornersSeeNearThingsFromElsewhere) {
     ASSERT_EQ(c.corners.size(), 4u);
     EXPECT_EQ(c.corners[0].point_mm, (Vec3d{-30, 20, 0}));
     EXPECT_EQ(c.corners[3].point_mm, (Vec3d{30, -20, 0}));
-    EXPECT_NEAR(c.centre.theta_view, 45, 1e-9);
+    EXPECT_NEAR(c.center.theta_view, 45, 1e-9);
     EXPECT_NEAR(c.corners[0].theta_view, std::atan2(std::hypot(30, 120), 100) / kDegree, 1e-9);
     // Mirror images in x see the camera alike.
     EXPECT_NEAR(c.corners[0].theta_view, c.corners[1].theta_view, 1e-9);

@@ -123,7 +123,7 @@ class RealBalls : public testing::TestWithParam<const char*> {
         const std::filesystem::path data = test::sample_data();
         return data.empty() ? data : data / "captures/psbox_cat_12lights" / GetParam();
     }
-    // The makers' circle counts y from the bottom, and pixel centres from 1.
+    // The makers' circle counts y from the bottom, and pixel centers from 1.
     ProbeCircle circle(int height) const {
         std::ifstream file(folder() / "circle_data.txt");
         double x = 0, y = 0, radius = 0;

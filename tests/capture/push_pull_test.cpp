@@ -56,7 +56,7 @@ TEST(PushPull, ConstantsAreReproduced) {
     }
 }
 
-// A sample at the centre of every pixel: nothing is there to be filled.
+// A sample at the center of every pixel: nothing is there to be filled.
 TEST(PushPull, DenseSamplesAreKept) {
     Random random(2);
     std::vector<Sample> samples;
@@ -71,7 +71,7 @@ TEST(PushPull, DenseSamplesAreKept) {
     }
 }
 
-// Half way between four centres the tents share equally; the sample's value is theirs.
+// Half way between four centers the tents share equally; the sample's value is theirs.
 TEST(PushPull, TentsShareASample) {
     PushPullImage image(8);
     image.splat(4.0f, 4.0f, 3.0f);
@@ -99,7 +99,7 @@ TEST(PushPull, TentsWeighByDistance) {
 }
 
 // A level doubles the distance: 2^reach is about how far a sample speaks. At half that every pixel
-// is filled, at three times that (a pixel of the coarsest level and its neighbour) none.
+// is filled, at three times that (a pixel of the coarsest level and its neighbor) none.
 TEST(PushPull, GapsAreFilledWithinReachOnly) {
     for (const int reach : {0, 1, 2, 3, 4}) {
         for (const float place : {64.5f, 71.3f, 60.0f}) {

@@ -14,7 +14,7 @@ namespace burnish::test {
 
 using Double3 = std::array<double, 3>;
 
-// rings x azimuths read bilinearly in u and phi, constant outside the outermost centres.
+// rings x azimuths read bilinearly in u and phi, constant outside the outermost centers.
 inline double read_table(const NdfGrid& grid, const std::vector<float>& table, const Double3& h,
                          double columns) {
     const double theta = std::acos(std::min(h[2], 1.0)), u = std::sqrt(2 * theta / kPi);
@@ -109,7 +109,7 @@ inline double mass_of(const NdfGrid& grid, const float* table, int first_ring = 
     return mass;
 }
 
-inline std::vector<float> normalised(const NdfGrid& grid, std::vector<float> table) {
+inline std::vector<float> normalized(const NdfGrid& grid, std::vector<float> table) {
     const auto mass = static_cast<float>(ndf_mass(grid, table.data()));
     for (float& v : table) v /= mass;
     return table;

@@ -24,7 +24,7 @@ const Double3 kEye = {0, -std::sqrt(0.5), std::sqrt(0.5)};  // 45 degrees
 struct Truth {
     std::vector<float> table, areas;
     explicit Truth(const test::DirectionalLobe& lobe)
-        : table(test::normalised(kGrid, test::sampled(kGrid, lobe))),
+        : table(test::normalized(kGrid, test::sampled(kGrid, lobe))),
           areas(ndf_areas(kGrid, table.data())) {}
 
     ExemplarTables tables() const { return {kGrid, table.data(), areas.data()}; }
@@ -278,7 +278,7 @@ struct PartialCase {
 
 struct PartialFound {
     PartialNdf point;
-    double difference = 0;  // cosine-weighted L1 over the known part, both normalised there
+    double difference = 0;  // cosine-weighted L1 over the known part, both normalized there
     double reached = 0;     // mass of the truth in it
     double table_mass = 0, share = 0;  // share: of the hemisphere's solid angle
 };
@@ -330,7 +330,7 @@ TEST(PartialNdfOf, OnePointShowsItsPart) {
           PartialCase{0.25, 0.4, 0.0, 0.1}}) {
         const PartialFound found = solve_partially(c);
         EXPECT_LT(found.difference, c.allowed) << c.alpha_x;
-        EXPECT_NEAR(found.table_mass, 1, 0.03);  // normalised; 3 %: partly known cells
+        EXPECT_NEAR(found.table_mass, 1, 0.03);  // normalized; 3 %: partly known cells
         // One view sees a quarter to a half of the hemisphere, and most of what shines.
         EXPECT_GT(found.share, 0.15);
         EXPECT_LT(found.share, 0.5);

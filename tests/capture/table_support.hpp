@@ -27,7 +27,7 @@ inline double theta_at(const NdfGrid& grid, double edge) {
     return kPi / 2 * u * u;
 }
 
-// cos(theta) dw of a cell of a ring, cos at its centre.
+// cos(theta) dw of a cell of a ring, cos at its center.
 inline double cosine_weight(const NdfGrid& grid, int ring) {
     const double dw = 2 * kPi / grid.azimuths *
                       (std::cos(theta_at(grid, ring)) - std::cos(theta_at(grid, ring + 1)));
@@ -36,7 +36,7 @@ inline double cosine_weight(const NdfGrid& grid, int ring) {
 
 using DirectionalLobe = std::function<double(double x, double y, double z)>;
 
-// The lobe at the cells' centres, turned counter-clockwise by `columns` (any turn).
+// The lobe at the cells' centers, turned counter-clockwise by `columns` (any turn).
 inline std::vector<float> sampled(const NdfGrid& grid, const DirectionalLobe& lobe,
                                   double columns = 0) {
     std::vector<float> out;

@@ -43,8 +43,8 @@ RigLight near_light(const Vec3d& at, double exponent, const Vec3d& intensity) {
     return light;
 }
 
-// Pixel centres, row 0 at the top, +y up, the origin in the middle.
-Vec3d centre(const VirtualSample& sample, int column, int row) {
+// Pixel centers, row 0 at the top, +y up, the origin in the middle.
+Vec3d center(const VirtualSample& sample, int column, int row) {
     return {sample.width_mm * ((column + 0.5) / sample.width - 0.5),
             sample.height_mm * (0.5 - (row + 0.5) / sample.height), 0};
 }
@@ -71,7 +71,7 @@ TEST(VirtualPicture, DistanceAndEmissionAreThoseOfTheRig) {
         ASSERT_EQ(picture.channels, 3);
         for (int row = 0; row < 16; ++row) {
             for (int column = 0; column < 16; ++column) {
-                const Seen light = seen_from(centre(sample, column, row), at);
+                const Seen light = seen_from(center(sample, column, row), at);
                 const double cosine = 40 / light.distance;
                 for (std::size_t c = 0; c < 3; ++c) {
                     const double expected = 0.5 / kPi * cosine * intensity[c] *
@@ -98,7 +98,7 @@ TEST(VirtualPicture, AxesFarLightsAndGlossAreFollowed) {
     const Image under_far = virtual_picture(sample, rig, 1, {});
     for (int row = 0; row < 8; ++row) {
         for (int column = 0; column < 8; ++column) {
-            const Vec3d point = centre(sample, column, row);
+            const Vec3d point = center(sample, column, row);
             const Vec3d eye = seen_from(point, {0, -300, 400}).direction;
             const Seen led = seen_from(point, {-50, 10, 60});
             const double axis = -(0.6 * led.direction[0] - 0.8 * led.direction[2]);
@@ -132,7 +132,7 @@ TEST(VirtualPicture, WhiteLevelIsTheBrightestOfADiffuser) {
 }
 
 struct Statistics {
-    double mean = 0, deviation = 0, neighbours = 0;  // correlation of each value with the next
+    double mean = 0, deviation = 0, neighbors = 0;  // correlation of each value with the next
 };
 Statistics statistics_of(const Image& picture, std::size_t channel) {
     std::vector<double> v;
@@ -145,7 +145,7 @@ Statistics statistics_of(const Image& picture, std::size_t channel) {
         out.deviation += (v[i] - out.mean) * (v[i] - out.mean);
         if (i + 1 < v.size()) products += (v[i] - out.mean) * (v[i + 1] - out.mean);
     }
-    out.neighbours = products / out.deviation;
+    out.neighbors = products / out.deviation;
     out.deviation = std::sqrt(out.deviation / static_cast<double>(v.size()));
     return out;
 }
@@ -175,7 +175,7 @@ TEST(VirtualPicture, NoiseHasTheStatedMeanAndDeviation) {
                 const Statistics found = statistics_of(picture, c);
                 EXPECT_NEAR(found.mean, value, 4 * deviation / 128);
                 EXPECT_NEAR(found.deviation, deviation, 4 * deviation / 181);
-                EXPECT_NEAR(found.neighbours, 0, 4.0 / 128);
+                EXPECT_NEAR(found.neighbors, 0, 4.0 / 128);
             }
         }
     }

@@ -166,15 +166,15 @@ TEST(FitBrdf, MoreFreedomNeverRaisesTheError) {
         EXPECT_LT(untied, (model.name == "lafortune" ? 0.95 : 0.9) * tied) << model.name;
     }
     // A lobe beside the Lambertian term: never worse than that term alone.
-    double grey = 0, weights = 0;
+    double gray = 0, weights = 0;
     std::vector<FitRgb> flat(samples.size());
     for (std::size_t c = 0; c < 3; ++c) {
-        grey = weights = 0;
+        gray = weights = 0;
         for (const BrdfSample& s : samples) {
-            grey += s.f[c] * s.wi.z * s.wi.z;
+            gray += s.f[c] * s.wi.z * s.wi.z;
             weights += s.wi.z * s.wi.z;
         }
-        for (FitRgb& answer : flat) answer[c] = std::min(grey / weights, 1 / kPi);
+        for (FitRgb& answer : flat) answer[c] = std::min(gray / weights, 1 / kPi);
     }
     const double lambertian = errors_of(samples, flat).rms;
     for (const FitModel& model : fit_models())

@@ -130,19 +130,19 @@ bool is_near(const Rig& rig) {
 
 std::vector<std::string> diagnose(const RigCoverage& all) {
     constexpr double kOnTheNormal = 2.0, kAllRound = 270.0;  // degrees
-    const PointCoverage& centre = all.centre;
+    const PointCoverage& center = all.center;
     std::vector<std::string> lines;
-    if (centre.half_vectors.size() == 1) {
+    if (center.half_vectors.size() == 1) {
         lines.push_back("one light: nothing can be fitted");
         return lines;
     }
     // Lights all round an upright view make the same half vectors whichever way the grain runs.
-    if (centre.theta_view < kOnTheNormal && all.azimuth_spread >= kAllRound)
+    if (center.theta_view < kOnTheNormal && all.azimuth_spread >= kAllRound)
         lines.push_back("camera on the normal: turning adds nothing, completion is impossible");
-    if (centre.covered_turned < 0.99)
+    if (center.covered_turned < 0.99)
         lines.push_back(fmt::format(
             "no half vector tilts more than {:.0f} deg: beyond, a distribution is a guess",
-            centre.theta_h_max));
+            center.theta_h_max));
     if (all.azimuth_spread < 180.0)
         lines.push_back(
             fmt::format("all lights lie within {:.0f} deg of azimuth", all.azimuth_spread));
@@ -194,7 +194,7 @@ PointCoverage point_coverage(const Rig& rig, const Vec3d& point_mm) {
 
 RigCoverage rig_coverage(const Rig& rig) {
     RigCoverage out;
-    out.centre = point_coverage(rig, {0.0, 0.0, 0.0});
+    out.center = point_coverage(rig, {0.0, 0.0, 0.0});
     if (rig.width_mm > 0.0 && rig.height_mm > 0.0 && is_near(rig))
         for (const double y : {0.5, -0.5})
             for (const double x : {-0.5, 0.5})
@@ -207,9 +207,9 @@ RigCoverage rig_coverage(const Rig& rig) {
         out.highest_light = std::max(out.highest_light, elevation);
     }
     out.azimuth_spread = azimuth_spread_deg(rig);
-    if (out.centre.spacing > 0.0) {
-        out.narrowest_ggx = narrowest_ggx_alpha(out.centre.spacing);
-        out.narrowest_beckmann = narrowest_beckmann_alpha(out.centre.spacing);
+    if (out.center.spacing > 0.0) {
+        out.narrowest_ggx = narrowest_ggx_alpha(out.center.spacing);
+        out.narrowest_beckmann = narrowest_beckmann_alpha(out.center.spacing);
     }
     out.diagnosis = diagnose(out);
     return out;

@@ -31,12 +31,12 @@ struct PointCoverage {
 };
 
 struct RigCoverage {
-    PointCoverage centre;
+    PointCoverage center;
     std::vector<PointCoverage> corners;  // top left, top right, bottom left, bottom right; none
                                          // where the size is unknown or everything is far away
-    double lowest_light = 0.0, highest_light = 0.0;  // elevation over the sample at its centre
+    double lowest_light = 0.0, highest_light = 0.0;  // elevation over the sample at its center
     double azimuth_spread = 0.0;  // 360 minus the widest gap between neighbouring lights' azimuths
-    // Narrowest isotropic lobe, or side of an anisotropic one, that the spacing at the centre
+    // Narrowest isotropic lobe, or side of an anisotropic one, that the spacing at the center
     // samples: full width at half maximum of two spacings. 0 where there is no spacing.
     double narrowest_ggx = 0.0, narrowest_beckmann = 0.0;
     std::vector<std::string> diagnosis;  // one line each, in words

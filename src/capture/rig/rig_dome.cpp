@@ -174,7 +174,7 @@ class Reader {
                     factor *= place.at("intensity").number(kFaintest, kBrightest);
             if (place.has("spatialCalibration") && !warned_of_grid_) {
                 warned_of_grid_ = true;
-                rig_.warnings.push_back(
+                rig_.warnings.emplace_back(
                     "spatialCalibration is passed over: light falls off as 1/r^2");
             }
         }

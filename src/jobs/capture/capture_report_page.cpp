@@ -47,8 +47,8 @@ std::string stack_section(const Page& page) {
                       "degrees. Covered: within {:.1f} degrees of a half vector, {} of the "
                       "hemisphere; {} when the points' grain turns all the way round.</p>\n"
                       "</section>\n",
-                      page.rig_coverage.centre.reach, percent(page.rig_coverage.centre.covered),
-                      percent(page.rig_coverage.centre.covered_turned));
+                      page.rig_coverage.center.reach, percent(page.rig_coverage.center.covered),
+                      percent(page.rig_coverage.center.covered_turned));
 }
 
 std::string exemplar_card(const ExemplarEntry& e) {

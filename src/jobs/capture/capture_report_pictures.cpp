@@ -316,7 +316,7 @@ Image at_viewing_size(const Image& image) {
 }
 
 Picture coverage_picture(const RigCoverage& coverage, const std::vector<std::uint8_t>& keep) {
-    const PointCoverage& c = coverage.centre;
+    const PointCoverage& c = coverage.center;
     plot::Panel panel{"half vectors at the centre of the sample", 420, 420, {}, {}};
     panel.draw = [&](Canvas& canvas, const Box& box) {
         const Disc disc = draw_disc(canvas, box, seen_image(c, 392));

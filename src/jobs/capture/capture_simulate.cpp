@@ -106,11 +106,11 @@ void add_truth(const CaptureSimulateRequest& request, const VirtualSample& sampl
                              write_image(path, truth_map(sample, value), metadata);
                          }});
     };
-    const auto grey = [](double v) { return Vec3d{v, v, v}; };
-    add("class.exr", [grey](const VirtualTexel& t) { return grey(t.ndf); });
-    add("grain_angle_deg.exr", [grey](const VirtualTexel& t) {
+    const auto gray = [](double v) { return Vec3d{v, v, v}; };
+    add("class.exr", [gray](const VirtualTexel& t) { return gray(t.ndf); });
+    add("grain_angle_deg.exr", [gray](const VirtualTexel& t) {
         const double turns = t.grain / std::numbers::pi;
-        return grey(180.0 * (turns - std::floor(turns)));
+        return gray(180.0 * (turns - std::floor(turns)));
     });
     add("diffuse.exr", [](const VirtualTexel& t) { return t.diffuse; });
     add("specular.exr", [](const VirtualTexel& t) { return t.specular; });

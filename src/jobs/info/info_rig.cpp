@@ -41,7 +41,7 @@ std::string describe_camera(const Rig& rig, const RigCoverage& coverage) {
             : fmt::format("{} ({:.4g}, {:.4g}, {:.4g}){}", rig.camera.near ? "at" : "towards",
                           at[0], at[1], at[2], rig.camera.near ? " mm" : "");
     return fmt::format("  camera {}, {:.1f} deg from the normal\n", place,
-                       coverage.centre.theta_view);
+                       coverage.center.theta_view);
 }
 
 std::string describe_pictures(const Rig& rig) {
@@ -97,7 +97,7 @@ std::string describe_rig(const std::string& path, const RigOverrides& overrides)
                          : std::string("size of the sample not known"));
     text += describe_pictures(rig) + describe_camera(rig, coverage);
     text += describe_lights(rig, coverage);
-    text += describe_points("centre", {&coverage.centre, 1});
+    text += describe_points("centre", {&coverage.center, 1});
     if (!coverage.corners.empty()) text += describe_points("corners", coverage.corners);
     if (coverage.narrowest_ggx > 0)
         text += fmt::format(
