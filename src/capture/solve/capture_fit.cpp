@@ -81,12 +81,24 @@ CaptureFit::CaptureFit(const Rig& rig, const CaptureFitSettings& settings,
     if (error) throw Error(stages.string(), "", "a folder that can be made", error.message());
     stack_ =
         std::make_unique<ImageStack>(rig, stages / "pictures.bin", progress, settings.band_bytes);
+    start();
+}
+
+CaptureFit::CaptureFit(const Rig& rig, std::span<const Image> pictures, const Image& mask,
+                       const CaptureFitSettings& settings, const Progress& progress)
+    : rig_(rig), settings_(settings), progress_(progress) {
+    stack_ =
+        std::make_unique<ImageStack>(images_of(rig, pictures, mask), progress, settings.band_bytes);
+    start();
+}
+
+void CaptureFit::start() {
     if (rig_.width_mm > 0.0 && rig_.height_mm <= 0.0)
         rig_.height_mm = rig_.width_mm * stack_->height() / stack_->width();
     geometry_ = std::make_unique<LightGeometry>(rig_, stack_->width(), stack_->height());
     context_.geometry = geometry_.get();
-    context_.keep = fitted_lights(stack_->lights(), settings.hold_out);
-    context_.grid = settings.grid;
+    context_.keep = fitted_lights(stack_->lights(), settings_.hold_out);
+    context_.grid = settings_.grid;
     report_.census = stack_->census();
     report_.spacing_deg = point_coverage(rig_, {0.0, 0.0, 0.0}).spacing;
     context_.spacing_rad = static_cast<float>(report_.spacing_deg * std::numbers::pi / 180.0);
@@ -220,12 +232,14 @@ std::uint64_t CaptureFit::texel_identity() const {
 }
 
 void CaptureFit::save_exemplars() const {
+    if (stages_.empty()) return;
     StageWriter writer(identity());
     for_each_of_exemplar_stage(exemplars_, report_, [&](const auto& field) { writer.put(field); });
     writer.write(stages_ / "exemplars.bin");
 }
 
 bool CaptureFit::load_exemplars() {
+    if (stages_.empty()) return false;
     StageReader reader(stages_ / "exemplars.bin", identity());
     Exemplars found;
     CaptureFitReport report = report_;
@@ -238,6 +252,7 @@ bool CaptureFit::load_exemplars() {
 }
 
 void CaptureFit::save_texels(std::size_t bands) const {
+    if (stages_.empty()) return;
     StageWriter writer(texel_identity());
     writer.put(static_cast<std::uint64_t>(bands));
     Texels::for_each_field(settings_.models,
@@ -247,6 +262,7 @@ void CaptureFit::save_texels(std::size_t bands) const {
 
 // How many bands an earlier run has done; their texels are taken over.
 std::size_t CaptureFit::load_texels() {
+    if (stages_.empty()) return 0;
     StageReader reader(stages_ / "texels.bin", texel_identity());
     std::uint64_t bands = 0;
     Texels found;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "burnish/progress.hpp"
@@ -59,6 +60,9 @@ class CaptureFit {
     // there.
     CaptureFit(const Rig& rig, const CaptureFitSettings& settings,
                const std::filesystem::path& stages, const Progress& progress);
+    // Of pictures in memory (images_of); nothing is kept between runs.
+    CaptureFit(const Rig& rig, std::span<const Image> pictures, const Image& mask,
+               const CaptureFitSettings& settings, const Progress& progress);
     ~CaptureFit();
 
     // Takes the exemplars from `stages` where an earlier run of the same settings left them.
@@ -86,6 +90,7 @@ class CaptureFit {
     double unexplained() const;
 
   private:
+    void start();  // with the stack in place
     TexelFitter texel_fitter() const;
     bool load_exemplars();
     void save_exemplars() const;
@@ -96,7 +101,7 @@ class CaptureFit {
 
     Rig rig_;
     CaptureFitSettings settings_;
-    std::filesystem::path stages_;
+    std::filesystem::path stages_;  // empty: nothing is kept
     Progress progress_;
     std::unique_ptr<ImageStack> stack_;
     std::unique_ptr<LightGeometry> geometry_;

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,6 +51,21 @@ struct StackBand {
     std::vector<std::uint16_t> codes;  // lights x pixels x 3
 };
 
+// The pictures of a stack, wherever they are. Functions are called from one thread, once a light
+// and in order.
+struct StackSource {
+    std::size_t lights = 0;
+    // The picture of one light; width 0: the first one, of any size.
+    std::function<LightImage(std::size_t light, int width, int height)> picture;
+    std::function<std::vector<std::uint8_t>(int width, int height)> mask;  // as read_mask
+};
+StackSource files_of(const Rig& rig);
+
+// Pictures in memory, one a light in the order of the rig: linear, RGB or grey, all of one size.
+// `mask`: 1 channel of that size, above 0.5 is measured; empty: everything. Refers to all three.
+// Throws Error, in words, for pictures that do not fit the rig or hold values that are not finite.
+StackSource images_of(const Rig& rig, std::span<const Image> pictures, const Image& mask);
+
 class ImageStack {
   public:
     // Memory of one band: large enough that reads from a disk are sequential, small beside other
@@ -59,6 +76,10 @@ class ImageStack {
     // files by size and time of change). `band_bytes`: size of a band of a cache that is written,
     // one of at least 16 pixels. Throws Error.
     ImageStack(const Rig& rig, const std::filesystem::path& cache, const Progress& progress,
+               std::size_t band_bytes = kUsualBandBytes);
+    // The same without a file that anyone sees: the samples are in memory, or in an unnamed
+    // temporary file where the system has no such files in memory.
+    ImageStack(const StackSource& source, const Progress& progress,
                std::size_t band_bytes = kUsualBandBytes);
     ImageStack(const ImageStack&) = delete;
     ImageStack& operator=(const ImageStack&) = delete;
@@ -82,9 +103,8 @@ class ImageStack {
     void decode(const StackBand& band, std::size_t from, std::size_t count, float* out) const;
 
   private:
+    bool open(int file, std::uint64_t bytes);  // takes the file over when it answers true
     bool open_cache(const std::filesystem::path& cache);
-    void make_cache(const Rig& rig, const std::filesystem::path& cache, const Progress& progress,
-                    std::size_t band_bytes);
 
     int width_ = 0, height_ = 0;
     std::size_t band_pixels_ = 0;

@@ -52,8 +52,9 @@ class StageWriter {
   private:
     void append(const void* from, std::size_t count) {
         if (count == 0) return;
-        const auto* b = static_cast<const std::byte*>(from);
-        bytes_.insert(bytes_.end(), b, b + count);
+        const std::size_t at = bytes_.size();
+        bytes_.resize(at + count);
+        std::memcpy(bytes_.data() + at, from, count);
     }
     std::vector<std::byte> bytes_;
 };
