@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 2> kMetricNames = {"rms", "log"};
 
 // Lobes may reach 1e300 at the horizon; products of such numbers would not be finite.
 constexpr double kMostLobe = 1e12;
-// Starts are compared on about so many samples.
+// Number of samples, about, on which starts are compared.
 constexpr std::size_t kStartSamples = 800;
 // Of central differences: numbers of a search are logarithms or shares, of order 1.
 constexpr double kDifference = 1e-6;

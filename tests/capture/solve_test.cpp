@@ -225,7 +225,35 @@ TEST(PointFitterOf, StrengthsAreNeverNegative) {
 
 // ---- tables ----
 
-// 500 points at random turns, with what they are known: least squares gives back the table that
+// Sums that several jobs make, each of some of the points, then merged: the same equations but for
+// rounding.
+TEST(TableEquationsOf, PartsMergeIntoTheWhole) {
+    const Truth truth = leaning();
+    TableEquations whole(kGrid), parts[] = {TableEquations(kGrid), TableEquations(kGrid)};
+    Random random(8);
+    for (int p = 0; p < 60; ++p) {
+        const double columns = random.uniform(0, 96);
+        const PointSamples samples = test::samples_of(
+            test::shot_of(truth.surface(columns, {0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, 1.5),
+                          test::cap_of(100, 75, random.uniform(0, 7)), kEye),
+            kGrid);
+        const PointFit fit{static_cast<float>(columns), 0.1f, 0.2f, 0.0f};
+        for (TableEquations* equations : {&whole, &parts[p % 3 == 0]})
+            equations->add(samples, PointFitter(samples, 1.5f), truth.tables(), fit);
+    }
+    parts[0].merge(parts[1]);
+    std::vector<float> a(truth.table.size(), 0.3f), b = a, a_weights(a.size()), b_weights(a.size());
+    whole.solve(a.data(), a_weights.data());
+    parts[0].solve(b.data(), b_weights.data());
+    EXPECT_EQ(a_weights, b_weights);
+    // The conjugate gradients end at 1e-4 of the right side; rounding of the sums is far below.
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-3f * (a[i] + 0.01f)) << i;
+    const std::vector<float> a_mimic = whole.diffuse_mimic(), b_mimic = parts[0].diffuse_mimic();
+    for (std::size_t i = 0; i < a_mimic.size(); ++i)
+        EXPECT_NEAR(a_mimic[i], b_mimic[i], 1e-3f) << i;
+}
+
+// 500 points at random rotations, of which all is known: least squares gives back the table that
 // made their pictures, in every cell that some h falls near; no others are claimed.
 TEST(TableEquationsOf, GiveBackTheTableThatMadeTheSamples) {
     for (const bool peaked : {false, true}) {

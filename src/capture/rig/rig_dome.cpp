@@ -1,4 +1,5 @@
-// .dome files of relight: the lights of a dome, without pictures. docs/reference/rig-file.md says what is read.
+// .dome files of relight: the lights of a dome, without pictures. docs/reference/rig-file.md says
+// what is read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kKinds = {"directional", "spherical", "lights3d"};
-// What is read, and what says nothing about the light.
+// The keys that are read, and those that do not describe the light.
 constexpr std::array<std::string_view, 13> kKeys = {
     "lightConfiguration", "directions",        "positions",  "positions3d",
     "positionsSphere",    "domeDiameter",      "imageWidth", "verticalOffset",

@@ -144,7 +144,7 @@ class Reader {
     }
 
     void warn_of_lengths() {
-        // Four digits are what these files have: less is rounding, and not worth a word.
+        // These files have four digits: a smaller difference is rounding, and no warning is due.
         if (worst_off_ > 1e-3)
             rig_.warnings.push_back(fmt::format(
                 "{}: the direction's length is off by {:.2g} %: all directions are made unit",

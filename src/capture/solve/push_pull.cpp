@@ -13,8 +13,8 @@ std::size_t index(int side, int x, int y) {
            static_cast<std::size_t>(x);
 }
 
-// Weights of full pixels count as 1, however many samples they hold: a crowded place must not speak
-// for an empty one (Gortler et al.: w~ = min(w, 1)).
+// The weight of a pixel counts as 1 at most, however many samples it holds, so that a crowded pixel
+// does not decide the value of its empty neighbors (Gortler et al.: w~ = min(w, 1)).
 PushPullImage pulled(const PushPullImage& fine) {
     PushPullImage coarse(fine.side / 2);
     for (int y = 0; y < coarse.side; ++y)

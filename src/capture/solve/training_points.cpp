@@ -10,11 +10,11 @@ namespace {
 
 // Bytes of training values in memory at most, whatever is asked for.
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-// Training points where nobody says how many. The figures of the capture pages were reached with a
+// Training points by default. The figures of docs/evidence/capture-results.md were reached with a
 // tenth of them.
 constexpr std::size_t kUsualPoints = 8192;
-// Samples of the training points where nobody says how many points: the time that exemplars take
-// goes with them.
+// Samples of the training points by default, at most: the time that exemplars take is in proportion
+// to them.
 constexpr std::size_t kUsualSamples = 4000000;
 // Points at least, however many lights there are.
 constexpr std::size_t kFewest = 16;

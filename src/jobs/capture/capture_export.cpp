@@ -108,7 +108,7 @@ void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobe
         if (is_outside(m, t)) continue;
         const float* s = m.specular.pixels.data() + 3 * t;
         ++texels;
-        // A tenth off the 4 % of glTF's dielectrics is not worth a word.
+        // No warning is due for a tenth less than the 4 % of glTF's dielectrics.
         dim += f32::luminance(f32::vec3(s[0], s[1], s[2])) < 0.036f;
         bright += std::max({s[0], s[1], s[2]}) > 1.0f;
         // Beckmann's lobes are 0.23 from the nearest GGX.

@@ -33,7 +33,7 @@ void require_same_size(const Rig& rig, const TabulatedMaterial& m) {
                 fmt::format("{} x {}", info.width, info.height));
 }
 
-// The samples of the stack in a file without a name, which is gone when it is closed.
+// The samples of the stack, in a file that has no name any more and is removed when it is closed.
 std::unique_ptr<ImageStack> open_stack(const Rig& rig, const fs::path& folder,
                                        const Progress& progress) {
     const fs::path cache = folder / ".pictures.bin";

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Metadata = std::map<std::string, std::string>;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-// Integer pictures end somewhere: here, unless asked otherwise, at so many times a white diffuser.
+// Where integer pictures clip by default, in units of the radiance of a white diffuser.
 constexpr double kUsualClip = 4.0;
 
 Rig rig_of(const CaptureSimulateRequest& request, const VirtualSample& sample) {
