@@ -268,8 +268,9 @@ TEST_F(Parity, SamplesAgree) {
             }
             const std::string what = std::string(name_of(static_cast<Mdf>(mdf))) + " " +
                                      std::string(name_of(static_cast<Method>(method)));
-            EXPECT_LT(errors[most], 1e-3) << what;
-            EXPECT_LT(densities[most], 5e-3) << what;
+            // Measured: 3.3e-6 and 1.1e-5, for ashikhmin-shirley, whose exponent is 87.
+            EXPECT_LT(errors[most], 1e-5) << what;
+            EXPECT_LT(densities[most], 4e-5) << what;
         }
     }
 }

@@ -173,8 +173,9 @@ TEST_F(SurfaceParity, EveryMethodAndKindOfLobe) {
                             at_share(to_single, 1), at_share(to_double, 0.995),
                             at_share(to_double, 1));
             }
-            EXPECT_LT(at_share(to_single, 0.995), 1e-4) << label_of(kind, method);
-            EXPECT_LT(at_share(to_double, 0.995), 1e-3) << label_of(kind, method);
+            // Measured on llvmpipe: 3.6e-6, and 2.6e-5 between float and double, in the worst input.
+            EXPECT_LT(at_share(to_single, 1), 1e-5) << label_of(kind, method);
+            EXPECT_LT(at_share(to_double, 1), 8e-5) << label_of(kind, method);
         }
     }
 }
@@ -199,8 +200,9 @@ TEST_F(SurfaceParity, DirectionsAgree) {
                             at_share(to_single, 1), at_share(to_double, 0.98),
                             at_share(to_double, 1));
             }
-            EXPECT_LT(at_share(to_single, 0.98), 1e-2) << label_of(kind, method);
-            EXPECT_LT(at_share(to_double, 0.98), 1e-2) << label_of(kind, method);
+            // Measured: 1.3e-5 and 6.2e-6.
+            EXPECT_LT(at_share(to_single, 0.98), 4e-5) << label_of(kind, method);
+            EXPECT_LT(at_share(to_double, 0.98), 2e-5) << label_of(kind, method);
         }
     }
 }
@@ -219,8 +221,11 @@ TEST_F(SurfaceParity, EveryWordAgrees) {
                         at_share(to_single, 0.995), at_share(to_single, 1),
                         at_share(to_double, 0.995), at_share(to_double, 1));
         }
-        EXPECT_LT(at_share(to_single, 0.995), 1e-4) << word;
-        EXPECT_LT(at_share(to_double, 0.995), 1e-3) << word;
+        // Measured: 1.7e-5 and 1.9e-5 (a normal of two channels, whose z is the root of a difference);
+        // 9e-5 in the worst input.
+        EXPECT_LT(at_share(to_single, 0.995), 5e-5) << word;
+        EXPECT_LT(at_share(to_double, 0.995), 6e-5) << word;
+        EXPECT_LT(at_share(to_single, 1), 3e-4) << word;
     }
 }
 

@@ -25,6 +25,10 @@ constexpr std::array<unsigned char, 3> kTexel = {160, 105, 230};  // a tilt of 2
 constexpr float kRotation = 0.4f;
 const glm::vec3 kTowards(0.5f, 0.1f, 1.0f);
 
+// Relative, beside 0.01. Measured on llvmpipe: 8e-7 at most, and 2.7e-5 for tables, whose places the CPU
+// finds here by atan2 and the shader by its polynomial; three to four times that.
+constexpr double kBound = 3e-6, kTableBound = 1e-4;
+
 vec3 of(glm::vec3 v) {
     return {v.x, v.y, v.z};
 }
@@ -99,7 +103,8 @@ class SurfacePixels : public GpuTest {
   protected:
     // `point_at(u, v, wi, wo)`: the Point at texture coordinates.
     template <typename PointAt>
-    void compare(const Material& material, const std::string& what, const PointAt& point_at) {
+    void compare(const Material& material, const std::string& what, double bound,
+                 const PointAt& point_at) {
         Scene scene = one_object(unit_plane(), material);
         scene.textures.push_back(normal_texel());
         scene.lights.push_back(directional(kTowards));
@@ -130,7 +135,7 @@ class SurfacePixels : public GpuTest {
         }
         if (std::getenv("BURNISH_PRINT_PARITY") != nullptr)
             std::printf("pixel %-40s %.1e\n", what.c_str(), worst);
-        EXPECT_LT(worst, 1e-3) << what;
+        EXPECT_LT(worst, bound) << what;
     }
 };
 
@@ -149,7 +154,7 @@ TEST_F(SurfacePixels, EveryModelUnderEveryMethod) {
             const f32::SurfaceMaterial surface = surface_of(m, glm::vec3(m.base_color));
             const bool along_x =
                 f32::lobe_grooves_along_x(surface.lobe.mdf, surface.lobe.p0, surface.lobe.p1);
-            compare(m, named(plain ? name_of(mdf) : name_of(brdf), method),
+            compare(m, named(plain ? name_of(mdf) : name_of(brdf), method), kBound,
                     [&](float, float, vec3 wi, vec3 wo) {
                         return point_of(m, surface, mapped_normal(), at_angle(kRotation), along_x,
                                         wi, wo);
@@ -186,7 +191,7 @@ TEST_F(SurfacePixels, TabulatedUnderEveryMethod) {
             return l * ndf_area_lookup(areas.data(), (w.x * c - w.y * s) / l,
                                        (w.y * c + w.x * s) / l, w.z / l);
         };
-        compare(m, named("tabulated", method), [&](float, float, vec3 wi, vec3 wo) {
+        compare(m, named("tabulated", method), kTableBound, [&](float, float, vec3 wi, vec3 wo) {
             Point q = point_of(m, surface, mapped_normal(), at_angle(kAngle + groove + kRotation),
                                true, wi, wo);
             const vec3 h = f32::half_vector(q.wi + q.wo, q.p.n);
@@ -218,7 +223,7 @@ TEST_F(SurfacePixels, YarnsUnderEveryMethod) {
             const f32::WeaveShape shape{cloth.crimp, cloth.bulge, cloth.gap, at_angle(cloth.twist)};
             const f32::Lobe lobe = lobe_of(m);
             const bool along_x = f32::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);
-            compare(m, named("yarn " + std::string(name_of(brdf)), method),
+            compare(m, named("yarn " + std::string(name_of(brdf)), method), kBound,
                     [&](float u, float v, vec3 wi, vec3 wo) {
                         const float x = u * cloth.yarns, y = v * cloth.yarns;
                         const f32::WeaveCell cell =
