@@ -1,4 +1,4 @@
-// Values of a scene file and of flags on one material: the flag wins, and a model's name says nothing.
+// Values of a scene file and of flags on a material: flags win, and the model's name is no tag.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -39,12 +39,12 @@ void write_square(const std::filesystem::path& path) {
     writer.add_png(png_gradient(4, 2));
     GlbPrimitive square = unit_square(1, true);
     const nlohmann::json twice = {{"KHR_texture_transform", {{"scale", {2, 2}}}}};
-    square.material = writer.add_material(
-        {{"normalTexture", {{"index", 0}}},
-         {"extensions",
-          {{"KHR_materials_anisotropy",
-            {{"anisotropyStrength", 0.6},
-             {"anisotropyTexture", {{"index", 0}, {"extensions", twice}}}}}}}});
+    square.material =
+        writer.add_material({{"normalTexture", {{"index", 0}}},
+                             {"extensions",
+                              {{"KHR_materials_anisotropy",
+                                {{"anisotropyStrength", 0.6},
+                                 {"anisotropyTexture", {{"index", 0}, {"extensions", twice}}}}}}}});
     writer.add_node(writer.add_mesh(square));
     const std::vector<std::byte> bytes = writer.glb();
     std::ofstream(path, std::ios::binary)
