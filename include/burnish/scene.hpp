@@ -164,6 +164,7 @@ struct Instance {
     int mesh = 0;      // index into Scene::meshes
     int material = 0;  // index into Scene::materials
     glm::mat4 transform{1.0f};
+    bool operator==(const Instance&) const = default;
 };
 
 enum class LightType { directional, point, spot };
@@ -177,6 +178,7 @@ struct Light {
     float range = 0.0f;                      // 0: unbounded
     float inner_cone = 0.0f;                 // radians, spot only
     float outer_cone = 0.7853982f;
+    bool operator==(const Light&) const = default;
 };
 
 struct Camera {
@@ -188,6 +190,7 @@ struct Camera {
     float ymag = 1.0f;        // half height of an orthographic view, metres
     float near_plane = 0.0f;  // 0: chosen from the scene's bounds
     float far_plane = 0.0f;
+    bool operator==(const Camera&) const = default;
 };
 
 // Light from everywhere: a lat-long radiance map, +y up, row 0 at the zenith. The middle of the

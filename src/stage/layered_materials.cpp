@@ -39,13 +39,26 @@ double within_table(std::string_view name, float value) {
     return std::clamp(static_cast<double>(value), parameter.low, parameter.high);
 }
 
-// States as alphas a pair of which `upper` states one half.
-void complete_pair(ParameterValues& values, const ParameterValues& upper, glm::vec2 lower_alpha) {
-    const auto pair = roughness_pair(upper, lower_alpha);
-    if (!pair || upper.is_set("cosine_exponent")) return;
+// The halves of a roughness pair that values state, as alphas or as exponents.
+struct Halves {
+    bool x, y;
+};
+Halves halves_of(const ParameterValues& values) {
+    return {values.is_set("alpha_x") || values.is_set("e_x"),
+            values.is_set("alpha_y") || values.is_set("e_y")};
+}
+
+// States as alphas a pair of which `upper` states one half. A half of `lower` that stands alone, and
+// so for both, is no other half of the same half in `upper`.
+void complete_pair(ParameterValues& values, const ParameterValues& lower,
+                   const ParameterValues& upper, glm::vec2 lower_alpha) {
+    const Halves above = halves_of(upper), below = halves_of(lower);
+    if (above.x == above.y) return;
+    if (below.x == above.x && below.y == above.y) return;
+    const glm::vec2 pair = roughness_pair(upper, lower_alpha).value_or(lower_alpha);
     erase_all(values, {"e_x", "e_y"});
-    values.set_value("alpha_x", within_table("alpha_x", pair->x));
-    values.set_value("alpha_y", within_table("alpha_y", pair->y));
+    values.set_value("alpha_x", within_table("alpha_x", pair.x));
+    values.set_value("alpha_y", within_table("alpha_y", pair.y));
 }
 
 }  // namespace
@@ -56,7 +69,7 @@ ParameterValues values_over(const ParameterValues& lower, const ParameterValues&
     erase_replaced(values, upper, lower_alpha);
     values.merge(upper);
     require_one_roughness(upper, false);
-    if (lower_alpha) complete_pair(values, upper, *lower_alpha);
+    if (lower_alpha) complete_pair(values, lower, upper, *lower_alpha);
     return values;
 }
 

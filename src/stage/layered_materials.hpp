@@ -41,7 +41,8 @@ class LayeredMaterials {
 // The values of a lower layer under those of an upper one, which wins. A normal map that the upper
 // layer names is not scaled by the lower layer's uv_scale; a metal that it names is metallic; a
 // weave that it names is not of the lower layer's metal. When the upper layer states half of a
-// roughness pair, the other half is that of `lower_alpha`, the pair of the lower layer.
+// roughness pair, the other half is that of `lower_alpha`, the pair of the lower layer, unless the
+// lower layer states the same half alone.
 ParameterValues values_over(const ParameterValues& lower, const ParameterValues& upper,
                             const std::optional<glm::vec2>& lower_alpha);
 

@@ -66,11 +66,11 @@ TEST_F(LayeredMaterialsTest, SoAreManyTogether) {
     const auto some_values = [&] {
         for (;;) {
             ParameterValues values;
-            for (const Parameter& p : parameter_table())
-                if (p.group == ParameterGroup::material && random() % 5 == 0)
-                    for (const auto& [name, value] :
-                         samples_.values(p, static_cast<int>(random() % 2)).set_values())
-                        values.set_value(name, value);
+            for (const Parameter& p : parameter_table()) {
+                if (p.group != ParameterGroup::material || random() % 5 != 0) continue;
+                const ParameterValues more = samples_.values(p, static_cast<int>(random() % 2));
+                for (const auto& [name, value] : more.set_values()) values.set_value(name, value);
+            }
             if (!is_refused(values)) return values;
         }
     };

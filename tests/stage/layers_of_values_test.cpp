@@ -35,6 +35,9 @@ TEST(LayersOfValues, HalfOfAPairKeepsTheOtherHalf) {
     EXPECT_EQ(alpha({{"alpha_x", "0.1"}, {"alpha_y", "0.3"}}, {{"alpha_x", "0.2"}}),
               glm::vec2(0.2f, 0.3f));
     EXPECT_EQ(alpha({{"alpha_x", "0.1"}}, {{"alpha_y", "0.2"}}), glm::vec2(0.1f, 0.2f));
+    // One alone states both, in the file and after the flag has replaced it.
+    EXPECT_EQ(alpha({{"alpha_x", "0.1"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f));
+    EXPECT_EQ(alpha({{"e_x", "198"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f));
     // alpha = sqrt(2 / (e + 2)): 198 is 0.1.
     EXPECT_EQ(alpha({{"e_x", "198"}, {"e_y", "198"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f, 0.1f));
     EXPECT_EQ(alpha({{"alpha_x", "0.25"}, {"alpha_y", "0.3"}}, {{"e_y", "198"}}),
