@@ -48,8 +48,8 @@ Halves halves_of(const ParameterValues& values) {
             values.is_set("alpha_y") || values.is_set("e_y")};
 }
 
-// States as alphas a pair of which `upper` states one half. A half of `lower` that stands alone, and
-// so for both, is no other half of the same half in `upper`.
+// States as alphas a pair of which `upper` states one half. A half of `lower` that stands alone,
+// and so for both, is no other half of the same half in `upper`.
 void complete_pair(ParameterValues& values, const ParameterValues& lower,
                    const ParameterValues& upper, glm::vec2 lower_alpha) {
     const Halves above = halves_of(upper), below = halves_of(lower);
