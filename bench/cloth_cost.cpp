@@ -5,12 +5,12 @@
 #include <string>
 
 #include "bench/frame/interleave.hpp"
+#include "burnish/render_settings.hpp"
 #include "formats/load_model.hpp"
 #include "gpu/device/context.hpp"
 #include "gpu/draw/renderer.hpp"
 #include "report.hpp"
-#include "stage/material_parameters.hpp"
-#include "burnish/render_settings.hpp"
+#include "stage/layered_materials.hpp"
 
 namespace burnish::bench {
 
@@ -56,6 +56,7 @@ class Subject {
         options_.samples = 1;
         options_.image_light = ImageLight::off;
         options_.background = BackgroundKind::color;
+        options_.shadows = false;
     }
 
     gpu::FrameTimes time(int frames) {

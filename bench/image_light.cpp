@@ -27,7 +27,7 @@ Scene tilted_sphere(const SphereCase& c) {
     Material m;
     m.mdf = c.mdf;
     m.method = c.method;
-    m.alpha = c.alpha;
+    m.lobe = AlphaLobe{c.alpha};
     Scene scene = test::one_object(test::uv_sphere(96, 48), m);
     const float t = glm::radians(c.tilt_deg);
     const glm::vec3 n(0.8f * std::sin(t), 0.6f * std::sin(t), std::cos(t));
@@ -45,6 +45,7 @@ Camera camera_before_sphere() {
 
 RenderSettings picture(int side, ImageLight light, int samples) {
     RenderSettings o;
+    o.shadows = false;
     o.width = o.height = side;
     o.samples = 1;
     o.image_light = light;

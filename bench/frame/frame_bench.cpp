@@ -9,12 +9,11 @@
 #include "burnish/error.hpp"
 #include "burnish/render_settings.hpp"
 #include "core/memory.hpp"
-#include "core/text.hpp"
 #include "formats/environments.hpp"
 #include "formats/load_model.hpp"
 #include "gpu/device/context.hpp"
 #include "gpu/draw/renderer.hpp"
-#include "stage/material_parameters.hpp"
+#include "stage/layered_materials.hpp"
 
 namespace burnish {
 
@@ -93,6 +92,7 @@ RenderSettings options_for(const FrameCase& frame_case) {
     options.samples = 1;
     options.image_light = ImageLight::off;
     options.background = BackgroundKind::color;
+    options.shadows = false;
     return options;
 }
 
@@ -162,7 +162,7 @@ struct FrameBench::Stage {
                 technique.material == BenchMaterial::one_texel ? bench_material_of_one()
                                                                : bench_material_of_texels());
         }
-        material.tabulated = table;
+        material.lobe = Tabulated{table, {}};
         return material;
     }
 

@@ -9,6 +9,7 @@ namespace burnish {
 struct Conductor {
     glm::vec3 eta{1.0f};
     glm::vec3 k{0.0f};
+    bool operator==(const Conductor&) const = default;
 };
 
 }  // namespace burnish

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
+#include <string_view>
 
-namespace burnish {
+#include "burnish/api.hpp"
+
+namespace BURNISH_API burnish {
 
 enum class ImageLight {
     off,
@@ -13,6 +17,10 @@ enum class ImageLight {
     prefiltered   // the same lobe by a few look-ups along its major axis: for real time
 };
 enum class BackgroundKind { environment, color, transparent };
+
+// Names in the order of the enumerations: the choices of the parameters image_light and background.
+std::span<const std::string_view> image_light_names();
+std::span<const std::string_view> background_names();
 
 // How opaque surfaces are shaded. Small triangles make forward shading pay several times a pixel
 // (hardware shades blocks of 2 x 2, llvmpipe of 4 x 4); deferred writes normal, tangent and texture
@@ -24,6 +32,7 @@ enum class SurfacePass {
     deferred
 };
 
+// The defaults are those of the parameters of the same names: the parameter table reads them here.
 struct RenderSettings {
     int width = 1280;
     int height = 720;
@@ -37,11 +46,13 @@ struct RenderSettings {
     BackgroundKind background = BackgroundKind::environment;
     glm::vec3 background_color{0.05f};  // linear; also when there is no environment
     float background_blur = 0.0f;       // 0..1
-    bool shadows = false;               // of punctual lights; they are never darkened otherwise
+    bool shadows = true;                // of punctual lights; they are never darkened otherwise
     bool ground = false;                // a shadow on the plane under the scene (ground.hpp)
     unsigned seed = 0;
     int tile_size = 0;  // pixels a side; 0: chosen, so that memory is bounded
     SurfacePass surface_pass = SurfacePass::automatic;
+
+    bool operator==(const RenderSettings&) const = default;
 };
 
 }  // namespace burnish

@@ -9,7 +9,10 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "burnish/api.hpp"
@@ -23,11 +26,13 @@ namespace BURNISH_API burnish {
 enum class Wrap { repeat, mirror, clamp };
 enum class AlphaMode { opaque, mask, blend };
 
-// How a normal map is read where its texels are smaller than a pixel (docs/theory/normal-filtering.md).
+// How a renderer reads a normal map whose texels are smaller than a pixel
+// (docs/theory/normal-filtering.md).
 enum class NormalFilter {
     mips,    // the mean of the normals, as engines do: the lobe stays as narrow as it is up close
     moments  // the mean slope, and the lobe widened by the variance of slopes
 };
+std::span<const std::string_view> normal_filter_names();  // in the order of the enumeration
 
 // A use of a texture by a material.
 struct TextureUse {
@@ -38,33 +43,68 @@ struct TextureUse {
     Wrap wrap_t = Wrap::repeat;
     bool nearest = false;  // no filtering asked for
     explicit operator bool() const { return texture >= 0; }
+    bool operator==(const TextureUse&) const = default;
 };
 
 struct Draft;              // maps/weave/draft.hpp
 struct TabulatedMaterial;  // scene/material/tabulated_material.hpp
 
+// --- the four kinds of lobe: a material has exactly one ------------------------------------------
+
+// Roughness as glTF says it; G of metallic_roughness_texture scales the roughness, B of
+// anisotropy_texture the strength.
+struct GltfLobe {
+    float roughness = 1.0f;            // perceptual: alpha = roughness^2
+    float anisotropy_strength = 0.0f;  // 0..1, KHR_materials_anisotropy: stretch along the tangent
+    bool operator==(const GltfLobe&) const = default;
+};
+
+// Roughness along the lobe's axes; textures do not scale it.
+struct AlphaLobe {
+    glm::vec2 alpha{1.0f};  // x along the rotated tangent; a renderer draws at least 0.001
+    bool operator==(const AlphaLobe&) const = default;
+};
+
 // Woven cloth in place of a normal map (docs/theory/cloth.md). The lobe's x axis runs along the fibres:
-// along the tangent on weft yarns, the bitangent on warp yarns, turned by twist and
+// along the tangent on weft yarns, the bitangent on warp yarns, rotated by twist and
 // anisotropy_rotation.
 struct Cloth {
-    std::shared_ptr<const Draft> draft;
-    float yarns = 100.0f;  // of each family across the texture square
-    float crimp = 0.15f;   // WeaveShape of shading/surface/weave.glsl
+    std::shared_ptr<const Draft> draft;  // never null where a renderer draws it
+    float yarns = 100.0f;                // of each family across the texture square
+    float crimp = 0.15f;                 // WeaveShape of shading/surface/weave.glsl
     float bulge = 0.7f;
     float gap = 0.08f;
-    float twist = 0.34906585f;  // radians
+    float twist = 0.34906585f;  // radians: 20 degrees
     float fuzz = 0.1f;          // standard deviation of slopes by which fibres are in disorder
     // In place of base_color; none: the draft's, or base_color.
     std::optional<glm::vec3> warp_color, weft_color;
+    glm::vec2 alpha{0.2f, 0.45f};  // roughness along and across the fibres
+    bool operator==(const Cloth&) const = default;
 };
 
-// Names follow glTF 2.0 where glTF has the thing.
+// A measured lobe, colors and normals at every texel (docs/reference/tabulated-file.md). The table is
+// read with the coordinates of normal_texture, which may perturb it further; anisotropy_rotation
+// rotates it.
+struct Tabulated {
+    std::shared_ptr<const TabulatedMaterial> material;  // never null where a renderer draws it
+    std::string file;                                   // where it is from, for messages
+    bool operator==(const Tabulated&) const = default;
+};
+
+using MaterialLobe = std::variant<GltfLobe, AlphaLobe, Cloth, Tabulated>;
+
+// Names follow glTF 2.0 where glTF has the thing. A plain value: copy, change and compare it.
+// Every kind of lobe reads a part of the other members, and a renderer ignores the rest
+// (drawn_material):
+// - GltfLobe and AlphaLobe read them all;
+// - Cloth reads neither normal_texture, anisotropy_texture nor metallic_roughness_texture;
+// - Tabulated reads no texture of color or lobe (base_color, metallic_roughness, anisotropy) and
+//   neither the RGB of base_color, metallic, conductor, mdf nor brdf.
 struct Material {
     std::string name;
     glm::vec4 base_color{1.0f};
     TextureUse base_color_texture;
     float metallic = 1.0f;
-    float roughness = 1.0f;                 // perceptual: alpha = roughness^2
     TextureUse metallic_roughness_texture;  // G roughness, B metallic
     TextureUse normal_texture;
     float normal_scale = 1.0f;
@@ -78,29 +118,40 @@ struct Material {
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
 
-    // KHR_materials_anisotropy: the lobe is stretched along the tangent turned by the rotation.
-    float anisotropy_strength = 0.0f;  // 0..1
+    MaterialLobe lobe;                 // a fully rough GltfLobe, as glTF's default
     float anisotropy_rotation = 0.0f;  // radians, counter-clockwise from the tangent
     TextureUse anisotropy_texture;     // RG direction, B strength
 
-    // What glTF has no word for. `alpha` (x along the turned tangent) overrides roughness and
-    // anisotropy strength; textures then no longer scale them.
-    std::optional<glm::vec2> alpha;
-    std::optional<Conductor> conductor;  // exact Fresnel instead of Schlick with F0 = base colour
+    // What glTF has no word for.
+    std::optional<Conductor> conductor;  // exact Fresnel instead of Schlick with F0 = base color
     float dielectric_f0 = 0.04f;
     Mdf mdf = Mdf::ggx;
     Brdf brdf = Brdf::microfacet;
     std::optional<float> ks;  // phong, lafortune: scale; none: as much as keeps its energy
     glm::vec3 lafortune_c{-1.0f, -1.0f, 1.0f};  // Cx, Cy, Cz: the mirror direction
     Method method = Method::follow_grain;
-    bool conserve = false;       // deform-*: the energy-conserving form
-    std::optional<Cloth> cloth;  // with `alpha` set, and no normal, anisotropy or roughness texture
-    // A measured lobe, colours and normals at every texel in place of lobe and base colour
-    // (docs/reference/tabulated-file.md), read where normal_texture is, which may perturb it further;
-    // anisotropy_rotation turns it. No cloth beside it, no other texture of lobe or colour.
-    std::shared_ptr<const TabulatedMaterial> tabulated;
-    std::string tabulated_file;  // where it is from, for messages
+    bool conserve = false;  // deform-*: the energy-conserving form
+
+    bool operator==(const Material&) const = default;
 };
+
+// The material's lobe when it is of this kind, else nullptr.
+inline const GltfLobe* gltf_lobe_of(const Material& material) {
+    return std::get_if<GltfLobe>(&material.lobe);
+}
+inline const Cloth* cloth_of(const Material& material) {
+    return std::get_if<Cloth>(&material.lobe);
+}
+inline const Tabulated* tabulated_of(const Material& material) {
+    return std::get_if<Tabulated>(&material.lobe);
+}
+// The pair (alpha_x, alpha_y) that an AlphaLobe or a Cloth states.
+std::optional<glm::vec2> stated_alpha(const Material& material);
+
+// The material with a neutral value for every member that its kind of lobe does not read: what
+// renderers draw. drawn_material(drawn_material(m)) == drawn_material(m).
+Material drawn_material(Material material);
+std::vector<Material> drawn_materials(std::vector<Material> materials);
 
 // The method that a renderer draws the material with. `normal-map` stands for what engines ship,
 // and where nothing is anisotropic (one alpha, no strength, no anisotropy texture) they evaluate
@@ -108,10 +159,12 @@ struct Material {
 // same.
 Method drawn_method(const Material& material);
 
+// An instance whose mesh is negative is an erased one: nothing is drawn.
 struct Instance {
     int mesh = 0;      // index into Scene::meshes
     int material = 0;  // index into Scene::materials
     glm::mat4 transform{1.0f};
+    bool operator==(const Instance&) const = default;
 };
 
 enum class LightType { directional, point, spot };
@@ -125,6 +178,7 @@ struct Light {
     float range = 0.0f;                      // 0: unbounded
     float inner_cone = 0.0f;                 // radians, spot only
     float outer_cone = 0.7853982f;
+    bool operator==(const Light&) const = default;
 };
 
 struct Camera {
@@ -136,6 +190,7 @@ struct Camera {
     float ymag = 1.0f;        // half height of an orthographic view, metres
     float near_plane = 0.0f;  // 0: chosen from the scene's bounds
     float far_plane = 0.0f;
+    bool operator==(const Camera&) const = default;
 };
 
 // Light from everywhere: a lat-long radiance map, +y up, row 0 at the zenith. The middle of the
@@ -146,6 +201,14 @@ struct Environment {
     Image radiance;  // RGB
 };
 
+// A scene owns its data; distinct scenes may be used by distinct threads at once, and one scene by
+// any number of readers.
+//
+// The index of a mesh, material, texture, instance or light is its id: it holds as long as nothing
+// is erased from the middle of a vector. To change a scene that a renderer draws, assign to an
+// element or append one. To erase an instance, set its mesh to -1: its place stays, so that no
+// other id moves. A material, mesh or texture that no instance uses costs memory alone, and its
+// place may be assigned anew.
 struct Scene {
     std::string name;
     std::vector<Mesh> meshes;

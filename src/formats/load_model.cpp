@@ -33,7 +33,8 @@ Scene scene_of_builtin(const std::string& name, int triangles) {
     Material& material = scene.materials.emplace_back();
     material.name = "default";
     material.base_color = {0.8f, 0.8f, 0.8f, 1.0f};
-    material.roughness = 0.4f;  // a metal that shows its lobe; glTF's own default is fully rough
+    material.lobe =
+        GltfLobe{0.4f};  // a metal that shows its lobe; glTF's own default is fully rough
     material.double_sided = shape == "drape" || shape == "plane";  // sheets
     scene.instances.emplace_back();
     return scene;

@@ -28,7 +28,8 @@ Metadata metadata_of(const RenderRequest& request, const Stage& stage,
                      const gpu::Context& context) {
     std::string parameters;
     for (const auto& [name, value] : stage.values.set_values())
-        parameters += fmt::format("{}{}={}", parameters.empty() ? "" : "; ", name, value);
+        parameters += fmt::format("{}{}={}", parameters.empty() ? "" : "; ", name,
+                                  text_of(*find_parameter(name), value));
     return {{"burnish:version", std::string(version())},
             {"burnish:command", request.command},
             {"burnish:parameters", parameters},
@@ -81,7 +82,7 @@ void write_result(const std::filesystem::path& path, const Image& linear, const 
 // Before the first picture of a sheet, not after some of them.
 void require_drawable(const std::vector<Material>& materials, const std::vector<Method>& methods) {
     for (const Method method : methods)
-        for (const Material& material : materials) require_drawable(material.brdf, method);
+        for (const Material& material : materials) require_drawable(material, method);
 }
 
 void set_method(std::vector<Material>& materials, Method method) {

@@ -1,7 +1,9 @@
 // What is common to all kinds of models.
 #include "burnish/scene.hpp"
 
+#include <array>
 #include <glm/common.hpp>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -21,9 +23,43 @@ void include_box(const Bounds& box, const glm::mat4& transform, Bounds& bounds, 
 
 }  // namespace
 
+std::span<const std::string_view> normal_filter_names() {
+    static constexpr std::array<std::string_view, 2> kNames = {"mips", "moments"};
+    return kNames;
+}
+
+std::optional<glm::vec2> stated_alpha(const Material& m) {
+    if (const auto* lobe = std::get_if<AlphaLobe>(&m.lobe)) return lobe->alpha;
+    if (const Cloth* cloth = cloth_of(m)) return cloth->alpha;
+    return std::nullopt;
+}
+
+Material drawn_material(Material m) {
+    const bool cloth = cloth_of(m) != nullptr, tabulated = tabulated_of(m) != nullptr;
+    if (cloth) m.normal_texture = {};
+    if (cloth || tabulated) m.anisotropy_texture = m.metallic_roughness_texture = {};
+    if (tabulated) {
+        m.base_color_texture = {};
+        m.base_color = glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a);
+        m.metallic = 0.0f;
+        m.conductor.reset();
+        m.mdf = Mdf::ggx;
+        m.brdf = Brdf::microfacet_separable;
+    }
+    return m;
+}
+
+std::vector<Material> drawn_materials(std::vector<Material> materials) {
+    for (Material& material : materials) material = drawn_material(std::move(material));
+    return materials;
+}
+
 Method drawn_method(const Material& m) {
-    const bool isotropic = !m.anisotropy_texture && !m.tabulated &&
-                           (m.alpha ? m.alpha->x == m.alpha->y : m.anisotropy_strength == 0.0f);
+    const GltfLobe* lobe = gltf_lobe_of(m);
+    const glm::vec2 alpha = stated_alpha(m).value_or(glm::vec2(0.0f));
+    const bool isotropic = tabulated_of(m) == nullptr &&
+                           (!m.anisotropy_texture || cloth_of(m) != nullptr) &&
+                           (lobe ? lobe->anisotropy_strength == 0.0f : alpha.x == alpha.y);
     return m.method == Method::normal_map && isotropic ? Method::gram_schmidt : m.method;
 }
 
@@ -34,6 +70,7 @@ Bounds bounds_of(const Scene& scene) {
     Bounds bounds;
     bool empty = true;
     for (const Instance& instance : scene.instances) {
+        if (instance.mesh < 0) continue;
         const auto mesh = static_cast<std::size_t>(instance.mesh);
         if (!scene.meshes[mesh].positions.empty())
             include_box(boxes[mesh], instance.transform, bounds, empty);

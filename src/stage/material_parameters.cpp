@@ -1,113 +1,53 @@
 #include "stage/material_parameters.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <glm/trigonometric.hpp>
+#include <numbers>
+#include <utility>
 
 #include "burnish/error.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
-#include "image/image_io.hpp"
-#include "maps/normal/bumps.hpp"
 #include "models/conductors.hpp"
-#include "scene/geometry/builtin_meshes.hpp"
-#include "stage/cloth_material.hpp"
-#include "stage/scratch_material.hpp"
-#include "stage/tabulated_apply.hpp"
 
 namespace burnish {
-
 namespace {
-
-constexpr std::string_view kBumps = "builtin:bumps";
-constexpr int kBumpsSize = 1024;
 
 float real_of(const ParameterValues& values, std::string_view name) {
     return static_cast<float>(values.real(name));
 }
 
-// 16 bits: 8 would show as steps in the highlight of a smooth metal.
-Texture bumps_texture() {
-    const Image map = bump_normal_map(kBumpsSize);
-    Texture texture{std::string(kBumps), map.width,          map.height, 3,
-                    TexelType::u16,      ColorSpace::linear, {}};
-    texture.texels.resize(map.pixels.size() * sizeof(std::uint16_t));
-    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
-        const auto code = static_cast<std::uint16_t>(std::lround(map.pixels[i] * 65535.0f));
-        std::memcpy(texture.texels.data() + i * sizeof code, &code, sizeof code);
-    }
-    return texture;
+bool sets_gltf_roughness(const ParameterValues& values) {
+    return values.is_set("roughness") || values.is_set("anisotropy");
 }
 
-// Index of the normal map in the scene's textures, read when it is not there yet.
-int normal_map_index(Scene& scene, const std::string& name) {
-    for (std::size_t i = 0; i < scene.textures.size(); ++i)
-        if (scene.textures[i].name == name && scene.textures[i].color_space == ColorSpace::linear)
-            return static_cast<int>(i);
-    if (is_builtin(name) && name != kBumps)
-        throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
-    Texture texture = name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear);
-    if (texture.channels < 3)
-        throw Error(name, "channels", "a normal map with red, green and blue",
-                    std::to_string(texture.channels));
-    texture.name = name;
-    scene.textures.push_back(std::move(texture));
-    return static_cast<int>(scene.textures.size() - 1);
+bool follows_scratches(const ParameterValues& values) {
+    return values.is_set("scratch") &&
+           static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
+               ScratchDirection::follow;
 }
 
-float alpha_from_exponent(double e) {
-    return static_cast<float>(std::sqrt(2.0 / (e + 2.0)));
-}
-
-float alpha_from_cosine_exponent(double n) {
-    return static_cast<float>(f64::alpha_from_cosine_exponent(n));
-}
-
-// The pair that the values name, as alpha or as exponents. One alone sets both, unless the
-// material has a pair already.
-std::optional<glm::vec2> roughness_pair(const Material& material, const ParameterValues& values) {
-    const auto pair_of = [&](std::string_view x, std::string_view y, auto convert) {
-        glm::vec2 pair = material.alpha.value_or(glm::vec2(0.0f));
-        const bool has_x = values.is_set(x), has_y = values.is_set(y);
-        if (has_x) pair.x = convert(values.real(x));
-        if (has_y) pair.y = convert(values.real(y));
-        if (!material.alpha && !has_y) pair.y = pair.x;
-        if (!material.alpha && !has_x) pair.x = pair.y;
-        return pair;
-    };
-    const bool has_alpha = values.is_set("alpha_x") || values.is_set("alpha_y");
-    const bool has_e = values.is_set("e_x") || values.is_set("e_y");
+void require_consistent(const ParameterValues& values) {
     require_one_roughness(values, false);
-    if (values.is_set("cosine_exponent"))
-        return glm::vec2(alpha_from_cosine_exponent(values.real("cosine_exponent")));
-    if (has_alpha)
-        return pair_of("alpha_x", "alpha_y", [](double a) { return static_cast<float>(a); });
-    if (has_e) return pair_of("e_x", "e_y", alpha_from_exponent);
-    return std::nullopt;
+    if (values.is_set("scratch") && values.is_set("normal_map"))
+        throw UsageError("scratch", "", "a scratch map or a normal_map, not both", "both");
+    const bool weave = names_one(values, "weave"), scratch = values.is_set("scratch");
+    if (weave && (scratch || names_one(values, "normal_map")))
+        throw UsageError("weave", "", "a weave, a normal_map or a scratch map", "two of them");
+    if (names_one(values, "tabulated") && (weave || scratch))
+        throw UsageError("tabulated", "", "no weave or scratch map beside it", "both");
 }
 
-void apply_lobe(Material& material, const ParameterValues& values) {
+void apply_model(Material& material, const ParameterValues& values) {
     if (values.is_set("mdf")) material.mdf = static_cast<Mdf>(values.choice("mdf"));
     if (values.is_set("brdf")) material.brdf = static_cast<Brdf>(values.choice("brdf"));
     if (values.is_set("method")) material.method = static_cast<Method>(values.choice("method"));
-    require_drawable(material.brdf, material.method);
+    if (values.is_set("conserve")) material.conserve = values.boolean("conserve");
     if (values.is_set("ks")) material.ks = real_of(values, "ks");
     if (values.is_set("lafortune_c")) material.lafortune_c = values.vec3("lafortune_c");
-    if (values.is_set("conserve")) material.conserve = values.boolean("conserve");
-    if (values.is_set("roughness")) material.roughness = real_of(values, "roughness");
-    if (values.is_set("anisotropy")) material.anisotropy_strength = real_of(values, "anisotropy");
     if (values.is_set("anisotropy_rotation"))
         material.anisotropy_rotation = glm::radians(real_of(values, "anisotropy_rotation"));
-    const std::optional<glm::vec2> pair = roughness_pair(material, values);
-    if (pair) {
-        material.alpha = pair;
-    } else if (values.is_set("roughness") || values.is_set("anisotropy")) {
-        material.alpha.reset();  // an earlier pair would hide them
-    }
+    if (values.is_set("double_sided")) material.double_sided = values.boolean("double_sided");
 }
 
 void apply_color(Material& material, const ParameterValues& values) {
@@ -115,97 +55,152 @@ void apply_color(Material& material, const ParameterValues& values) {
         material.base_color = glm::vec4(values.vec3("base_color"), material.base_color.a);
     if (values.is_set("metallic")) material.metallic = real_of(values, "metallic");
     if (values.is_set("f0")) material.dielectric_f0 = real_of(values, "f0");
-    if (values.is_set("double_sided")) material.double_sided = values.boolean("double_sided");
     if (!values.is_set("metal")) return;
-    const std::string metal = values.text("metal");
-    if (metal == "none") {
-        material.conductor.reset();
-        return;
-    }
-    material.conductor = conductor_preset(metal);
+    material.conductor.reset();
+    if (!names_one(values, "metal")) return;
+    material.conductor = conductor_preset(values.text("metal"));
     if (!values.is_set("metallic")) material.metallic = 1.0f;
 }
 
-void apply_normal_map(const Scene& scene, Material& material, const ParameterValues& values,
-                      int texture) {
-    if (values.is_set("normal_map")) {
+// --- the lobe -----------------------------------------------------------------------------------
+
+// The lobe of the material without the cloth or the table that the values take from it.
+MaterialLobe kept_lobe(const Material& base, const ParameterValues& values) {
+    const bool weave = names_one(values, "weave"), scratch = values.is_set("scratch");
+    if (const Cloth* cloth = cloth_of(base)) {
+        const bool replaced = scratch || names_one(values, "normal_map");
+        if (replaced || (values.is_set("weave") && !weave)) return AlphaLobe{cloth->alpha};
+    }
+    if (tabulated_of(base) && (values.is_set("tabulated") || weave || scratch)) return GltfLobe{};
+    return base.lobe;
+}
+
+// Fibres run along x, where KHR_materials_anisotropy stretches across the grooves.
+glm::vec2 fibre_alpha(const GltfLobe& lobe) {
+    const f32::vec2 alpha = f32::alpha_of_roughness(lobe.roughness, lobe.anisotropy_strength);
+    return {alpha.y, alpha.x};
+}
+
+void apply_roughness(Material& material, const ParameterValues& values) {
+    if (tabulated_of(material)) return;
+    Cloth* cloth = std::get_if<Cloth>(&material.lobe);
+    if (const auto pair = roughness_pair(values, stated_alpha(material))) {
+        if (cloth) {
+            cloth->alpha = *pair;
+        } else {
+            material.lobe = AlphaLobe{*pair};
+        }
+        return;
+    }
+    if (!sets_gltf_roughness(values)) return;
+    const GltfLobe* stated = gltf_lobe_of(material);
+    GltfLobe lobe = stated ? *stated : GltfLobe{};
+    if (values.is_set("roughness")) lobe.roughness = real_of(values, "roughness");
+    if (values.is_set("anisotropy")) lobe.anisotropy_strength = real_of(values, "anisotropy");
+    if (cloth) {
+        cloth->alpha = fibre_alpha(lobe);
+    } else {
+        material.lobe = lobe;
+    }
+}
+
+void apply_cloth_numbers(Cloth& cloth, const ParameterValues& values) {
+    static constexpr std::pair<std::string_view, float Cloth::*> kNumbers[] = {
+        {"weave_yarns", &Cloth::yarns},
+        {"weave_crimp", &Cloth::crimp},
+        {"weave_bulge", &Cloth::bulge},
+        {"weave_gap", &Cloth::gap},
+        {"weave_fuzz", &Cloth::fuzz}};
+    for (const auto& [name, member] : kNumbers)
+        if (values.is_set(name)) cloth.*member = real_of(values, name);
+    if (values.is_set("weave_twist")) cloth.twist = glm::radians(real_of(values, "weave_twist"));
+    if (values.is_set("warp_color")) cloth.warp_color = values.vec3("warp_color");
+    if (values.is_set("weft_color")) cloth.weft_color = values.vec3("weft_color");
+}
+
+// A new cloth is not metallic and its fibres have the alpha of Cloth, unless the values or a pair
+// of the material say otherwise.
+void apply_weave(Material& material, const ParameterValues& values, const MaterialAssets& assets) {
+    if (names_one(values, "weave")) {
+        const Cloth* before = cloth_of(material);
+        Cloth cloth = before ? *before : Cloth{};
+        cloth.draft = assets.draft(values.text("weave"));
+        const GltfLobe* gltf = gltf_lobe_of(material);
+        if (const auto alpha = stated_alpha(material)) cloth.alpha = *alpha;
+        if (gltf && sets_gltf_roughness(values)) cloth.alpha = fibre_alpha(*gltf);
+        material.lobe = cloth;
+        if (!values.is_set("metallic") && !values.is_set("metal")) {
+            material.metallic = 0.0f;
+            material.conductor.reset();
+        }
+    }
+    if (Cloth* cloth = std::get_if<Cloth>(&material.lobe)) apply_cloth_numbers(*cloth, values);
+}
+
+// --- normal maps and scratch maps ---------------------------------------------------------------
+
+// The anisotropy map stores the direction of stretch, across the groove. The material's grooves run
+// along the smaller alpha, so a pair whose smaller one is x is rotated by a right angle.
+void follow_grooves(Material& material, const ParameterValues& values, int texture) {
+    material.anisotropy_texture = TextureUse{};
+    material.anisotropy_texture.texture = texture;
+    const float rotation = values.is_set("anisotropy_rotation")
+                               ? glm::radians(real_of(values, "anisotropy_rotation"))
+                               : 0.0f;
+    const auto* lobe = std::get_if<AlphaLobe>(&material.lobe);
+    const bool along_x = lobe && lobe->alpha.x < lobe->alpha.y;
+    material.anisotropy_rotation = rotation + (along_x ? 0.5f * std::numbers::pi_v<float> : 0.0f);
+}
+
+void apply_detail(Material& material, const ParameterValues& values, const MaterialAssets& assets) {
+    const bool normal_map = values.is_set("normal_map"), scratch = values.is_set("scratch");
+    if (normal_map || scratch) {
+        const MaterialAssets::ScratchMaps maps =
+            scratch ? assets.scratch(values.text("scratch")) : MaterialAssets::ScratchMaps{};
         material.normal_texture = TextureUse{};
-        material.normal_texture.texture = texture;
-        if (!values.is_set("normal_scale")) material.normal_scale = 1.0f;
-        if (!values.is_set("flip_green")) material.flip_green = false;
+        material.normal_texture.texture =
+            scratch ? maps.normal : assets.normal_map(values.text("normal_map"));
+        material.normal_scale = 1.0f;
+        material.flip_green = false;
+        if (follows_scratches(values)) follow_grooves(material, values, maps.anisotropy);
     }
     if (values.is_set("normal_scale")) material.normal_scale = real_of(values, "normal_scale");
     if (values.is_set("flip_green")) material.flip_green = values.boolean("flip_green");
     if (values.is_set("normal_filter"))
         material.normal_filter = static_cast<NormalFilter>(values.choice("normal_filter"));
-    if (values.is_set("uv_scale")) {
-        const float s = real_of(values, "uv_scale");
-        const glm::mat3 scale(s, 0.0f, 0.0f, 0.0f, s, 0.0f, 0.0f, 0.0f, 1.0f);
-        material.normal_texture.transform = scale * material.normal_texture.transform;
-        const int turned = material.anisotropy_texture.texture;
-        if (turned >= 0 && is_scratch_texture(scene.textures[static_cast<std::size_t>(turned)]))
-            material.anisotropy_texture.transform = material.normal_texture.transform;
-    }
-}
-
-// Values that the reflection models of the materials do not ask for.
-void warn_of_idle_values(Scene& scene, std::size_t first, std::size_t end,
-                         const ParameterValues& values) {
-    const auto warn_unless = [&](std::string_view name, std::string_view users, auto uses) {
-        if (!values.is_set(name) || first == end) return;
-        for (std::size_t i = first; i < end; ++i)
-            if (uses(scene.materials[i].brdf)) return;
-        scene.warnings.push_back(fmt::format("{}: only {} asks for it: nothing changes",
-                                             std::string(name), std::string(users)));
-    };
-    warn_unless("ks", "phong or lafortune", [](Brdf brdf) { return !has_half_vectors(brdf); });
-    warn_unless("lafortune_c", "lafortune", [](Brdf brdf) { return brdf == Brdf::lafortune; });
-    if (values.is_set("roughness") && roughness_pair({}, values))
-        scene.warnings.push_back("roughness: the pair set beside it holds: nothing changes");
-}
-
-void warn_of_missing_coordinates(Scene& scene, std::size_t first, std::size_t end) {
-    for (const Instance& instance : scene.instances) {
-        const auto material = static_cast<std::size_t>(instance.material);
-        if (material < first || material >= end) continue;
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        if (!mesh.texcoord0.empty()) continue;
-        const Material& m = scene.materials[material];
-        const char* detail = m.cloth ? "weave" : m.tabulated ? "tabulated material" : "normal map";
-        const std::string warning = "mesh " + shown(mesh.name) +
-                                    " has no texture coordinates: the " + detail + " does not show";
-        if (std::find(scene.warnings.begin(), scene.warnings.end(), warning) ==
-            scene.warnings.end())
-            scene.warnings.push_back(warning);
-    }
+    if (!values.is_set("uv_scale")) return;
+    const float s = real_of(values, "uv_scale");
+    const glm::mat3 scale(s, 0.0f, 0.0f, 0.0f, s, 0.0f, 0.0f, 0.0f, 1.0f);
+    material.normal_texture.transform = scale * material.normal_texture.transform;
+    if (follows_scratches(values))
+        material.anisotropy_texture.transform = material.normal_texture.transform;
 }
 
 }  // namespace
 
-void require_one_roughness(const ParameterValues& values, bool as_flags) {
-    const auto set_among = [&](std::initializer_list<std::string_view> names) {
-        std::string list;
-        for (const std::string_view name : names) {
-            if (!values.is_set(name)) continue;
-            list += (list.empty() ? "" : " ") + (as_flags ? flag_of(name) : std::string(name));
-        }
-        return list;
+std::optional<glm::vec2> roughness_pair(const ParameterValues& values,
+                                        const std::optional<glm::vec2>& base) {
+    const auto pair_of = [&](std::string_view x, std::string_view y, auto alpha_of) {
+        const bool has_x = values.is_set(x), has_y = values.is_set(y);
+        glm::vec2 pair = base.value_or(glm::vec2(0.0f));
+        if (has_x) pair.x = static_cast<float>(alpha_of(values.real(x)));
+        if (has_y) pair.y = static_cast<float>(alpha_of(values.real(y)));
+        if (!base && !has_y) pair.y = pair.x;
+        if (!base && !has_x) pair.x = pair.y;
+        return pair;
     };
-    const std::string alphas = set_among({"alpha_x", "alpha_y"});
-    const std::string exponents = set_among({"e_x", "e_y"});
-    const std::string cosine = set_among({"cosine_exponent"});
-    std::string all;
-    int ways = 0;
-    for (const std::string& way : {alphas, exponents, cosine}) {
-        if (way.empty()) continue;
-        all += (all.empty() ? "" : " and ") + way;
-        ++ways;
-    }
-    if (ways < 2) return;
-    throw UsageError(all + " say the same thing: give one pair only");
+    if (values.is_set("cosine_exponent"))
+        return glm::vec2(
+            static_cast<float>(f64::alpha_from_cosine_exponent(values.real("cosine_exponent"))));
+    if (values.is_set("alpha_x") || values.is_set("alpha_y"))
+        return pair_of("alpha_x", "alpha_y", [](double alpha) { return alpha; });
+    if (values.is_set("e_x") || values.is_set("e_y"))
+        return pair_of("e_x", "e_y", [](double e) { return std::sqrt(2.0 / (e + 2.0)); });
+    return std::nullopt;
 }
 
-void require_drawable(Brdf brdf, Method method) {
+void require_drawable(const Material& material, Method method) {
+    const Brdf brdf = drawn_material(material).brdf;
     if (f32::brdf_takes_method(static_cast<int>(brdf), static_cast<int>(method))) return;
     throw UsageError("method", "",
                      "a rotation such as follow-grain for brdf " + std::string(name_of(brdf)) +
@@ -213,31 +208,22 @@ void require_drawable(Brdf brdf, Method method) {
                      std::string(name_of(method)));
 }
 
-void apply_material_parameters(Scene& scene, std::size_t first, std::size_t count,
-                               const ParameterValues& values) {
-    int texture = -1;
-    if (values.is_set("normal_map") && values.text("normal_map") != "none" && count > 0) {
-        texture = normal_map_index(scene, values.text("normal_map"));
-        warn_of_missing_coordinates(scene, first, first + count);
+Material apply_parameters(const Material& base, const ParameterValues& values,
+                          const MaterialAssets& assets) {
+    require_consistent(values);
+    Material material = base;
+    material.lobe = kept_lobe(base, values);
+    apply_model(material, values);
+    apply_color(material, values);
+    apply_roughness(material, values);
+    apply_detail(material, values, assets);
+    apply_weave(material, values, assets);
+    if (names_one(values, "tabulated")) {
+        const std::string file = values.text("tabulated");
+        material.lobe = Tabulated{assets.tabulated(file), file};
     }
-    for (std::size_t i = first; i < first + count; ++i) {
-        apply_lobe(scene.materials[i], values);
-        apply_color(scene.materials[i], values);
-    }
-    warn_of_idle_values(scene, first, first + count, values);
-    apply_scratch(scene, first, count, values);
-    if (values.is_set("scratch")) warn_of_missing_coordinates(scene, first, first + count);
-    for (std::size_t i = first; i < first + count; ++i)
-        apply_normal_map(scene, scene.materials[i], values, texture);
-    apply_cloth(scene, first, count, values);
-    if (values.is_set("weave")) warn_of_missing_coordinates(scene, first, first + count);
-    apply_tabulated(scene, first, count, values);
-    if (values.is_set("tabulated") && values.text("tabulated") != "none")
-        warn_of_missing_coordinates(scene, first, first + count);
-}
-
-void apply_material_parameters(Scene& scene, const ParameterValues& values) {
-    apply_material_parameters(scene, 0, scene.materials.size(), values);
+    require_drawable(material, material.method);
+    return material;
 }
 
 }  // namespace burnish

@@ -70,7 +70,7 @@ void warn_of_odd_normal_maps(Scene& scene) {
     std::set<int> seen;
     for (const Material& material : scene.materials) {
         const TextureUse& use = material.normal_texture;
-        if (!use || !seen.insert(use.texture).second) continue;
+        if (!use || cloth_of(material) || !seen.insert(use.texture).second) continue;
         const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
         if (texture.channels < 3 || texture.empty()) continue;
         const glm::dvec3 mean = mean_direction(texture);

@@ -1,27 +1,23 @@
-// Scratch maps as textures of a scene's materials: `--scratch`, `--scratch-direction`.
+// Scratch maps as textures: the parameter `scratch`.
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <string_view>
 
-#include "burnish/parameters.hpp"
-#include "burnish/scene.hpp"
+#include "burnish/image.hpp"
 
 namespace burnish {
 
 // Texels a side of a preset engraved for rendering.
 inline constexpr int kScratchPresetSize = 2048;
 
-bool is_scratch_preset(std::string_view name);
+struct ScratchTextures {
+    Texture normal;
+    Texture anisotropy;  // direction of stretch, across the grooves, and strength; may be empty
+};
 
-// What `scratch`, `scratch_direction` and `uv_scale` say of the materials [first, first + count),
-// whose lobe is set already. Throws UsageError for a name that is neither a preset nor a folder,
-// Error for a folder whose maps cannot be read.
-void apply_scratch(Scene& scene, std::size_t first, std::size_t count,
-                   const ParameterValues& values);
-
-// Whether a texture was made by apply_scratch: it repeats with the normal map.
-bool is_scratch_texture(const Texture& texture);
+// The maps of a preset, engraved here, or of a folder made by `burnish scratch`. A preset has both
+// textures; of a folder, the second is read when `with_anisotropy`. Throws UsageError for a name
+// that is neither a preset nor a folder, Error for a folder whose maps cannot be read.
+ScratchTextures load_scratch(const std::string& name, bool with_anisotropy);
 
 }  // namespace burnish

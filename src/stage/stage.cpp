@@ -7,16 +7,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <iterator>
 
 #include "burnish/error.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/stage.hpp"
 #include "formats/environments.hpp"
 #include "formats/load_model.hpp"
+#include "formats/scene_file.hpp"
 #include "scene/geometry/builtin_meshes.hpp"
-#include "stage/material_parameters.hpp"
 #include "stage/normal_map_check.hpp"
-#include "stage/scene_file.hpp"
 
 namespace burnish {
 
@@ -82,6 +82,7 @@ double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, do
     const double tan_x = tan_y * aspect;
     double distance = 0;
     for (const Instance& instance : scene.instances) {
+        if (instance.mesh < 0) continue;
         for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
             const glm::vec3 v = glm::vec3(instance.transform * glm::vec4(p, 1.0f)) - target;
             const double depth = glm::dot(v, away);
@@ -92,6 +93,36 @@ double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, do
     }
     return std::max(distance, 1e-6);  // a single point still needs a camera somewhere else
 }
+
+// Values that others, or the lack of them, keep from mattering.
+void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
+                         std::vector<std::string>& warnings) {
+    const bool shows_environment =
+        values.choice("background") == static_cast<int>(BackgroundKind::environment) &&
+        !environment.radiance.pixels.empty();
+    if (values.is_set("background_color") && shows_environment)
+        warnings.push_back(
+            "background_color: the environment stands before it: nothing changes "
+            "(--background color)");
+    if (values.is_set("camera_position") &&
+        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
+        warnings.push_back(
+            "camera_position: it holds; azimuth, elevation and distance change nothing");
+}
+
+Environment load_environment_of(const StageRequest& request, const std::string& of_file) {
+    const std::string& name = request.environment.empty() ? of_file : request.environment;
+    if (name == "none") return {};
+    if (name.empty()) return load_environment(std::string(kDefaultEnvironment));
+    if (!request.environment.empty()) return load_environment(name);
+    try {
+        return load_environment(name);
+    } catch (const Error& error) {
+        throw Error(request.input + ": environment: " + error.what());
+    }
+}
+
+}  // namespace
 
 RenderSettings render_settings(const ParameterValues& values) {
     RenderSettings settings;
@@ -111,38 +142,6 @@ RenderSettings render_settings(const ParameterValues& values) {
     settings.seed = static_cast<unsigned>(values.integer("seed"));
     return settings;
 }
-
-// Values that others, or the lack of them, keep from mattering.
-void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
-                         std::vector<std::string>& warnings) {
-    const bool shows_environment =
-        values.choice("background") == static_cast<int>(BackgroundKind::environment) &&
-        !environment.radiance.pixels.empty();
-    if (values.is_set("background_color") && shows_environment)
-        warnings.push_back(
-            "background_color: the environment stands before it: nothing changes "
-            "(--background color)");
-    if (values.is_set("camera_position") &&
-        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
-        warnings.push_back(
-            "camera_position: it holds; azimuth, elevation and distance change nothing");
-    if (values.is_set("scratch_direction") && !values.is_set("scratch"))
-        warnings.push_back("scratch_direction: there is no scratch map: nothing changes");
-}
-
-Environment load_environment_of(const StageRequest& request, const std::string& of_file) {
-    const std::string& name = request.environment.empty() ? of_file : request.environment;
-    if (name == "none") return {};
-    if (name.empty()) return load_environment(std::string(kDefaultEnvironment));
-    if (!request.environment.empty()) return load_environment(name);
-    try {
-        return load_environment(name);
-    } catch (const Error& error) {
-        throw Error(request.input + ": environment: " + error.what());
-    }
-}
-
-}  // namespace
 
 Light parse_light(std::string_view word) {
     constexpr std::string_view kPoint = "point:";
@@ -229,17 +228,22 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     require_one_roughness(request.values, true);
     Stage stage;
     std::string environment;
+    std::vector<SceneFile::Layer> layers;
     if (!is_builtin(request.input) && is_scene_file(request.input)) {
         SceneFile file = load_scene_file(request.input);
         stage.scene = std::move(file.scene);
         stage.values = std::move(file.values);
+        layers = std::move(file.layers);
         environment = file.environment;
         stage.values.merge(request.values);
     } else {
         stage.values = request.values;
         stage.scene = load_model(request.input, stage.values.integer("triangles"));
     }
-    apply_material_parameters(stage.scene, stage.values);
+    stage.materials = LayeredMaterials(stage.scene.materials, std::move(layers));
+    std::vector<std::string>& warnings = stage.scene.warnings;
+    std::ranges::move(stage.materials.apply(stage.scene, stage.values),
+                      std::back_inserter(warnings));
     warn_of_odd_normal_maps(stage.scene);
     if (stage.scene.instances.empty())
         throw Error(request.input, "", "something to draw", "no triangles");
@@ -250,7 +254,7 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     }
     stage.environment = load_environment_of(request, environment);
     stage.settings = render_settings(stage.values);
-    warn_of_idle_values(stage.values, stage.environment, stage.scene.warnings);
+    warn_of_idle_values(stage.values, stage.environment, warnings);
     stage.camera =
         place_camera(stage.scene, stage.values,
                      static_cast<double>(stage.settings.width) / stage.settings.height, all_around);

@@ -9,23 +9,30 @@
 #include "burnish/scene.hpp"
 #include "burnish/stage.hpp"
 #include "image/display.hpp"
+#include "stage/layered_materials.hpp"
 
 namespace burnish {
 
 inline constexpr std::string_view kDefaultEnvironment = "builtin:studio";
 
+// A plain value, but for `materials`, which knows the textures that it has appended to `scene`.
 struct Stage {
     Scene scene;
-    Environment environment;  // empty radiance: none
-    ParameterValues values;   // everything that was set, for metadata
+    LayeredMaterials materials;  // materials.apply(scene, values): the scene under other values
+    Environment environment;     // empty radiance: none
+    ParameterValues values;      // everything that was set, for metadata
     Camera camera;
     RenderSettings settings;
     double exposure_ev = 0;
     ToneMap tone_map = ToneMap::khronos_neutral;
 };
 
-// `all_around`: a framed camera keeps its distance for a full turn.
+// `all_around`: a framed camera keeps its distance for a full turn. Throws UsageError for values
+// that contradict each other, Error for files that cannot be read or drawn.
 Stage set_stage(const StageRequest& request, bool all_around = false);
+
+// What the values of the groups render and environment ask for.
+RenderSettings render_settings(const ParameterValues& values);
 
 // A light in one word: "AZIMUTH,ELEVATION[,INTENSITY]" (degrees, as the camera's; a directional
 // light of that many lux) or "point:X,Y,Z[,INTENSITY]" (metres, candela). Throws UsageError.

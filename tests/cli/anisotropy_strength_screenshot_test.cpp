@@ -115,7 +115,8 @@ TEST_F(AnisotropyStrengthScreenshot, EverySphereLooksAlikeAndTheOrderIsTheSame) 
 
 // That the measure sees strength: with a wrong one the spheres look otherwise.
 TEST_F(AnisotropyStrengthScreenshot, AWrongStrengthIsSeen) {
-    for (Material& material : stage_.scene.materials) material.anisotropy_strength *= 0.5f;
+    for (Material& material : stage_.scene.materials)
+        std::get<GltfLobe>(material.lobe).anisotropy_strength *= 0.5f;
     const Image wrong = shown();
     EXPECT_LT(likeness(theirs_, wrong, disc_of(1, 6)).correlation, 0.96);
     EXPECT_LT(likeness(theirs_, wrong, disc_of(2, 6)).correlation, 0.97);

@@ -50,7 +50,7 @@ class SphereSeamTest : public testing::Test {
     Image picture(const Mesh& mesh) const {
         Stage stage;
         Material material;
-        material.alpha = glm::vec2(0.5f, 0.1f);
+        material.lobe = AlphaLobe{{0.5f, 0.1f}};
         stage.scene = one_object(mesh, material);
         stage.scene.lights = {directional(seam_ + glm::vec3(0, 0.9f, 0), glm::vec3(3.0f))};
         stage.camera.orthographic = true;
@@ -136,7 +136,7 @@ class SuzanneEdgeTest : public testing::Test {
     Mesh& mesh() { return stage_.scene.meshes.at(0); }
 
     void brush() {
-        for (Material& material : stage_.scene.materials) material.alpha = glm::vec2(0.15f, 0.5f);
+        for (Material& material : stage_.scene.materials) material.lobe = AlphaLobe{{0.15f, 0.5f}};
     }
 
     glm::vec2 pixel_of(glm::vec3 p) const {

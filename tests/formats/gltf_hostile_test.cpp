@@ -49,7 +49,7 @@ void expect_sound(const Scene& scene) {
     for (const Material& material : scene.materials) {
         ASSERT_LT(material.normal_texture.texture, static_cast<int>(scene.textures.size()));
         ASSERT_LT(material.base_color_texture.texture, static_cast<int>(scene.textures.size()));
-        ASSERT_TRUE(std::isfinite(material.roughness + material.metallic + material.emissive.r +
+        ASSERT_TRUE(std::isfinite(gltf_lobe_of(material)->roughness + material.metallic + material.emissive.r +
                                   material.anisotropy_rotation + material.dielectric_f0));
     }
     for (const Texture& texture : scene.textures) {

@@ -32,13 +32,12 @@ TEST(GltfMaterials, DefaultsAreThoseOfTheFormat) {
     const Material material = material_of(json::object());
     EXPECT_EQ(material.base_color, glm::vec4(1.0f));
     EXPECT_EQ(material.metallic, 1.0f);
-    EXPECT_EQ(material.roughness, 1.0f);
+    EXPECT_EQ(material.lobe, MaterialLobe(GltfLobe{1.0f, 0.0f}));
     EXPECT_EQ(material.emissive, glm::vec3(0.0f));
     EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
     EXPECT_EQ(material.alpha_cutoff, 0.5f);
     EXPECT_FALSE(material.double_sided);
     EXPECT_FALSE(material.base_color_texture);
-    EXPECT_EQ(material.anisotropy_strength, 0.0f);
     EXPECT_FLOAT_EQ(material.dielectric_f0, 0.04f);
 }
 
@@ -68,14 +67,13 @@ TEST(GltfMaterials, EveryFactorIsRead) {
     EXPECT_EQ(material.name, "brushed");
     EXPECT_EQ(material.base_color, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
     EXPECT_EQ(material.metallic, 0.25f);
-    EXPECT_EQ(material.roughness, 0.75f);
+    EXPECT_EQ(material.lobe, MaterialLobe(GltfLobe{0.75f, 0.6f}));
     EXPECT_EQ(material.normal_scale, 0.5f);
     EXPECT_EQ(material.occlusion_strength, 0.7f);
     EXPECT_EQ(material.emissive, glm::vec3(2.0f, 1.0f, 4.0f));
     EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
     EXPECT_EQ(material.alpha_cutoff, 0.3f);
     EXPECT_TRUE(material.double_sided);
-    EXPECT_EQ(material.anisotropy_strength, 0.6f);
     EXPECT_EQ(material.anisotropy_rotation, 1.2f);
     EXPECT_NEAR(material.dielectric_f0, 0.0200593f, 1e-6f);  // (0.33 / 2.33)^2
     for (const TextureUse* use :

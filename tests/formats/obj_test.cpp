@@ -179,14 +179,14 @@ TEST(Mtl, MaterialsAndTextures) {
     EXPECT_EQ(phong.base_color, glm::vec4(0.5f, 0.25f, 0.125f, 0.5f));
     EXPECT_EQ(phong.alpha_mode, AlphaMode::blend);
     EXPECT_EQ(phong.metallic, 0.0f);
-    EXPECT_NEAR(phong.roughness, std::sqrt(std::sqrt(2.0f / 32.0f)), 1e-6f);
+    EXPECT_NEAR(gltf_lobe_of(phong)->roughness, std::sqrt(std::sqrt(2.0f / 32.0f)), 1e-6f);
     ASSERT_TRUE(phong.base_color_texture);
     EXPECT_FALSE(phong.normal_texture);  // a height map is no normal map
     EXPECT_TRUE(warns(scene, "map_Bump"));
     const Material& pbr = scene.materials[1];
-    EXPECT_EQ(pbr.roughness, 0.3f);
+    EXPECT_EQ(gltf_lobe_of(pbr)->roughness, 0.3f);
     EXPECT_EQ(pbr.metallic, 1.0f);
-    EXPECT_EQ(pbr.anisotropy_strength, 0.5f);
+    EXPECT_EQ(gltf_lobe_of(pbr)->anisotropy_strength, 0.5f);
     EXPECT_EQ(pbr.emissive.x, 2.0f);
     EXPECT_TRUE(pbr.normal_texture);
     EXPECT_FALSE(pbr.base_color_texture);

@@ -2,9 +2,10 @@
 // 2048 texels a side) is left out: it is bounded, not cheap.
 #include <string_view>
 
+#include "formats/scene_file.hpp"
 #include "harness.hpp"
 #include "scene_check.hpp"
-#include "stage/scene_file.hpp"
+#include "stage/layered_materials.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
@@ -15,7 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto path = burnish::fuzz::put("scene.json", burnish::fuzz::Bytes(data, size));
     burnish::is_scene_file(path);
     burnish::fuzz::expect_answer([&] {
-        const burnish::SceneFile file = burnish::load_scene_file(path);
+        burnish::SceneFile file = burnish::load_scene_file(path);
+        burnish::LayeredMaterials materials(file.scene.materials, file.layers);
+        materials.apply(file.scene, {});
         burnish::fuzz::expect_sound(file.scene);
     });
     return 0;

@@ -68,10 +68,15 @@ void expect_sound_material(const Material& m, std::size_t textures) {
         expect(finite_columns(use->transform), "a texture transform");
     }
     expect(finite_parts(m.base_color) && finite_parts(m.emissive), "a colour");
-    expect(finite(m.metallic) && finite(m.roughness) && finite(m.normal_scale), "a factor");
+    expect(finite(m.metallic) && finite(m.normal_scale), "a factor");
     expect(finite(m.occlusion_strength) && finite(m.alpha_cutoff), "a factor");
-    expect(finite(m.anisotropy_strength) && finite(m.anisotropy_rotation), "an anisotropy");
-    expect(!m.alpha || finite_parts(*m.alpha), "an alpha");
+    expect(finite(m.anisotropy_rotation), "a rotation");
+    const auto alpha = stated_alpha(m);
+    expect(!alpha || finite_parts(*alpha), "an alpha");
+    if (const GltfLobe* lobe = gltf_lobe_of(m))
+        expect(finite(lobe->roughness) && finite(lobe->anisotropy_strength), "a roughness");
+    expect(!cloth_of(m) || cloth_of(m)->draft, "a draft");
+    expect(!tabulated_of(m) || tabulated_of(m)->material, "a table");
 }
 
 void expect_sound_texture(const Texture& t) {

@@ -21,15 +21,20 @@ namespace {
 
 using f64::vec3;
 
-Material cloth_of(const char* draft) {
+Material woven(const char* draft) {
     Material m;
     m.metallic = 0.0f;
-    m.alpha = glm::vec2(0.2f, 0.45f);
-    m.cloth.emplace();
-    m.cloth->draft = std::make_shared<Draft>(builtin_draft(draft));
-    m.cloth->warp_color = glm::vec3(0.6f, 0.5f, 0.3f);
-    m.cloth->weft_color = glm::vec3(0.05f, 0.1f, 0.3f);
+    Cloth cloth;
+    cloth.draft = std::make_shared<Draft>(builtin_draft(draft));
+    cloth.warp_color = glm::vec3(0.6f, 0.5f, 0.3f);
+    cloth.weft_color = glm::vec3(0.05f, 0.1f, 0.3f);
+    cloth.alpha = {0.2f, 0.45f};
+    m.lobe = cloth;
     return m;
+}
+
+Cloth& cloth_in(Material& m) {
+    return std::get<Cloth>(m.lobe);
 }
 
 // --- single yarns ------------------------------------------------------------------------------
@@ -38,8 +43,8 @@ class ClothYarn : public GpuTest {};
 
 // Ribbons without gaps, twist or crimp: flat cells whose lobes differ by a quarter turn.
 TEST_F(ClothYarn, TheLobeRunsAlongTheYarn) {
-    Material m = cloth_of("plain");
-    *m.cloth = {m.cloth->draft, 2.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {}, {}};
+    Material m = woven("plain");
+    cloth_in(m) = {cloth_of(m)->draft, 2.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {}, {}};
     m.base_color = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
     Scene scene = one_object(unit_plane(), m);
     const Light light = directional({0.5f, 0.1f, 1.0f});
@@ -57,7 +62,7 @@ TEST_F(ClothYarn, TheLobeRunsAlongTheYarn) {
             const vec3 wo = f64::normalize(vec3(0, 0, 3) - at);
             const vec3 wi = f64::normalize(vec3(0.5, 0.1, 1.0));
             const int end = at.x < 0 ? 0 : 1, pick = at.y < 0 ? 0 : 1;
-            const bool warp = m.cloth->draft->is_warp_up(end, pick);
+            const bool warp = cloth_of(m)->draft->is_warp_up(end, pick);
             // Smooth along the yarn: along y on the warp.
             const f64::Lobe lobe = f64::lobe_make(ggx, warp ? 0.45 : 0.2, warp ? 0.2 : 0.45);
             const f64::Perturbation p =
@@ -88,8 +93,8 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
     // Two yarns a millimetre on a square of two metres; 24 pixels of a third of a degree.
     Image picture(ImageLight image_light, bool filtered, int samples) {
         const View& view = GetParam();
-        Material m = cloth_of(view.draft);
-        m.cloth->yarns = 4000.0f;
+        Material m = woven(view.draft);
+        cloth_in(m).yarns = 4000.0f;
         Scene scene = one_object(unit_plane(), m);
         const bool sky = image_light != ImageLight::off;
         if (!sky) {
@@ -183,9 +188,9 @@ class ClothTurning : public GpuTest, public testing::WithParamInterface<Turn> {
     double flicker(bool filtered, int factor, int samples) {
         Mesh sphere = uv_sphere(256, 128);
         for (glm::vec2& uv : sphere.texcoord0) uv.x *= 2.0f;  // as many yarns a metre both ways
-        Material m = cloth_of("twill-2-2");
+        Material m = woven("twill-2-2");
         // A pixel is 2.2/96 of the radius, half the way around it pi.
-        m.cloth->yarns =
+        cloth_in(m).yarns =
             static_cast<float>(std::round(std::numbers::pi / (2.2 / kSide * GetParam().pixels)));
         Scene scene = one_object(std::move(sphere), m);
         scene.lights.push_back(directional({0.3f, 0.4f, 1.0f}));

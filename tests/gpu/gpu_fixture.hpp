@@ -36,6 +36,7 @@ inline Camera camera_on_z(float z = 4.0f, float half_height = 1.0f) {
 
 inline RenderSettings small_picture(int width = 48, int height = 48, int samples = 1) {
     RenderSettings options;
+    options.shadows = false;
     options.width = width;
     options.height = height;
     options.samples = samples;

@@ -23,7 +23,7 @@ vec3 to_f64(glm::vec3 v) {
 Material white_metal(Method method, glm::vec2 alpha) {
     Material m;
     m.method = method;
-    m.alpha = alpha;
+    m.lobe = AlphaLobe{alpha};
     return m;
 }
 
@@ -194,7 +194,7 @@ TEST_F(TiltedPlate, CoupledDiffuseTermInAFurnace) {
     Material m;
     m.metallic = 0.0f;
     m.brdf = Brdf::ashikhmin_shirley;
-    m.alpha = glm::vec2(0.3f, 0.5f);
+    m.lobe = AlphaLobe{{0.3f, 0.5f}};
     for (const float f0 : {0.0f, 0.04f, 0.5f}) {
         m.dielectric_f0 = f0;
         for (const glm::vec3 eye :

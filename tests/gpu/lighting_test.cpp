@@ -69,7 +69,7 @@ class Lighting : public GpuTest {
         m.mdf = c.mdf;
         m.brdf = c.brdf;
         m.method = c.method;
-        m.alpha = c.alpha;
+        m.lobe = AlphaLobe{c.alpha};
         m.ks = c.ks;
         m.lafortune_c = kCoefficients;
         m.normal_texture.texture = 0;
@@ -181,7 +181,7 @@ TEST_F(Lighting, DiffuseIsWhatTheHeaderStates) {
     Material m;
     m.metallic = 0.0f;
     m.base_color = glm::vec4(0.5f, 0.25f, 1.0f, 1.0f);
-    m.alpha = glm::vec2(0.001f);  // a highlight far from where we look
+    m.lobe = AlphaLobe{glm::vec2(0.001f)};  // a highlight far from where we look
     Scene scene = one_object(unit_plane(), m);
     const glm::vec3 towards = glm::normalize(glm::vec3(1.0f, 0.0f, 1.0f));
     scene.lights.push_back(directional(towards));
@@ -204,7 +204,7 @@ TEST_F(Lighting, AshikhminShirleyBringsItsDiffuseTerm) {
     m.base_color = glm::vec4(0.5f, 0.25f, 1.0f, 1.0f);
     m.dielectric_f0 = 0.2f;
     m.brdf = Brdf::ashikhmin_shirley;
-    m.alpha = glm::vec2(0.001f);  // a highlight far from where we look
+    m.lobe = AlphaLobe{glm::vec2(0.001f)};  // a highlight far from where we look
     m.normal_texture.texture = 0;
     for (const Method method : {Method::follow_grain, Method::normal_map, Method::deform_smooth}) {
         m.method = method;
@@ -229,7 +229,7 @@ TEST_F(Lighting, AshikhminShirleyBringsItsDiffuseTerm) {
 
 TEST_F(Lighting, ConductorsReflectTheirNormalReflectance) {
     Material m;
-    m.alpha = glm::vec2(0.3f);
+    m.lobe = AlphaLobe{glm::vec2(0.3f)};
     m.conductor = Conductor{{0.2f, 0.5f, 1.4f}, {3.9f, 2.4f, 1.6f}};
     Scene scene = one_object(unit_plane(), m);
     scene.lights.push_back(directional({0, 0, 1}));

@@ -47,7 +47,7 @@ class NormalFilterTest : public GpuTest {
         m.normal_texture.texture = 0;
         m.normal_texture.transform = glm::mat3(4, 0, 0, 0, 2, 0, 0, 0, 1);
         m.mdf = mdf;
-        m.alpha = alpha;
+        m.lobe = AlphaLobe{alpha};
         m.method = method;
         m.normal_filter = filter;
         Scene scene = one_object(uv_sphere(256, 128), m);

@@ -24,7 +24,7 @@ class Picture : public GpuTest {
 
 Material bumpy_material() {
     Material m;
-    m.alpha = glm::vec2(0.4f, 0.15f);
+    m.lobe = AlphaLobe{{0.4f, 0.15f}};
     m.normal_texture.texture = 0;
     return m;
 }
@@ -73,7 +73,7 @@ TEST_F(Picture, NormalMapOnAnIsotropicMaterialIsTheRotatedLobe) {
     o.image_light_samples = 8;
     const auto drawn = [&](Method method, glm::vec2 alpha) {
         scene.materials[0].method = method;
-        scene.materials[0].alpha = alpha;
+        scene.materials[0].lobe = AlphaLobe{alpha};
         renderer.set_materials(scene.materials);
         return renderer.render(camera_on_z(), o);
     };
@@ -181,7 +181,7 @@ TEST_F(Picture, TransparentBackgroundHoldsCoverage) {
 // A mesh mirrored by its transform, with its texture mirrored too, is the mirrored picture.
 TEST_F(Picture, MirroredTransformGivesTheMirroredPicture) {
     Scene scene = bumpy_sphere();
-    scene.materials[0].alpha = glm::vec2(0.5f, 0.12f);
+    scene.materials[0].lobe = AlphaLobe{{0.5f, 0.12f}};
     scene.materials[0].anisotropy_rotation = 0.6f;
     const glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(0.2f, 0.1f, 0.0f)) *
                             glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(0.3f, 0.5f, 0.2f));

@@ -82,7 +82,7 @@ TEST_F(PrefilteredLight, ErrsAQuarterAsMuchAsBentNormals) {
         gpu::Renderer renderer(*context, scene, &environment);
         for (const glm::vec2 alpha : {glm::vec2(0.1f, 0.4f), glm::vec2(0.2f, 0.6f)}) {
             for (const float degrees : {0.0f, 45.0f}) {
-                scene.materials[0].alpha = alpha;
+                scene.materials[0].lobe = AlphaLobe{alpha};
                 tilt(scene.materials[0], degrees);
                 renderer.set_materials(scene.materials);
                 const Image truth = lit(renderer, ImageLight::importance, 4096);
@@ -106,7 +106,7 @@ TEST_F(PrefilteredLight, DeformationsErrLessThanBentNormals) {
         Scene scene = tilted_sphere();
         gpu::Renderer renderer(*context, scene, &environment);
         for (const Method method : {Method::deform_linear, Method::deform_smooth}) {
-            scene.materials[0].alpha = glm::vec2(0.1f, 0.4f);
+            scene.materials[0].lobe = AlphaLobe{{0.1f, 0.4f}};
             scene.materials[0].method = method;
             tilt(scene.materials[0], 30.0f);
             renderer.set_materials(scene.materials);
@@ -133,7 +133,7 @@ TEST_F(PrefilteredLight, OnePlaceServesCosineLobes) {
         for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
             for (const float alpha : {0.1f, 0.2f, 0.4f}) {
                 scene.materials[0].brdf = brdf;
-                scene.materials[0].alpha = glm::vec2(alpha);
+                scene.materials[0].lobe = AlphaLobe{glm::vec2(alpha)};
                 tilt(scene.materials[0], 30.0f);
                 renderer.set_materials(scene.materials);
                 const Image truth = lit(renderer, ImageLight::importance, 2048, 32);
@@ -158,7 +158,7 @@ TEST_F(PrefilteredLight, FurnaceAgreesWithImportanceSampling) {
         m.brdf = brdf;
         m.mdf = mdf;
         m.method = method;
-        m.alpha = glm::vec2(0.15f, 0.5f);
+        m.lobe = AlphaLobe{{0.15f, 0.5f}};
         tilt(m, 30.0f);
         renderer.set_materials(scene.materials);
         const double truth = mean_of(lit(renderer, ImageLight::importance, 128, 16));
@@ -188,7 +188,7 @@ TEST_F(PrefilteredLight, ChangesWithoutJumps) {
     for (const glm::vec2 alpha : {glm::vec2(0.3f, 0.3f), glm::vec2(0.1f, 0.4f)}) {
         Image last;
         for (int step = 0; step <= 60; ++step) {
-            scene.materials[0].alpha = alpha;
+            scene.materials[0].lobe = AlphaLobe{alpha};
             tilt(scene.materials[0], 0.5f * static_cast<float>(step));
             renderer.set_materials(scene.materials);
             const Image image = lit(renderer, ImageLight::prefiltered, 1, 16);
@@ -220,7 +220,7 @@ TEST_F(PrefilteredLight, HostileNormalsStayFiniteAndGainNothing) {
     gpu::Renderer renderer(*context, scene, &furnace);
     for (const glm::vec2 alpha : {glm::vec2(1e-3f, 1.0f), glm::vec2(0.2f, 0.6f)}) {
         for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
-            scene.materials[0].alpha = alpha;
+            scene.materials[0].lobe = AlphaLobe{alpha};
             scene.materials[0].method = static_cast<Method>(method);
             renderer.set_materials(scene.materials);
             // The deformations do gain at steep tilts, as published: no more than the reference
@@ -336,7 +336,7 @@ TEST_F(Occlusion, HalvesDiffuseImageLight) {
 TEST_F(Occlusion, DimsReflectionsByItsRule) {
     const Environment furnace = constant_environment(glm::vec3(1));
     Material metal;
-    metal.alpha = glm::vec2(0.5f, 0.5f);
+    metal.lobe = AlphaLobe{{0.5f, 0.5f}};
     const double open = middle(plate(metal, 1.0f), &furnace);
     const double rule = std::pow(1.0 + 0.3, std::exp2(-16 * 0.5 - 1)) - 1 + 0.3;
     EXPECT_NEAR(middle(plate(metal, 0.3f), &furnace) / open, rule, 0.01);
@@ -345,7 +345,7 @@ TEST_F(Occlusion, DimsReflectionsByItsRule) {
 
 TEST_F(Occlusion, LeavesPunctualLightAlone) {
     Material m;
-    m.alpha = glm::vec2(0.5f, 0.5f);
+    m.lobe = AlphaLobe{{0.5f, 0.5f}};
     Scene open = plate(m, 1.0f), dim = plate(m, 0.2f);
     open.lights = dim.lights = {directional({0.2f, 0.1f, 1.0f})};
     EXPECT_NEAR(middle(dim, nullptr), middle(open, nullptr), 1e-6);

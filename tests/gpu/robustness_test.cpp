@@ -33,7 +33,7 @@ class Robustness : public GpuTest {
 
     Scene lit_sphere() {
         Material m;
-        m.alpha = glm::vec2(0.4f, 0.1f);
+        m.lobe = AlphaLobe{{0.4f, 0.1f}};
         m.normal_texture.texture = 0;
         Scene scene = one_object(uv_sphere(24, 12), m);
         scene.textures.push_back(bump_texture(16, 2, 0.3f));
@@ -76,7 +76,7 @@ TEST_F(Robustness, ExtremeLobesStayFinite) {
         for (const glm::vec2 alpha : {glm::vec2(0.0f), glm::vec2(1.0f), glm::vec2(0.001f, 1.0f)}) {
             Scene scene = lit_sphere();
             scene.materials[0].mdf = static_cast<Mdf>(mdf);
-            scene.materials[0].alpha = alpha;
+            scene.materials[0].lobe = AlphaLobe{alpha};
             expect_finite(scene, name_of(static_cast<Mdf>(mdf)).data());
         }
     }

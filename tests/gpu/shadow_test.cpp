@@ -15,7 +15,7 @@ namespace {
 // through an orthographic camera of half height 2.
 Scene plate_and_blocker() {
     Material matt;
-    matt.alpha = glm::vec2(0.8f, 0.8f);
+    matt.lobe = AlphaLobe{{0.8f, 0.8f}};
     Scene scene = one_object(unit_plane(), matt);
     scene.instances[0].transform = glm::scale(glm::mat4(1.0f), glm::vec3(2.0f));
     Instance blocker;
@@ -112,7 +112,7 @@ TEST_F(Shadows, LeaveLitPixelsAlone) {
 // surface. Below that the triangles themselves turn away before their interpolated normals do.
 TEST_F(Shadows, ASphereDoesNotShadowItsLitSide) {
     Material matt;
-    matt.alpha = glm::vec2(0.6f, 0.6f);
+    matt.lobe = AlphaLobe{{0.6f, 0.6f}};
     Scene scene = one_object(uv_sphere(128, 64), matt);
     const float a = 80.0f * kPiF / 180.0f;
     const glm::vec3 towards(std::sin(a), 0, std::cos(a));

@@ -62,7 +62,7 @@ Material material_of(Brdf brdf, Mdf mdf, Method method) {
     m.mdf = mdf;
     m.method = method;
     m.conserve = true;
-    m.alpha = glm::vec2(0.2f, 0.45f);
+    m.lobe = AlphaLobe{{0.2f, 0.45f}};
     m.lafortune_c = glm::vec3(-0.9f, -0.6f, 0.8f);
     m.anisotropy_rotation = kRotation;
     m.normal_texture.texture = 0;
@@ -175,7 +175,7 @@ TEST_F(SurfacePixels, TabulatedUnderEveryMethod) {
     for (int method = 0; method <= f32::kMethodDeformSmooth; ++method) {
         Material m = material_of(Brdf::microfacet_separable, Mdf::ggx, static_cast<Method>(method));
         m.metallic = 0.0f;
-        m.tabulated = std::make_shared<const TabulatedMaterial>(t);
+        m.lobe = Tabulated{std::make_shared<const TabulatedMaterial>(t), {}};
         f32::SurfaceMaterial surface =
             f32::surface_material(f32::kBrdfTabulated, lobe_of(m), -1.0f, {}, m.dielectric_f0);
         surface.fresnel = f32::kFresnelDielectric;
@@ -214,12 +214,13 @@ TEST_F(SurfacePixels, YarnsUnderEveryMethod) {
             Material m = material_of(brdf, Mdf::ggx, static_cast<Method>(method));
             m.normal_texture = {};
             m.anisotropy_rotation = 0.0f;
-            m.cloth.emplace();
-            m.cloth->draft = std::make_shared<Draft>(builtin_draft("twill-2-2"));
-            m.cloth->yarns = 5.0f;
-            m.cloth->warp_color = glm::vec3(0.6f, 0.5f, 0.3f);
-            m.cloth->weft_color = glm::vec3(0.05f, 0.1f, 0.3f);
-            const Cloth& cloth = *m.cloth;
+            Cloth cloth;
+            cloth.draft = std::make_shared<Draft>(builtin_draft("twill-2-2"));
+            cloth.yarns = 5.0f;
+            cloth.warp_color = glm::vec3(0.6f, 0.5f, 0.3f);
+            cloth.weft_color = glm::vec3(0.05f, 0.1f, 0.3f);
+            cloth.alpha = *stated_alpha(m);
+            m.lobe = cloth;
             const f32::WeaveShape shape{cloth.crimp, cloth.bulge, cloth.gap, at_angle(cloth.twist)};
             const f32::Lobe lobe = lobe_of(m);
             const bool along_x = f32::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);

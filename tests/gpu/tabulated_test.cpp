@@ -26,7 +26,7 @@ Material surface_of(TabulatedMaterial m, Method method = Method::none) {
     material.metallic = 0.0f;
     material.brdf = Brdf::microfacet_separable;
     material.method = method;
-    material.tabulated = std::make_shared<const TabulatedMaterial>(std::move(m));
+    material.lobe = Tabulated{std::make_shared<const TabulatedMaterial>(std::move(m)), {}};
     return material;
 }
 
@@ -326,7 +326,7 @@ class TabulatedGgx : public GpuTest {
     Scene sphere(bool tabulated, Method method, bool bumps) const {
         Material material;
         material.metallic = 1.0f;
-        material.alpha = glm::vec2(0.2f, 0.5f);
+        material.lobe = AlphaLobe{{0.2f, 0.5f}};
         material.brdf = Brdf::microfacet_separable;
         if (tabulated) {
             TabulatedMaterial m = blank_material({128, 256}, 1, 1);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "burnish/scene.hpp"
+
 namespace burnish {
 namespace {
 
@@ -38,6 +40,22 @@ TEST(Bounds, OfTheLargestNumbersStayFinite) {
     EXPECT_EQ(bounds_of(mesh).center(), glm::vec3(0.0f));
     mesh.positions = {glm::vec3(kLargest)};
     EXPECT_EQ(bounds_of(mesh).center().x, kLargest);
+}
+
+// An erased instance keeps its place and its id, and counts for nothing.
+TEST(SceneBounds, LeaveErasedInstancesOut) {
+    Scene scene;
+    Mesh& mesh = scene.meshes.emplace_back();
+    mesh.positions = {{0, 0, 0}, {1, 2, 3}};
+    scene.materials.emplace_back();
+    glm::mat4 moved(1.0f);
+    moved[3][0] = 10.0f;
+    scene.instances = {{0, 0, glm::mat4(1.0f)}, {0, 0, moved}};
+    EXPECT_EQ(bounds_of(scene).high, glm::vec3(11, 2, 3));
+    scene.instances[1].mesh = -1;
+    EXPECT_EQ(bounds_of(scene).high, glm::vec3(1, 2, 3));
+    scene.instances[0].mesh = -1;
+    EXPECT_EQ(bounds_of(scene).high, glm::vec3(0.0f));
 }
 
 }  // namespace

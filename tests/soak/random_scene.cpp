@@ -9,11 +9,11 @@
 #include <limits>
 
 #include "burnish/parameters.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/stage.hpp"
 #include "formats/environments.hpp"
 #include "maps/weave/draft.hpp"
 #include "scene/geometry/builtin_meshes.hpp"
-#include "burnish/render_settings.hpp"
-#include "burnish/stage.hpp"
 
 namespace burnish::soak {
 namespace {
@@ -60,11 +60,6 @@ bool is_set_elsewhere(std::string_view name) {
     return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
-// Refused without a weave beside them.
-bool is_of_cloth(std::string_view name) {
-    return name.starts_with("weave_") || name == "warp_color" || name == "weft_color";
-}
-
 ParameterValues random_values(Random& random) {
     ParameterValues values;
     const bool woven = one_in(random, 6);
@@ -72,7 +67,7 @@ ParameterValues random_values(Random& random) {
     for (const Parameter& parameter : parameter_table()) {
         const bool other_way = parameter.name.starts_with(exponents ? "alpha_" : "e_");
         if (is_set_elsewhere(parameter.name) || other_way || !one_in(random, 3)) continue;
-        if (is_of_cloth(parameter.name) && !woven) continue;
+        if (parameter.belongs_to == "weave" && !woven) continue;
         // A camera at a chance place of a thousand kilometres sees nothing.
         const bool placed = parameter.name.starts_with("camera_") && !one_in(random, 8);
         if (placed && parameter.kind == ParameterKind::vector) continue;
@@ -175,12 +170,17 @@ void vary_factors(Material& m, Random& random) {
     m.alpha_cutoff = unit();
     m.base_color = {unit(), unit(), unit(), unit()};
     m.metallic = unit();
-    m.roughness = unit();
     m.occlusion_strength = unit();
-    m.anisotropy_strength = unit();
+    const glm::vec2 gltf(unit(), unit());
     m.anisotropy_rotation = static_cast<float>(between(random, -7, 7));
-    if (m.alpha)
-        m.alpha = glm::vec2(value_within(random, 0.001, 1.5), value_within(random, 0.001, 1.5));
+    const auto alpha = [&] { return static_cast<float>(value_within(random, 0.001, 1.5)); };
+    if (Cloth* cloth = std::get_if<Cloth>(&m.lobe)) {
+        cloth->alpha = {alpha(), alpha()};
+    } else if (stated_alpha(m)) {
+        m.lobe = AlphaLobe{{alpha(), alpha()}};
+    } else {
+        m.lobe = GltfLobe{gltf.x, gltf.y};
+    }
     // Beyond the table's 16: files may say so, with either sign.
     if (one_in(random, 4)) m.normal_scale = static_cast<float>(between(random, -100, 100));
     if (one_in(random, 4)) m.emissive = glm::vec3(static_cast<float>(between(random, 0, 1e4)));

@@ -7,8 +7,7 @@
 #include "burnish/error.hpp"
 #include "formats/load_model.hpp"
 #include "maps/weave/draft.hpp"
-#include "stage/cloth_material.hpp"
-#include "stage/material_parameters.hpp"
+#include "stage/layered_materials.hpp"
 
 namespace burnish {
 namespace {
@@ -30,27 +29,17 @@ std::string refusal_of(std::initializer_list<std::pair<const char*, const char*>
     return "accepted";
 }
 
-TEST(ClothMaterial, DefaultsOfTheTableAreThoseOfCloth) {
-    const Cloth cloth;
-    const ParameterValues none;
-    EXPECT_FLOAT_EQ(cloth.yarns, static_cast<float>(none.real("weave_yarns")));
-    EXPECT_FLOAT_EQ(cloth.crimp, static_cast<float>(none.real("weave_crimp")));
-    EXPECT_FLOAT_EQ(cloth.bulge, static_cast<float>(none.real("weave_bulge")));
-    EXPECT_FLOAT_EQ(cloth.gap, static_cast<float>(none.real("weave_gap")));
-    EXPECT_FLOAT_EQ(cloth.fuzz, static_cast<float>(none.real("weave_fuzz")));
-    EXPECT_FLOAT_EQ(cloth.twist, static_cast<float>(glm::radians(none.real("weave_twist"))));
-}
-
 TEST(ClothMaterial, AWeaveMakesTheSurfaceFibres) {
     const Scene scene =
         scene_with({{"weave", "satin-5"}, {"weave_twist", "-30"}, {"warp_color", "1,0,0"}});
     const Material& m = scene.materials.front();
-    ASSERT_TRUE(m.cloth);
-    EXPECT_EQ(m.cloth->draft->ends, 5);
-    EXPECT_FLOAT_EQ(m.cloth->twist, glm::radians(-30.0f));
-    EXPECT_EQ(m.cloth->warp_color, glm::vec3(1, 0, 0));
-    EXPECT_FALSE(m.cloth->weft_color);
-    EXPECT_EQ(m.alpha, kClothAlpha);
+    const Cloth* cloth = cloth_of(m);
+    ASSERT_TRUE(cloth);
+    EXPECT_EQ(cloth->draft->ends, 5);
+    EXPECT_FLOAT_EQ(cloth->twist, glm::radians(-30.0f));
+    EXPECT_EQ(cloth->warp_color, glm::vec3(1, 0, 0));
+    EXPECT_FALSE(cloth->weft_color);
+    EXPECT_EQ(cloth->alpha, Cloth{}.alpha);
     EXPECT_EQ(m.metallic, 0.0f);
 }
 
@@ -61,21 +50,22 @@ TEST(ClothMaterial, RoughnessIsAPairOfTheFibres) {
     later.set("roughness", "0.5", "");
     later.set("anisotropy", "0.6", "");
     apply_material_parameters(scene, later);
-    ASSERT_TRUE(scene.materials.front().alpha);
-    EXPECT_FLOAT_EQ(scene.materials.front().alpha->x, 0.25f);
-    EXPECT_FLOAT_EQ(scene.materials.front().alpha->y, 0.25f + 0.75f * 0.36f);
+    ASSERT_TRUE(cloth_of(scene.materials.front()));
+    EXPECT_FLOAT_EQ(cloth_of(scene.materials.front())->alpha.x, 0.25f);
+    EXPECT_FLOAT_EQ(cloth_of(scene.materials.front())->alpha.y, 0.25f + 0.75f * 0.36f);
 }
 
 TEST(ClothMaterial, NoneIsNoOtherDetail) {
-    EXPECT_TRUE(scene_with({{"weave", "plain"}, {"normal_map", "none"}}).materials.front().cloth);
+    EXPECT_TRUE(
+        cloth_of(scene_with({{"weave", "plain"}, {"normal_map", "none"}}).materials.front()));
     Scene scene = scene_with({{"weave", "plain"}});
     ParameterValues later;
     later.set("normal_map", "none", "");
     apply_material_parameters(scene, later);
-    EXPECT_TRUE(scene.materials.front().cloth);
+    EXPECT_TRUE(cloth_of(scene.materials.front()));
     later.set("weave", "none", "");
     apply_material_parameters(scene, later);
-    EXPECT_FALSE(scene.materials.front().cloth);
+    EXPECT_FALSE(cloth_of(scene.materials.front()));
 }
 
 TEST(ClothMaterial, WhatContradictsItselfIsRefused) {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "formats/load_model.hpp"
-#include "stage/material_parameters.hpp"
+#include "stage/layered_materials.hpp"
 #include "stage/normal_map_check.hpp"
 #include "support/test_folder.hpp"
 
@@ -16,14 +16,20 @@ TEST(DrawnMethod, NormalMapIsARotationWhereNothingIsAnisotropic) {
     Material m;
     m.method = Method::normal_map;
     EXPECT_EQ(drawn_method(m), Method::gram_schmidt);
-    m.anisotropy_strength = 0.3f;
+    m.lobe = GltfLobe{0.5f, 0.3f};
     EXPECT_EQ(drawn_method(m), Method::normal_map);
-    m.alpha = glm::vec2(0.2f, 0.2f);  // hides the strength
+    m.lobe = AlphaLobe{{0.2f, 0.2f}};
     EXPECT_EQ(drawn_method(m), Method::gram_schmidt);
-    m.alpha = glm::vec2(0.2f, 0.21f);
+    m.lobe = AlphaLobe{{0.2f, 0.21f}};
     EXPECT_EQ(drawn_method(m), Method::normal_map);
-    m.alpha = glm::vec2(0.2f, 0.2f);
+    m.lobe = AlphaLobe{{0.2f, 0.2f}};
     m.anisotropy_texture.texture = 0;
+    EXPECT_EQ(drawn_method(m), Method::normal_map);
+    Cloth cloth;
+    cloth.alpha = {0.2f, 0.2f};
+    m.lobe = cloth;
+    EXPECT_EQ(drawn_method(m), Method::gram_schmidt) << "cloth reads no anisotropy texture";
+    m.lobe = Tabulated{};
     EXPECT_EQ(drawn_method(m), Method::normal_map);
 }
 
@@ -34,6 +40,45 @@ TEST(DrawnMethod, OtherMethodsStay) {
         if (m.method == Method::normal_map) continue;
         EXPECT_EQ(drawn_method(m), m.method);
     }
+}
+
+// Every member that a kind of lobe does not read is neutral in the material that is drawn.
+TEST(DrawnMaterial, IsWhatTheLobeReads) {
+    Material all;
+    all.base_color = {0.1f, 0.2f, 0.3f, 0.4f};
+    all.metallic = 0.7f;
+    all.conductor = Conductor{{0.2f, 0.5f, 1.4f}, {3.9f, 2.4f, 1.6f}};
+    all.mdf = Mdf::ward;
+    all.brdf = Brdf::phong;
+    int texture = 0;
+    for (TextureUse* use :
+         {&all.base_color_texture, &all.metallic_roughness_texture, &all.normal_texture,
+          &all.occlusion_texture, &all.emissive_texture, &all.anisotropy_texture})
+        use->texture = texture++;
+    for (const MaterialLobe& lobe : {MaterialLobe(GltfLobe{}), MaterialLobe(AlphaLobe{})}) {
+        all.lobe = lobe;
+        EXPECT_EQ(drawn_material(all), all);
+    }
+    all.lobe = Cloth{};
+    Material cloth = drawn_material(all);
+    EXPECT_EQ(drawn_material(cloth), cloth);
+    EXPECT_FALSE(cloth.normal_texture || cloth.anisotropy_texture ||
+                 cloth.metallic_roughness_texture);
+    cloth.normal_texture = all.normal_texture;
+    cloth.anisotropy_texture = all.anisotropy_texture;
+    cloth.metallic_roughness_texture = all.metallic_roughness_texture;
+    EXPECT_EQ(cloth, all) << "nothing else changes";
+    all.lobe = Tabulated{};
+    const Material tabulated = drawn_material(all);
+    EXPECT_EQ(drawn_material(tabulated), tabulated);
+    EXPECT_EQ(tabulated.base_color, glm::vec4(1.0f, 1.0f, 1.0f, 0.4f));
+    EXPECT_EQ(tabulated.metallic, 0.0f);
+    EXPECT_FALSE(tabulated.conductor || tabulated.base_color_texture ||
+                 tabulated.anisotropy_texture || tabulated.metallic_roughness_texture);
+    EXPECT_EQ(tabulated.mdf, Mdf::ggx);
+    EXPECT_EQ(tabulated.brdf, Brdf::microfacet_separable);
+    EXPECT_EQ(tabulated.normal_texture, all.normal_texture);
+    EXPECT_EQ(tabulated.emissive_texture, all.emissive_texture);
 }
 
 Scene scene_with(std::vector<std::uint8_t> texels, int width, int channels) {

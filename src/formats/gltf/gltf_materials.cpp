@@ -23,9 +23,9 @@ class MaterialReader {
     Material read(const tinygltf::Material& from, std::size_t index);
 
   private:
-    void read_base(const tinygltf::PbrMetallicRoughness& from, Material& to);
-    void read_extensions(const tinygltf::ExtensionMap& from, Material& to);
-    void read_anisotropy(const tinygltf::Value& from, Material& to);
+    void read_base(const tinygltf::PbrMetallicRoughness& from, Material& to, GltfLobe& lobe);
+    void read_extensions(const tinygltf::ExtensionMap& from, Material& to, GltfLobe& lobe);
+    void read_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe);
     AlphaMode alpha_mode(const std::string& name) const;
 
     template <class Info>
@@ -138,21 +138,23 @@ TextureUse MaterialReader::use(const Info& info, ColorSpace color_space, const c
                color_space, fmt::format("{}.{}", where_, key));
 }
 
-void MaterialReader::read_base(const tinygltf::PbrMetallicRoughness& from, Material& to) {
+void MaterialReader::read_base(const tinygltf::PbrMetallicRoughness& from, Material& to,
+                               GltfLobe& lobe) {
     for (int i = 0; i < 4; ++i)
         to.base_color[i] = clamped(from.baseColorFactor[static_cast<std::size_t>(i)], 0.0, 1.0,
                                    "pbrMetallicRoughness.baseColorFactor");
     to.metallic = clamped(from.metallicFactor, 0.0, 1.0, "pbrMetallicRoughness.metallicFactor");
-    to.roughness = clamped(from.roughnessFactor, 0.0, 1.0, "pbrMetallicRoughness.roughnessFactor");
+    lobe.roughness =
+        clamped(from.roughnessFactor, 0.0, 1.0, "pbrMetallicRoughness.roughnessFactor");
     to.base_color_texture =
         use(from.baseColorTexture, ColorSpace::srgb, "pbrMetallicRoughness.baseColorTexture");
     to.metallic_roughness_texture = use(from.metallicRoughnessTexture, ColorSpace::linear,
                                         "pbrMetallicRoughness.metallicRoughnessTexture");
 }
 
-void MaterialReader::read_anisotropy(const tinygltf::Value& from, Material& to) {
-    to.anisotropy_strength = clamped(number(from, "anisotropyStrength", 0.0), 0.0, 1.0,
-                                     "extensions.KHR_materials_anisotropy.anisotropyStrength");
+void MaterialReader::read_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe) {
+    lobe.anisotropy_strength = clamped(number(from, "anisotropyStrength", 0.0), 0.0, 1.0,
+                                       "extensions.KHR_materials_anisotropy.anisotropyStrength");
     to.anisotropy_rotation =
         static_cast<float>(std::remainder(number(from, "anisotropyRotation", 0.0), kTwoPi));
     if (!from.Has("anisotropyTexture")) return;
@@ -166,9 +168,10 @@ void MaterialReader::read_anisotropy(const tinygltf::Value& from, Material& to) 
             where_ + ".extensions.KHR_materials_anisotropy.anisotropyTexture");
 }
 
-void MaterialReader::read_extensions(const tinygltf::ExtensionMap& from, Material& to) {
+void MaterialReader::read_extensions(const tinygltf::ExtensionMap& from, Material& to,
+                                     GltfLobe& lobe) {
     if (const auto* anisotropy = find(from, "KHR_materials_anisotropy"))
-        read_anisotropy(*anisotropy, to);
+        read_anisotropy(*anisotropy, to, lobe);
     if (const auto* ior = find(from, "KHR_materials_ior")) {
         const double n = number(*ior, "ior", 1.5);
         if (n != 0.0 && n < 1.0)
@@ -196,7 +199,8 @@ Material MaterialReader::read(const tinygltf::Material& from, std::size_t index)
     where_ = fmt::format("materials[{}]", index);
     Material to;
     to.name = from.name.empty() ? where_ : from.name;
-    read_base(from.pbrMetallicRoughness, to);
+    GltfLobe lobe;
+    read_base(from.pbrMetallicRoughness, to, lobe);
     to.normal_texture = use(from.normalTexture, ColorSpace::linear, "normalTexture");
     // A hundred turns the gentlest slope of an 8-bit map, 1/127, into 38 degrees: enough.
     to.normal_scale = clamped(from.normalTexture.scale, -100.0, 100.0, "normalTexture.scale");
@@ -210,7 +214,8 @@ Material MaterialReader::read(const tinygltf::Material& from, std::size_t index)
     to.alpha_mode = alpha_mode(from.alphaMode);
     to.alpha_cutoff = clamped(from.alphaCutoff, 0.0, 1e6, "alphaCutoff");
     to.double_sided = from.doubleSided;
-    read_extensions(from.extensions, to);
+    read_extensions(from.extensions, to, lobe);
+    to.lobe = lobe;
     return to;
 }
 

@@ -248,14 +248,13 @@ int GltfMeshes::default_material() {
 
 int GltfMeshes::resolve_material(int index, const Mesh& mesh, const std::string& key) {
     const bool missing[] = {mesh.texcoord0.empty(), mesh.texcoord1.empty()};
-    Material material = scene_.materials[static_cast<std::size_t>(index)];
+    const auto is_dropped = [&](const TextureUse& use) { return use && missing[use.texcoord]; };
     std::string dropped[2];
     for (const NamedTextureUse& named : kTextureUses) {
-        TextureUse& use = material.*named.use;
-        if (!use || !missing[use.texcoord]) continue;
+        const TextureUse& use = scene_.materials[static_cast<std::size_t>(index)].*named.use;
+        if (!is_dropped(use)) continue;
         std::string& names = dropped[use.texcoord];
         names += fmt::format("{}{}", names.empty() ? "" : ", ", named.name);
-        use = TextureUse();
     }
     if (dropped[0].empty() && dropped[1].empty()) return index;
     for (int set = 0; set < 2; ++set) {
@@ -267,7 +266,11 @@ int GltfMeshes::resolve_material(int index, const Mesh& mesh, const std::string&
     const auto [copy, fresh] = reduced_materials_.try_emplace({index, mask}, -1);
     if (fresh) {
         copy->second = static_cast<int>(scene_.materials.size());
-        scene_.materials.push_back(std::move(material));
+        scene_.materials.push_back(scene_.materials[static_cast<std::size_t>(index)]);
+        for (const NamedTextureUse& named : kTextureUses) {
+            TextureUse& use = scene_.materials.back().*named.use;
+            if (is_dropped(use)) use = TextureUse();
+        }
     }
     return copy->second;
 }

@@ -65,7 +65,8 @@ class LibraryReader {
   private:
     using Keywords = std::set<std::string>;
     Material convert(const tinyobj::material_t& from, const Keywords& keywords);
-    void convert_surface(const tinyobj::material_t& from, const Keywords& keywords, Material& to);
+    void convert_surface(const tinyobj::material_t& from, const Keywords& keywords, Material& to,
+                         GltfLobe& lobe);
     TextureUse use(const std::string& name, const tinyobj::texture_option_t& options,
                    ColorSpace color_space);
     void warn(std::string line) {
@@ -109,17 +110,17 @@ TextureUse LibraryReader::use(const std::string& name, const tinyobj::texture_op
 
 // Roughness and reflection: the PBR keys where they are given, else Phong's.
 void LibraryReader::convert_surface(const tinyobj::material_t& from, const Keywords& keywords,
-                                    Material& to) {
+                                    Material& to, GltfLobe& lobe) {
     to.metallic = keywords.contains("Pm") ? unit(from.metallic, 0.0f) : 0.0f;
     if (keywords.contains("Pr")) {
-        to.roughness = unit(from.roughness, 1.0f);
+        lobe.roughness = unit(from.roughness, 1.0f);
         return;
     }
     const float strongest = std::max({from.specular[0], from.specular[1], from.specular[2]});
     if (keywords.contains("Ks") && !(strongest > 0.0f)) to.dielectric_f0 = 0.0f;
     // A Blinn-Phong lobe of exponent Ns is about as wide as a Beckmann one of alpha^2 = 2/(Ns+2).
     if (keywords.contains("Ns") && from.shininess >= 0.0f && std::isfinite(from.shininess))
-        to.roughness = std::pow(2.0f / (from.shininess + 2.0f), 0.25f);
+        lobe.roughness = std::pow(2.0f / (from.shininess + 2.0f), 0.25f);
 }
 
 Material LibraryReader::convert(const tinyobj::material_t& from, const Keywords& keywords) {
@@ -134,8 +135,10 @@ Material LibraryReader::convert(const tinyobj::material_t& from, const Keywords&
         to.base_color = glm::vec4(keywords.contains("map_Kd") ? 1.0f : 0.8f);
     to.base_color.a = unit(from.dissolve, 1.0f);
     if (to.base_color.a < 1.0f) to.alpha_mode = AlphaMode::blend;
-    convert_surface(from, keywords, to);
-    to.anisotropy_strength = unit(from.anisotropy, 0.0f);
+    GltfLobe lobe = *gltf_lobe_of(to);
+    convert_surface(from, keywords, to, lobe);
+    lobe.anisotropy_strength = unit(from.anisotropy, 0.0f);
+    to.lobe = lobe;
     to.anisotropy_rotation = kTwoPi * unit(from.anisotropy_rotation, 0.0f);
     to.base_color_texture = use(from.diffuse_texname, from.diffuse_texopt, ColorSpace::srgb);
     to.emissive_texture = use(from.emissive_texname, from.emissive_texopt, ColorSpace::srgb);
@@ -203,7 +206,7 @@ Material default_obj_material() {
     material.name = "default";
     material.base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
     material.metallic = 0.0f;
-    material.roughness = 0.5f;
+    material.lobe = GltfLobe{0.5f};
     return material;
 }
 

@@ -29,7 +29,7 @@ glm::vec3 row(const glm::mat3& m, int r) {
 
 // A tabulated material is read where its normal map is, or would be.
 const TextureUse* first_use(const Material& material) {
-    if (material.tabulated) return &material.normal_texture;
+    if (tabulated_of(material)) return &material.normal_texture;
     for (const TextureUse* use : uses_of(material)) {
         if (*use) return use;
     }
@@ -51,7 +51,7 @@ void set_textures(Program& program, const Material& material, TextureStore& text
     std::array<float, kMaterialTextures> set{}, lod{};
     const auto uses = uses_of(material);
     for (std::size_t i = 0; i < uses.size(); ++i) {
-        const bool texels = material.tabulated && uses[i] == &material.normal_texture;
+        const bool texels = tabulated_of(material) && uses[i] == &material.normal_texture;
         if (!*uses[i] && !texels) continue;
         s[i] = row(uses[i]->transform, 0);
         t[i] = row(uses[i]->transform, 1);
@@ -96,14 +96,14 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     v.occlusion_map = static_cast<bool>(m.occlusion_texture);
     v.emissive_map = static_cast<bool>(m.emissive_texture);
     v.anisotropy_map = static_cast<bool>(m.anisotropy_texture);
-    v.lobe_from_texture = !m.alpha && (v.metallic_roughness_map || v.anisotropy_map);
+    v.lobe_from_texture = gltf_lobe_of(m) && (v.metallic_roughness_map || v.anisotropy_map);
     const f32::Lobe lobe = lobe_of(m);
     v.grooves_along_x =
         v.lobe_from_texture || f32::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);
-    v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map || m.cloth;
-    v.cloth = with_normal_map && m.cloth;
-    v.cloth_colors = v.cloth && has_yarn_colors(*m.cloth);
-    v.tabulated = static_cast<bool>(m.tabulated);
+    v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map || cloth_of(m);
+    v.cloth = with_normal_map && cloth_of(m);
+    v.cloth_colors = v.cloth && has_yarn_colors(*cloth_of(m));
+    v.tabulated = tabulated_of(m) != nullptr;
     if (v.tabulated) {
         v.turned = v.grooves_along_x = true;  // tabulated_texels.glsl turns the lobe to them
         v.conductor = v.metal = v.lobe_from_texture = false;
@@ -120,13 +120,14 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
 
 void set_material(Program& program, const Material& m, TextureStore& textures, float lod_bias) {
     const f32::Lobe lobe = lobe_of(m);
+    const GltfLobe gltf = gltf_lobe_of(m) ? *gltf_lobe_of(m) : GltfLobe{};
     const Conductor conductor = m.conductor.value_or(Conductor{});
     // Yarns bring their own.
     program.set("u_base_color",
-                m.cloth ? glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a) : m.base_color);
+                cloth_of(m) ? glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a) : m.base_color);
     program.set("u_metallic", m.metallic);
-    program.set("u_roughness", m.roughness);
-    program.set("u_anisotropy", m.anisotropy_strength);
+    program.set("u_roughness", gltf.roughness);
+    program.set("u_anisotropy", gltf.anisotropy_strength);
     program.set("u_anisotropy_direction",
                 glm::vec2(std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation)));
     program.set("u_emissive", m.emissive);

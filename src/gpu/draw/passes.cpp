@@ -5,8 +5,8 @@
 #include <map>
 #include <numeric>
 
-#include "gpu/device/texture_units.hpp"
 #include "burnish/render_settings.hpp"
+#include "gpu/device/texture_units.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -52,7 +52,7 @@ std::size_t triangles_of(const Scene& scene, const std::vector<DrawItem>& items)
 }  // namespace
 
 DeviceScene::DeviceScene(Context& context, const Scene& scene, const Environment* light)
-    : materials(scene.materials),
+    : materials(drawn_materials(scene.materials)),
       items(draw_items(scene)),
       bounds(gpu::bounds_of(items)),
       ground(bounds, triangles_of(scene, items), light),
@@ -128,11 +128,11 @@ void Painter::set_surface(Program& program, const Frame& frame, int material) {
     const Material& m = scene_.materials[static_cast<std::size_t>(material)];
     set_common(program, frame);
     set_material(program, m, scene_.textures, lod_bias(frame.options->samples));
-    if (m.cloth && frame.variant == ShadingVariant::full) {
+    if (cloth_of(m) && frame.variant == ShadingVariant::full) {
         cloths_.bind(program, material, m);
         program.set("u_weave_filter", frame.options->filter_cloth ? 1.0f : 0.0f);
     }
-    if (m.tabulated) {
+    if (tabulated_of(m)) {
         const bool sampled =
             scene_.environment && frame.options->image_light == ImageLight::importance;
         tabulated_.bind(program, m, sampled);
@@ -163,7 +163,7 @@ bool Painter::needs_position(const Frame& frame) const {
 
 bool Painter::needs_shape() const {
     return std::any_of(scene_.materials.begin(), scene_.materials.end(),
-                       [](const Material& m) { return static_cast<bool>(m.tabulated); });
+                       [](const Material& m) { return tabulated_of(m) != nullptr; });
 }
 
 // Masked surfaces cast the shadow of all their triangles, blended ones none.

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "burnish/error.hpp"
+#include "burnish/render_settings.hpp"
 #include "core/machine.hpp"
 #include "gpu/device/device_timer.hpp"
 #include "gpu/draw/passes.hpp"
-#include "burnish/render_settings.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -34,7 +34,7 @@ void require_sound(const RenderSettings& o) {
 // What a tabulated lobe has no shortcut for.
 void require_drawable(const DeviceScene& scene, const RenderSettings& o) {
     const bool any = std::ranges::any_of(
-        scene.materials, [](const Material& m) { return static_cast<bool>(m.tabulated); });
+        scene.materials, [](const Material& m) { return tabulated_of(m) != nullptr; });
     const bool sampled =
         o.image_light == ImageLight::importance || o.image_light == ImageLight::off;
     if (!any || sampled || !scene.environment || !(o.environment_intensity > 0.0f)) return;
@@ -117,7 +117,7 @@ void Renderer::set_materials(const std::vector<Material>& materials) {
         throw Error("materials", "", std::to_string(impl_->scene.materials.size()),
                     std::to_string(materials.size()));
     }
-    impl_->scene.materials = materials;
+    impl_->scene.materials = drawn_materials(materials);
 }
 
 Image Renderer::render(const Camera& camera, const RenderSettings& options,

@@ -25,7 +25,7 @@ f32::WeaveShape shape_of(const Cloth& c) {
 
 // From the yarn to the lobe's x axis.
 f32::vec2 turn_of(const Material& m) {
-    const float angle = m.cloth->twist + m.anisotropy_rotation;
+    const float angle = cloth_of(m)->twist + m.anisotropy_rotation;
     return {std::cos(angle), std::sin(angle)};
 }
 
@@ -121,7 +121,7 @@ glm::vec3 base_of(const Material& m) {
 
 // Whether maps made for one serve the other.
 bool same_cloth(const Material& a, const Material& b) {
-    const Cloth &c = *a.cloth, &d = *b.cloth;
+    const Cloth &c = *cloth_of(a), &d = *cloth_of(b);
     return c.draft == d.draft && c.crimp == d.crimp && c.bulge == d.bulge && c.gap == d.gap &&
            c.twist == d.twist && c.fuzz == d.fuzz && c.warp_color == d.warp_color &&
            c.weft_color == d.weft_color && alpha_of(a) == alpha_of(b) && a.mdf == b.mdf &&
@@ -178,7 +178,7 @@ std::vector<ClothLevel> cloth_levels(const Draft& draft, float gap, glm::vec3 wa
 }
 
 void ClothMaps::make(Made& made, const Material& m) {
-    const Cloth& cloth = *m.cloth;
+    const Cloth& cloth = *cloth_of(m);
     const Draft& draft = *cloth.draft;
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
@@ -221,7 +221,7 @@ void ClothMaps::bind(Program& program, int index, const Material& m) {
     bind_texture(program, "u_weave_weft", kWeaveWeftUnit, GL_TEXTURE_2D, made->weft.get());
     bind_texture(program, "u_weave_warp", kWeaveWarpUnit, GL_TEXTURE_2D, made->warp.get());
     bind_texture(program, "u_weave_lobes", kWeaveLobesUnit, GL_TEXTURE_2D_ARRAY, made->lobes.get());
-    const Cloth& cloth = *m.cloth;
+    const Cloth& cloth = *cloth_of(m);
     const f32::vec2 turn = turn_of(m);
     program.set("u_weave_yarns", cloth.yarns);
     program.set("u_weave_shape", glm::vec3(cloth.crimp, cloth.bulge, cloth.gap));

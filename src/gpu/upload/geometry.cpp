@@ -148,8 +148,8 @@ std::vector<DrawItem> draw_items(const Scene& scene) {
     std::vector<Bounds> boxes;
     for (const Mesh& mesh : scene.meshes) boxes.push_back(burnish::bounds_of(mesh));
     for (const Instance& instance : scene.instances) {
-        const bool mesh =
-            instance.mesh >= 0 && static_cast<std::size_t>(instance.mesh) < scene.meshes.size();
+        if (instance.mesh < 0) continue;  // erased
+        const bool mesh = static_cast<std::size_t>(instance.mesh) < scene.meshes.size();
         const bool material = instance.material >= 0 &&
                               static_cast<std::size_t>(instance.material) < scene.materials.size();
         if (!mesh || !material || !finite(instance.transform)) {

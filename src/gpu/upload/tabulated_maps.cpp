@@ -215,10 +215,11 @@ void TabulatedMaps::make_draws(Made& made) {
 }
 
 void TabulatedMaps::bind(Program& program, const Material& material, bool draws) {
-    std::unique_ptr<Made>& made = made_[material.tabulated.get()];
+    const std::shared_ptr<const TabulatedMaterial>& table = tabulated_of(material)->material;
+    std::unique_ptr<Made>& made = made_[table.get()];
     if (!made) {
         auto fresh = std::make_unique<Made>();
-        make(*fresh, material.tabulated);
+        make(*fresh, table);
         made = std::move(fresh);
     }
     if (draws && !made->draws) make_draws(*made);

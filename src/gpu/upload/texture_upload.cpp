@@ -200,7 +200,7 @@ GLint wrap_of(Wrap wrap) {
 
 bool wants_slopes(const Material& material) {
     // A tabulated lobe has no width to widen.
-    return material.normal_texture && !material.tabulated &&
+    return material.normal_texture && !tabulated_of(material) &&
            material.normal_filter == NormalFilter::moments;
 }
 
@@ -211,6 +211,7 @@ TextureStore::TextureStore(const Context& context, const Scene& scene) {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy_);
         anisotropy_ = std::clamp(anisotropy_, 1.0f, 8.0f);
     }
+    const std::vector<Material> drawn = drawn_materials(scene.materials);
     const auto checked = [&](const TextureUse& use) -> const Texture& {
         if (static_cast<std::size_t>(use.texture) >= scene.textures.size()) {
             throw Error("material", "texture", "one of " + std::to_string(scene.textures.size()),
@@ -227,7 +228,7 @@ TextureStore::TextureStore(const Context& context, const Scene& scene) {
         textures_.emplace(use.texture, Uploaded{upload(texture, pixels), texture.channels,
                                                 log2_longer_side(texture)});
     };
-    for (const Material& m : scene.materials) {
+    for (const Material& m : drawn) {
         const TextureUse& use = m.normal_texture;
         if (!wants_slopes(m)) {
             require(use, TexelRepair::flat_normal);
@@ -237,7 +238,7 @@ TextureStore::TextureStore(const Context& context, const Scene& scene) {
                                                   texture.channels, log2_longer_side(texture)});
         }
     }
-    for (const Material& m : scene.materials) {
+    for (const Material& m : drawn) {
         for (const TextureUse* use :
              {&m.base_color_texture, &m.metallic_roughness_texture, &m.occlusion_texture,
               &m.emissive_texture, &m.anisotropy_texture}) {

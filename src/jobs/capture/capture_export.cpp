@@ -13,9 +13,9 @@
 #include "export/material_textures.hpp"
 #include "export/quad_gltf.hpp"
 #include "fit/lobe_fit.hpp"
+#include "formats/load_tabulated.hpp"
 #include "image/image_io.hpp"
 #include "jobs/map_folder.hpp"
-#include "stage/tabulated_apply.hpp"
 
 namespace burnish {
 

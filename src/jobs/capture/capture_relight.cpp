@@ -11,9 +11,9 @@
 #include "capture/judge/relight.hpp"
 #include "core/files.hpp"
 #include "core/version.hpp"
+#include "formats/load_tabulated.hpp"
 #include "image/image_io.hpp"
 #include "jobs/map_folder.hpp"
-#include "stage/tabulated_apply.hpp"
 
 namespace burnish {
 

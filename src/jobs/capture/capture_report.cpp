@@ -10,12 +10,12 @@
 #include "capture/solve/capture_fit.hpp"
 #include "core/files.hpp"
 #include "core/version.hpp"
+#include "formats/load_tabulated.hpp"
 #include "image/image_io.hpp"
 #include "jobs/capture/capture_relight.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 #include "jobs/info/info_rig.hpp"
 #include "jobs/map_folder.hpp"
-#include "stage/tabulated_apply.hpp"
 
 namespace burnish {
 

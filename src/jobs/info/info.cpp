@@ -12,6 +12,7 @@
 #include "formats/bsdf/tensor_file.hpp"
 #include "formats/environments.hpp"
 #include "formats/load_model.hpp"
+#include "formats/scene_file.hpp"
 #include "formats/tabulated/tabulated_file.hpp"
 #include "formats/wif/wif.hpp"
 #include "gpu/device/context.hpp"
@@ -24,7 +25,6 @@
 #include "scene/geometry/builtin_meshes.hpp"
 #include "scene/material/tabulated_material.hpp"
 #include "stage/normal_map_check.hpp"
-#include "stage/scene_file.hpp"
 
 namespace burnish {
 

@@ -6,13 +6,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/text.hpp"
+#include "formats/scene_file.hpp"
 #include "models/conductors.hpp"
+#include "stage/layered_materials.hpp"
 #include "stage/normal_map_check.hpp"
-#include "stage/scene_file.hpp"
 #include "stage/stage.hpp"
 
 namespace burnish {
@@ -116,20 +119,23 @@ std::string describe_texture_use(const Scene& scene, std::string_view what, cons
 }
 
 void describe_lobe(const Material& m, Description& d) {
-    if (m.alpha) {
-        d.say(", alpha (").say(m.alpha->x).say(", ").say(m.alpha->y).say(")");
+    const std::optional<glm::vec2> alpha = stated_alpha(m);
+    const GltfLobe* gltf = gltf_lobe_of(m);
+    const GltfLobe lobe = gltf ? *gltf : GltfLobe{};
+    if (alpha) {
+        d.say(", alpha (").say(alpha->x).say(", ").say(alpha->y).say(")");
     } else {
-        d.say(", roughness ").say(m.roughness);
-        if (m.anisotropy_strength > 0) d.say(", anisotropy ").say(m.anisotropy_strength);
+        d.say(", roughness ").say(lobe.roughness);
+        if (lobe.anisotropy_strength > 0) d.say(", anisotropy ").say(lobe.anisotropy_strength);
     }
-    const bool lobe = m.alpha.has_value() || m.anisotropy_strength > 0;
-    if (lobe && m.anisotropy_rotation != 0)
+    if ((alpha || lobe.anisotropy_strength > 0) && m.anisotropy_rotation != 0)
         d.say(" turned ").say(glm::degrees(m.anisotropy_rotation)).say(" deg");
     if (m.mdf != Mdf::ggx) d.say(", ").say(name_of(m.mdf));
     if (m.brdf != Brdf::microfacet) d.say(", ").say(name_of(m.brdf));
 }
 
-Description describe_material(const Scene& scene, const Material& m) {
+Description describe_material(const Scene& scene, const Material& material) {
+    const Material m = drawn_material(material);
     Description d{name_or_none(m.name)};
     if (m.conductor) {
         const std::string_view metal = conductor_name(*m.conductor);
@@ -186,6 +192,8 @@ std::string describe_scene(const std::string& path, const Scene& scene) {
 
 std::string describe_scene_file(const std::string& path) {
     SceneFile file = load_scene_file(path);
+    LayeredMaterials materials(file.scene.materials, file.layers);
+    std::ranges::move(materials.apply(file.scene, {}), std::back_inserter(file.scene.warnings));
     warn_of_odd_normal_maps(file.scene);
     std::string text = describe_scene(path, file.scene);
     text += "  environment: " +

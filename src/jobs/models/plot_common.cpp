@@ -5,7 +5,6 @@
 #include "burnish/error.hpp"
 #include "burnish/f64.hpp"
 #include "core/version.hpp"
-#include "stage/material_parameters.hpp"
 
 namespace burnish {
 

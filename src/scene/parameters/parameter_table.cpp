@@ -1,176 +1,226 @@
+// The rows of THE parameter table. Names of choices stand beside their enumerations, and defaults
+// in the structs that the values go into.
+#include <fmt/format.h>
+
 #include <array>
+#include <charconv>
+#include <glm/trigonometric.hpp>
 
 #include "burnish/parameters.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/scene.hpp"
 #include "burnish/shading_names.hpp"
 #include "image/display.hpp"
+#include "models/conductors.hpp"
 
 namespace burnish {
+
+std::span<const std::string_view> scratch_direction_names() {
+    static constexpr std::array<std::string_view, 2> kNames = {"keep", "follow"};
+    return kNames;
+}
 
 namespace {
 
 using Kind = ParameterKind;
 using Group = ParameterGroup;
 
-// "none" and then conductor_names(), in that order (a test holds them together).
-constexpr std::array<std::string_view, 8> kMetals = {"none",      "gold",  "silver", "copper",
-                                                     "aluminium", "steel", "brass",  "titanium"};
-constexpr std::array<std::string_view, 4> kImageLights = {"off", "importance", "bent-normal",
-                                                          "prefiltered"};
-constexpr std::array<std::string_view, 2> kNormalFilters = {"mips", "moments"};
-constexpr std::array<std::string_view, 2> kScratchDirections = {"keep", "follow"};
-constexpr std::array<std::string_view, 3> kBackgrounds = {"environment", "color", "transparent"};
-
-// Positions and distances: a thousand kilometres leave float coordinates 6 cm apart, enough for
-// any scene that can still be drawn.
+// Positions and distances: at a thousand kilometers float coordinates are 6 cm apart, which is
+// enough for any scene that can still be drawn.
 constexpr double kFar = 1e6;
 constexpr double kMaxSeed = 2147483647.0;
 
+// The decimal number that a float default of a struct stands for: 0.7, not 0.699999988. Six digits
+// are those that every float keeps.
+double decimal(float value) {
+    const std::string digits = fmt::format("{:.6g}", value);
+    double number = 0.0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return number;
+}
+
+template <typename Enumeration>
+ParameterChoice choice_of(Enumeration value) {
+    return {static_cast<int>(value)};
+}
+
+// "none", then the conductors.
+std::span<const std::string_view> metals() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all{"none"};
+        all.insert(all.end(), conductor_names().begin(), conductor_names().end());
+        return all;
+    }();
+    return names;
+}
+
 // The table while it is written: one call a parameter, in the order of help texts.
 struct Table {
+    using Text = std::string_view;
+    using Default = std::optional<ParameterValue>;
+
     Group group = Group::material;
+    Text belongs_to;  // of the rows that follow
     std::vector<Parameter> rows;
 
-    using Text = std::string_view;
-    void real(Text name, double low, double high, Text standard, Text unit, Text help) {
-        rows.push_back({name, group, Kind::real, low, high, standard, unit, help, {}});
+    void add(Text name, Kind kind, double low, double high, Default standard, Text unit, Text help,
+             std::span<const Text> choices = {}) {
+        rows.push_back({name, group, kind, low, high, std::move(standard), "", unit, help, choices,
+                        belongs_to});
+        Parameter& row = rows.back();
+        if (row.default_value) row.default_text = text_of(row, *row.default_value);
     }
-    void integer(Text name, double low, double high, Text standard, Text unit, Text help) {
-        rows.push_back({name, group, Kind::integer, low, high, standard, unit, help, {}});
+    void real(Text name, double low, double high, Default standard, Text unit, Text help) {
+        add(name, Kind::real, low, high, std::move(standard), unit, help);
     }
-    void boolean(Text name, Text standard, Text help) {
-        rows.push_back({name, group, Kind::boolean, 0, 1, standard, "", help, {}});
+    void integer(Text name, double low, double high, Default standard, Text unit, Text help) {
+        add(name, Kind::integer, low, high, std::move(standard), unit, help);
     }
-    void choice(Text name, std::span<const Text> choices, Text standard, Text help) {
-        rows.push_back({name, group, Kind::choice, 0, 0, standard, "", help, choices});
+    void boolean(Text name, Default standard, Text help) {
+        add(name, Kind::boolean, 0, 1, std::move(standard), "", help);
     }
-    void color(Text name, double high, Text standard, Text help) {
-        rows.push_back({name, group, Kind::color, 0, high, standard, "", help, {}});
+    void choice(Text name, std::span<const Text> choices, Default standard, Text help) {
+        add(name, Kind::choice, 0, 0, std::move(standard), "", help, choices);
     }
-    void vector(Text name, double reach, Text standard, Text help) {
-        rows.push_back({name, group, Kind::vector, -reach, reach, standard, "", help, {}});
+    void color(Text name, double high, Default standard, Text help) {
+        add(name, Kind::color, 0, high, std::move(standard), "", help);
     }
-    void position(Text name, Text help) {
-        rows.push_back({name, group, Kind::vector, -kFar, kFar, "", "m", help, {}});
+    void vector(Text name, double reach, Default standard, Text help) {
+        add(name, Kind::vector, -reach, reach, std::move(standard), "", help);
     }
-    void text(Text name, Text help) {
-        rows.push_back({name, group, Kind::text, 0, 0, "", "", help, {}});
-    }
+    void position(Text name, Text help) { add(name, Kind::vector, -kFar, kFar, {}, "m", help); }
+    void text(Text name, Text help) { add(name, Kind::text, 0, 0, {}, "", help); }
 };
 
 void add_material(Table& t) {
     t.group = Group::material;
-    t.choice("mdf", mdf_names(), "ggx", "microfacet distribution of the specular lobe");
-    t.choice("brdf", brdf_names(), "microfacet", "reflection model");
-    t.choice("method", method_names(), "follow-grain",
+    const Material standard;
+    t.choice("mdf", mdf_names(), choice_of(standard.mdf),
+             "microfacet distribution of the specular lobe");
+    t.choice("brdf", brdf_names(), choice_of(standard.brdf), "reflection model");
+    t.choice("method", method_names(), choice_of(standard.method),
              "what a normal map does to the anisotropic lobe");
-    t.boolean("conserve", "false", "energy-conserving form of the deform methods");
-    t.real("alpha_x", 0.001, 1.5, "", "", "roughness along the tangent; alone it sets both");
-    t.real("alpha_y", 0.001, 1.5, "", "", "roughness across the tangent; alone it sets both");
-    t.real("e_x", 0, 1000000, "", "",
+    t.boolean("conserve", standard.conserve, "energy-conserving form of the deform methods");
+    t.real("alpha_x", 0.001, 1.5, {}, "", "roughness along the tangent; alone it sets both");
+    t.real("alpha_y", 0.001, 1.5, {}, "", "roughness across the tangent; alone it sets both");
+    t.real("e_x", 0, 1000000, {}, "",
            "Ashikhmin-Shirley exponent along the tangent, alpha = sqrt(2 / (e + 2))");
-    t.real("e_y", 0, 1000000, "", "", "Ashikhmin-Shirley exponent across the tangent");
-    t.real("cosine_exponent", 0, 100000, "", "",
+    t.real("e_y", 0, 1000000, {}, "", "Ashikhmin-Shirley exponent across the tangent");
+    t.real("cosine_exponent", 0, 100000, {}, "",
            "Phong's and Lafortune's exponent n, alpha = 1 / sqrt(2 n + 1)");
-    t.real("roughness", 0, 1, "", "", "perceptual roughness of glTF, alpha = roughness^2");
-    t.real("anisotropy", 0, 1, "", "",
+    t.real("roughness", 0, 1, {}, "", "perceptual roughness of glTF, alpha = roughness^2");
+    t.real("anisotropy", 0, 1, {}, "",
            "strength of KHR_materials_anisotropy: stretch along the tangent");
-    t.real("anisotropy_rotation", -360, 360, "", "deg",
+    t.real("anisotropy_rotation", -360, 360, {}, "deg",
            "turn of the lobe, counter-clockwise from the tangent");
-    t.real("ks", 0, 1e6, "", "",
+    t.real("ks", 0, 1e6, {}, "",
            "scale of the phong and lafortune lobes (left out: as much as keeps their energy)");
     t.vector(
-        "lafortune_c", 10, "-1,-1,1",
+        "lafortune_c", 10, standard.lafortune_c,
         "Cx,Cy,Cz of lafortune: -1,-1,1 leans to the mirror direction, 1,1,1 back to the light");
-    t.real("metallic", 0, 1, "", "", "0 dielectric, 1 metal");
-    t.color("base_color", 1, "",
+    t.real("metallic", 0, 1, {}, "", "0 dielectric, 1 metal");
+    t.color("base_color", 1, {},
             "diffuse colour, or reflectance of a metal: r,g,b linear or #rrggbb");
-    t.choice("metal", kMetals, "", "measured metal with exact Fresnel instead of base_color");
-    t.real("f0", 0, 1, "", "",
+    t.choice("metal", metals(), {}, "measured metal with exact Fresnel instead of base_color");
+    t.real("f0", 0, 1, {}, "",
            "normal reflectance of a dielectric (0.04 is a refractive index of 1.5)");
     t.text("normal_map", "normal map: a picture, builtin:bumps, or none");
-    t.real("normal_scale", 0, 16, "", "", "strength of the normal map (1 as stored)");
-    t.boolean("flip_green", "", "the normal map has +y down (DirectX)");
-    t.choice("normal_filter", kNormalFilters, "moments",
+    t.real("normal_scale", 0, 16, {}, "", "strength of the normal map (1 as stored)");
+    t.boolean("flip_green", {}, "the normal map has +y down (DirectX)");
+    t.choice("normal_filter", normal_filter_names(), choice_of(standard.normal_filter),
              "normal maps from afar: moments widens the lobe by the bumps too small to see, mips "
              "averages normals");
     t.text("scratch",
            "scratch map in place of a normal map: a folder made by burnish scratch, or brushed, "
            "fine-random, deep-gouges, circular-brushed, swirl-marks, tool-marks");
-    t.choice("scratch_direction", kScratchDirections, "keep",
+    t.belongs_to = "scratch";
+    t.choice("scratch_direction", scratch_direction_names(), choice_of(ScratchDirection::keep),
              "grooves of the lobe: keep the material's, or follow the scratches");
+    t.belongs_to = "";
     t.text(
         "tabulated",
         "measured material in place of the lobe and its colours: a file of burnish capture fit, an "
         "RGL .bsdf (its distribution of normals), or none");
-    t.real("uv_scale", 0.01, 1000, "", "",
+    t.real("uv_scale", 0.01, 1000, {}, "",
            "repeats of the normal or scratch map, or the tabulated material, across the texture "
            "square");
-    t.boolean("double_sided", "", "show back faces too");
+    t.boolean("double_sided", {}, "show back faces too");
 }
 
-// Defaults are those of Cloth (a test holds them together).
 void add_cloth(Table& t) {
+    const Cloth standard;
     t.text("weave",
            "woven cloth in place of a normal map: plain, twill-2-1, twill-2-2, twill-3-1, "
            "herringbone, satin-5, satin-8, basket, a .wif file, or none");
+    t.belongs_to = "weave";
     t.real(
-        "weave_yarns", 1, 100000, "100", "",
+        "weave_yarns", 1, 100000, decimal(standard.yarns), "",
         "yarns of each family across the texture square; a multiple of the draft's repeat has no "
         "seam");
-    t.real("weave_crimp", 0, 0.5, "0.15", "",
+    t.real("weave_crimp", 0, 0.5, decimal(standard.crimp), "",
            "rise and fall of a yarn's middle line, in yarn spacings");
-    t.real("weave_bulge", 0, 0.95, "0.7", "", "sine of the tilt of a yarn's surface at its edges");
-    t.real("weave_gap", 0, 0.9, "0.08", "", "gap between neighbouring yarns, in yarn spacings");
-    t.real("weave_twist", -85, 85, "20", "deg",
+    t.real("weave_bulge", 0, 0.95, decimal(standard.bulge), "",
+           "sine of the tilt of a yarn's surface at its edges");
+    t.real("weave_gap", 0, 0.9, decimal(standard.gap), "",
+           "gap between neighbouring yarns, in yarn spacings");
+    t.real("weave_twist", -85, 85, decimal(glm::degrees(standard.twist)), "deg",
            "turn of the fibres, counter-clockwise from their yarn");
-    t.real("weave_fuzz", 0, 1, "0.1", "",
+    t.real("weave_fuzz", 0, 1, decimal(standard.fuzz), "",
            "disorder of the fibres: standard deviation of their slopes");
-    t.color("warp_color", 1, "", "colour of the warp yarns, along the bitangent: r,g,b or #rrggbb");
-    t.color("weft_color", 1, "", "colour of the weft yarns, along the tangent");
+    t.color("warp_color", 1, {}, "colour of the warp yarns, along the bitangent: r,g,b or #rrggbb");
+    t.color("weft_color", 1, {}, "colour of the weft yarns, along the tangent");
+    t.belongs_to = "";
 }
 
 void add_render(Table& t) {
     t.group = Group::render;
-    t.integer("width", 1, 16384, "1280", "px", "picture width");
-    t.integer("height", 1, 16384, "720", "px", "picture height");
-    t.integer("samples", 1, 65536, "64", "", "jittered samples a pixel");
+    const RenderSettings standard;
+    t.integer("width", 1, 16384, standard.width, "px", "picture width");
+    t.integer("height", 1, 16384, standard.height, "px", "picture height");
+    t.integer("samples", 1, 65536, standard.samples, "", "jittered samples a pixel");
     t.choice(
-        "image_light", kImageLights, "importance",
+        "image_light", image_light_names(), choice_of(standard.image_light),
         "how the environment lights the surface: prefiltered is for turning a model, importance "
         "exact");
-    t.integer("image_light_samples", 1, 1024, "16", "",
+    t.integer("image_light_samples", 1, 1024, standard.image_light_samples, "",
               "environment samples for each sample of a pixel");
-    t.boolean("shadows", "true", "lights cast shadows");
-    t.boolean("ground", "false", "the model's shadow on the plane under it");
-    t.real("exposure", -20, 20, "0", "EV", "brightness, in powers of two");
-    t.choice("tone_map", tone_map_names(), "khronos-neutral",
+    t.boolean("shadows", standard.shadows, "lights cast shadows");
+    t.boolean("ground", standard.ground, "the model's shadow on the plane under it");
+    t.real("exposure", -20, 20, 0.0, "EV", "brightness, in powers of two");
+    t.choice("tone_map", tone_map_names(), choice_of(ToneMap::khronos_neutral),
              "how radiance becomes display colour");
-    t.choice("background", kBackgrounds, "environment", "what is behind the model");
-    t.color("background_color", 1e6, "0.05,0.05,0.05",
+    t.choice("background", background_names(), choice_of(standard.background),
+             "what is behind the model");
+    t.color("background_color", 1e6, standard.background_color,
             "for background color: r,g,b linear or #rrggbb");
-    t.real("background_blur", 0, 1, "0", "", "blur of the environment as background");
-    t.integer("seed", 0, kMaxSeed, "0", "", "seed of all random choices");
+    t.real("background_blur", 0, 1, decimal(standard.background_blur), "",
+           "blur of the environment as background");
+    t.integer("seed", 0, kMaxSeed, static_cast<int>(standard.seed), "",
+              "seed of all random choices");
 }
 
 void add_camera(Table& t) {
     t.group = Group::camera;
-    t.real("camera_azimuth", -360, 360, "30", "deg",
+    t.real("camera_azimuth", -360, 360, 30.0, "deg",
            "around the model: 0 looks along -z, 90 from +x");
-    t.real("camera_elevation", -90, 90, "20", "deg", "above the horizon");
-    t.real("camera_distance", 1e-4, kFar, "", "m",
+    t.real("camera_elevation", -90, 90, 20.0, "deg", "above the horizon");
+    t.real("camera_distance", 1e-4, kFar, {}, "m",
            "from the target (default: the scene fills the view)");
-    t.real("camera_fov", 1, 170, "30", "deg", "vertical field of view");
+    t.real("camera_fov", 1, 170, 30.0, "deg", "vertical field of view");
     t.position("camera_position", "x,y,z of the eye instead of azimuth, elevation and distance");
     t.position("camera_target", "x,y,z looked at (default: the middle of the scene)");
-    t.integer("camera_index", 0, 65535, "", "", "use this camera of the file");
+    t.integer("camera_index", 0, 65535, {}, "", "use this camera of the file");
 }
 
 void add_environment_and_mesh(Table& t) {
     t.group = Group::environment;
-    t.real("environment_rotation", -360, 360, "0", "deg", "turn of the environment about +y");
-    t.real("environment_intensity", 0, 1e6, "1", "", "factor on the environment's radiance");
+    const RenderSettings standard;
+    t.real("environment_rotation", -360, 360, decimal(glm::degrees(standard.environment_rotation)),
+           "deg", "turn of the environment about +y");
+    t.real("environment_intensity", 0, 1e6, decimal(standard.environment_intensity), "",
+           "factor on the environment's radiance");
     t.group = Group::mesh;
-    t.integer("triangles", 0, 4000000, "0", "", "wished size of a built-in mesh (0: its default)");
+    t.integer("triangles", 0, 4000000, 0, "", "wished size of a built-in mesh (0: its default)");
 }
 
 std::vector<Parameter> make_table() {
@@ -188,12 +238,6 @@ std::vector<Parameter> make_table() {
 std::span<const Parameter> parameter_table() {
     static const std::vector<Parameter> table = make_table();
     return table;
-}
-
-const Parameter* find_parameter(std::string_view name) {
-    for (const Parameter& parameter : parameter_table())
-        if (parameter.name == name) return &parameter;
-    return nullptr;
 }
 
 }  // namespace burnish

@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdint>
 
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/text.hpp"
-#include "image/image_io.hpp"
+#include "scene/parameters/parameter_text.hpp"
 
 namespace burnish {
+
+const Parameter* find_parameter(std::string_view name) {
+    for (const Parameter& parameter : parameter_table())
+        if (parameter.name == name) return &parameter;
+    return nullptr;
+}
 
 std::string flag_of(std::string_view name) {
     std::string flag = "--" + std::string(name);
@@ -35,113 +37,6 @@ std::string place_of(std::string_view name, std::string_view where) {
     return fmt::format("{}: {}", where, name);
 }
 
-// The whole of `text` as one finite number; a leading '+' is welcome, blanks are not.
-std::optional<double> parse_real(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
-std::optional<int> parse_integer(std::string_view text) {
-    int value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-std::optional<bool> parse_boolean(std::string_view text) {
-    if (text == "true" || text == "on" || text == "yes" || text == "1") return true;
-    if (text == "false" || text == "off" || text == "no" || text == "0") return false;
-    return std::nullopt;
-}
-
-std::optional<glm::vec3> parse_triple(std::string_view text) {
-    glm::vec3 value(0.0f);
-    for (int i = 0; i < 3; ++i) {
-        const std::size_t comma = text.find(',');
-        if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
-        const std::optional<double> component = parse_real(text.substr(0, comma));
-        if (!component) return std::nullopt;
-        value[i] = static_cast<float>(*component);
-        if (i < 2) text.remove_prefix(comma + 1);
-    }
-    return value;
-}
-
-// "#rrggbb" is what pickers and web pages show: sRGB, decoded here once.
-std::optional<glm::vec3> parse_color(std::string_view text) {
-    if (!text.starts_with('#')) return parse_triple(text);
-    std::uint32_t code = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, status] = std::from_chars(text.data() + 1, end, code, 16);
-    if (text.size() != 7 || status != std::errc{} || stop != end) return std::nullopt;
-    const auto channel = [code](int shift) {
-        return linear_from_srgb(static_cast<float>((code >> shift) & 0xffu) / 255.0f);
-    };
-    return glm::vec3(channel(16), channel(8), channel(0));
-}
-
-bool in_range(const Parameter& p, double value) {
-    return value >= p.low && value <= p.high;
-}
-
-bool in_range(const Parameter& p, const glm::vec3& v) {
-    return in_range(p, static_cast<double>(v.x)) && in_range(p, static_cast<double>(v.y)) &&
-           in_range(p, static_cast<double>(v.z));
-}
-
-bool is_valid(const Parameter& p, std::string_view text) {
-    switch (p.kind) {
-        case Kind::real: {
-            const std::optional<double> value = parse_real(text);
-            return value && in_range(p, *value);
-        }
-        case Kind::integer: {
-            const std::optional<int> value = parse_integer(text);
-            return value && in_range(p, *value);
-        }
-        case Kind::boolean:
-            return parse_boolean(text).has_value();
-        case Kind::choice:
-            return std::find(p.choices.begin(), p.choices.end(), text) != p.choices.end();
-        case Kind::color: {
-            const std::optional<glm::vec3> value = parse_color(text);
-            return value && in_range(p, *value);
-        }
-        case Kind::vector: {
-            const std::optional<glm::vec3> value = parse_triple(text);
-            return value && in_range(p, *value);
-        }
-        case Kind::text:
-            return !text.empty() && text.find('\0') == std::string_view::npos;
-    }
-    return false;
-}
-
-std::string expectation(const Parameter& p) {
-    const std::string range = fmt::format("from {:g} to {:g}", p.low, p.high);
-    switch (p.kind) {
-        case Kind::real:
-            return "a number " + range;
-        case Kind::integer:
-            return fmt::format("a whole number from {:.0f} to {:.0f}", p.low, p.high);
-        case Kind::boolean:
-            return "true or false";
-        case Kind::choice:
-            return fmt::format("one of {}", fmt::join(p.choices, " "));
-        case Kind::color:
-            return "r,g,b (linear, each " + range + ") or #rrggbb";
-        case Kind::vector:
-            return "x,y,z, each " + range;
-        case Kind::text:
-            return "a text that is not empty";
-    }
-    return {};
-}
-
 // What may have been meant, in brackets.
 std::string hint_for(const Parameter& p, std::string_view text) {
     const std::string_view instead = p.name == "brdf" ? instead_of_undrawn(text) : "";
@@ -150,18 +45,43 @@ std::string hint_for(const Parameter& p, std::string_view text) {
     return nearest.empty() ? std::string() : fmt::format(" (did you mean '{}'?)", nearest);
 }
 
-// Ways of saying the same thing; who says it later replaces what was said before.
+// The parameter and those that belong to it.
 using Names = std::vector<std::string_view>;
+Names with_its_own(std::string_view name) {
+    Names names{name};
+    for (const Parameter& parameter : parameter_table())
+        if (parameter.belongs_to == name) names.push_back(parameter.name);
+    return names;
+}
+
+// Ways of saying the same thing: the later one replaces the earlier one with all its names.
 const std::vector<std::vector<Names>>& alternatives() {
-    static const Names scratch = {"scratch", "scratch_direction"};
-    static const Names weave = {"weave",       "weave_yarns", "weave_crimp",
-                                "weave_bulge", "weave_gap",   "weave_twist",
-                                "weave_fuzz",  "warp_color",  "weft_color"};
+    static const Names scratch = with_its_own("scratch"), weave = with_its_own("weave");
     static const std::vector<std::vector<Names>> all = {
         {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
         {{"normal_map"}, scratch, weave},
         {{"tabulated"}, scratch, weave}};
     return all;
+}
+
+std::string_view name_of(Kind kind) {
+    switch (kind) {
+        case Kind::real:
+            return "a number";
+        case Kind::integer:
+            return "a whole number";
+        case Kind::boolean:
+            return "a switch";
+        case Kind::choice:
+            return "a choice of names";
+        case Kind::color:
+            return "a color";
+        case Kind::vector:
+            return "a vector";
+        case Kind::text:
+            return "a text";
+    }
+    return "";
 }
 
 const Parameter& parameter_of(std::string_view name, std::string_view where) {
@@ -178,11 +98,28 @@ const Parameter& parameter_of(std::string_view name, std::string_view where) {
 
 void ParameterValues::set(std::string_view name, std::string_view text, std::string_view where) {
     const Parameter& parameter = parameter_of(name, where);
-    if (!is_valid(parameter, text)) {
+    std::optional<ParameterValue> value = parse_value(parameter, text);
+    if (!value || !is_valid(parameter, *value)) {
         throw UsageError(place_of(name, where), "", expectation(parameter),
                          shown(text) + hint_for(parameter, text));
     }
-    values_.insert_or_assign(std::string(name), std::string(text));
+    values_.insert_or_assign(std::string(name), std::move(*value));
+}
+
+void ParameterValues::set_value(std::string_view name, const ParameterValue& value,
+                                std::string_view where) {
+    const Parameter& parameter = parameter_of(name, where);
+    const int* whole = std::get_if<int>(&value);
+    const ParameterValue typed =
+        parameter.kind == Kind::real && whole ? ParameterValue(static_cast<double>(*whole)) : value;
+    if (!is_valid(parameter, typed))
+        throw UsageError(place_of(name, where), "", expectation(parameter), shown(any_text(value)));
+    values_.insert_or_assign(std::string(name), typed);
+}
+
+void ParameterValues::erase(std::string_view name) {
+    const auto found = values_.find(name);
+    if (found != values_.end()) values_.erase(found);
 }
 
 bool ParameterValues::is_set(std::string_view name) const {
@@ -190,40 +127,50 @@ bool ParameterValues::is_set(std::string_view name) const {
 }
 
 bool ParameterValues::has_value(std::string_view name) const {
-    return is_set(name) || !parameter_of(name, "").default_text.empty();
+    return is_set(name) || parameter_of(name, "").default_value.has_value();
 }
 
-std::string_view ParameterValues::value_of(std::string_view name) const {
+const ParameterValue& ParameterValues::value_of(std::string_view name,
+                                                std::span<const Kind> kinds) const {
+    const Parameter& parameter = parameter_of(name, "");
+    if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), parameter.kind) == kinds.end())
+        throw Error("parameter", name, name_of(kinds.front()), name_of(parameter.kind));
     const auto found = values_.find(name);
     if (found != values_.end()) return found->second;
-    const Parameter& parameter = parameter_of(name, "");
-    if (parameter.default_text.empty())
+    if (!parameter.default_value)
         throw UsageError(flag_of(name), "", expectation(parameter), "nothing");
-    return parameter.default_text;
+    return *parameter.default_value;
 }
 
 double ParameterValues::real(std::string_view name) const {
-    return parse_real(value_of(name)).value();
+    static constexpr Kind kKinds[] = {Kind::real, Kind::integer};
+    const ParameterValue& value = value_of(name, kKinds);
+    const int* whole = std::get_if<int>(&value);
+    return whole ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
 int ParameterValues::integer(std::string_view name) const {
-    return parse_integer(value_of(name)).value();
+    static constexpr Kind kKinds[] = {Kind::integer};
+    return std::get<int>(value_of(name, kKinds));
 }
 
 bool ParameterValues::boolean(std::string_view name) const {
-    return parse_boolean(value_of(name)).value();
+    static constexpr Kind kKinds[] = {Kind::boolean};
+    return std::get<bool>(value_of(name, kKinds));
 }
 
 int ParameterValues::choice(std::string_view name) const {
-    return index_of_name(parameter_of(name, "").choices, value_of(name), name, "");
+    static constexpr Kind kKinds[] = {Kind::choice};
+    return std::get<ParameterChoice>(value_of(name, kKinds)).index;
 }
 
 glm::vec3 ParameterValues::vec3(std::string_view name) const {
-    return parse_color(value_of(name)).value();
+    static constexpr Kind kKinds[] = {Kind::vector, Kind::color};
+    return std::get<glm::vec3>(value_of(name, kKinds));
 }
 
 std::string ParameterValues::text(std::string_view name) const {
-    return std::string(value_of(name));
+    return text_of(parameter_of(name, ""), value_of(name, {}));
 }
 
 void ParameterValues::merge(const ParameterValues& other) {
@@ -233,14 +180,34 @@ void ParameterValues::merge(const ParameterValues& other) {
             if (std::none_of(chosen.begin(), chosen.end(), is_in_other)) continue;
             for (const Names& replaced : ways) {
                 if (&replaced == &chosen) continue;
-                for (const std::string_view name : replaced) {
-                    const auto found = values_.find(name);
-                    if (found != values_.end()) values_.erase(found);
-                }
+                for (const std::string_view name : replaced) erase(name);
             }
         }
     }
-    for (const auto& [name, text] : other.values_) values_.insert_or_assign(name, text);
+    for (const auto& [name, value] : other.values_) values_.insert_or_assign(name, value);
+}
+
+void require_one_roughness(const ParameterValues& values, bool as_flags) {
+    const auto set_among = [&](std::initializer_list<std::string_view> names) {
+        std::string list;
+        for (const std::string_view name : names) {
+            if (!values.is_set(name)) continue;
+            list += (list.empty() ? "" : " ") + (as_flags ? flag_of(name) : std::string(name));
+        }
+        return list;
+    };
+    const std::string alphas = set_among({"alpha_x", "alpha_y"});
+    const std::string exponents = set_among({"e_x", "e_y"});
+    const std::string cosine = set_among({"cosine_exponent"});
+    std::string all;
+    int ways = 0;
+    for (const std::string& way : {alphas, exponents, cosine}) {
+        if (way.empty()) continue;
+        all += (all.empty() ? "" : " and ") + way;
+        ++ways;
+    }
+    if (ways < 2) return;
+    throw UsageError(all + " say the same thing: give one pair only");
 }
 
 }  // namespace burnish

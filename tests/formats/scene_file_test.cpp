@@ -1,4 +1,5 @@
-#include "stage/scene_file.hpp"
+// Scene files as data: what they say, and what is refused.
+#include "formats/scene_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,16 +50,17 @@ TEST(SceneFile, ManualsExampleLoads) {
     EXPECT_EQ(file.environment, "builtin:studio");
     EXPECT_EQ(file.values.integer("width"), 960);
     EXPECT_DOUBLE_EQ(file.values.real("exposure"), 0.5);
-    const Material& steel =
-        scene.materials.at(static_cast<std::size_t>(scene.instances[0].material));
-    EXPECT_TRUE(steel.conductor.has_value());
-    EXPECT_EQ(steel.alpha.value(), glm::vec2(0.45f, 0.12f));
-    EXPECT_EQ(scene.textures.at(static_cast<std::size_t>(steel.normal_texture.texture)).name,
-              "builtin:bumps");
-    const Material& floor =
-        scene.materials.at(static_cast<std::size_t>(scene.instances[1].material));
-    EXPECT_FALSE(floor.conductor.has_value());
-    EXPECT_FLOAT_EQ(floor.roughness, 0.6f);
+    ASSERT_EQ(file.layers.size(), scene.materials.size());
+    const auto layer = [&](std::size_t instance) {
+        return file.layers.at(static_cast<std::size_t>(scene.instances[instance].material));
+    };
+    EXPECT_EQ(layer(0).values.text("metal"), "steel");
+    EXPECT_DOUBLE_EQ(layer(0).values.real("alpha_x"), 0.45);
+    EXPECT_EQ(layer(0).values.text("normal_map"), "builtin:bumps");
+    EXPECT_NE(layer(0).place.find("s.json: objects[0]"), std::string::npos);
+    EXPECT_DOUBLE_EQ(layer(1).values.real("roughness"), 0.6);
+    EXPECT_FALSE(layer(1).values.is_set("metal"));
+    EXPECT_TRUE(scene.textures.empty()) << "nothing that values name is read here";
     // The plane faces +z; turned by -90 degrees about x it faces +y.
     const glm::vec3 up(scene.instances[1].transform * glm::vec4(0, 0, 1, 0));
     EXPECT_NEAR(up.y, 1.5f, 1e-5f);
@@ -88,18 +90,17 @@ TEST(SceneFile, OneModelIsReadOnceAndWornInManyMaterials) {
     EXPECT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.meshes[0].indices.size(), 600u);
     EXPECT_EQ(scene.materials.size(), 3u);
-    EXPECT_EQ(scene.textures.size(), 1u);
     ASSERT_EQ(scene.instances.size(), 4u);
-    const auto material = [&](std::size_t i) {
-        return scene.materials.at(static_cast<std::size_t>(scene.instances[i].material));
+    const auto values = [&](std::size_t i) {
+        return file.layers.at(static_cast<std::size_t>(scene.instances[i].material)).values;
     };
-    EXPECT_EQ(material(0).mdf, Mdf::beckmann);
-    EXPECT_EQ(material(1).mdf, Mdf::ward) << "the named set is more particular";
-    EXPECT_EQ(material(2).mdf, Mdf::beckmann);
-    EXPECT_FLOAT_EQ(material(1).roughness, 0.5f);
-    EXPECT_EQ(material(2).alpha.value(), glm::vec2(0.2f));
+    EXPECT_EQ(values(0).text("mdf"), "beckmann");
+    EXPECT_EQ(values(1).text("mdf"), "ward") << "the named set is more particular";
+    EXPECT_EQ(values(2).text("mdf"), "beckmann");
+    EXPECT_DOUBLE_EQ(values(1).real("roughness"), 0.5);
+    EXPECT_FALSE(values(2).is_set("roughness")) << "alpha_x says it in another way";
     EXPECT_EQ(scene.instances[1].material, scene.instances[3].material);
-    EXPECT_FALSE(file.values.is_set("mdf")) << "used up: it must not override the sets again";
+    EXPECT_FALSE(file.values.is_set("mdf")) << "it must not override the sets";
 }
 
 TEST(SceneFile, LightsOfAllKinds) {
@@ -128,7 +129,7 @@ TEST(SceneFile, FilesLieBesideIt) {
            "parameters": {"normal_map": "flat.png"})"));
     const SceneFile file = load_scene_file(path);
     EXPECT_EQ(file.environment, (folder / "sub/sky.hdr").string());
-    EXPECT_EQ(file.scene.textures.size(), 1u);
+    EXPECT_EQ(file.layers.at(0).values.text("normal_map"), (folder / "sub/flat.png").string());
 }
 
 TEST(SceneFile, MaterialsAreNamedAsTheSceneNamesThem) {
@@ -173,9 +174,6 @@ TEST(SceneFile, ErrorsSayWhereAndWhat) {
         {scene_of(R"("objects": [{"model": "no.glb"}])"),
          "no.glb: expected a readable file, found no such file or folder"},
         {scene_of(R"("objects": [{"model": "no.glb"}])"), "s.json: objects[0].model: "},
-        {scene_of(R"("objects": [{"model": "builtin:plane", "material": "m"}],
-                     "materials": {"m": {"normal_map": "no.png"}})"),
-         "s.json: objects[0]: "},
         {scene_of(R"("objects": [{"model": "builtin:plane", "rotate": 1}])"),
          "objects[0]: unknown key"},
         {scene_of(R"("objects": [{"model": "builtin:plane", "scale": 0}])"),

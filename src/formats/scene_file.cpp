@@ -1,11 +1,10 @@
 // Scene files: docs/reference/scene-file.md is the schema in words.
-#include "stage/scene_file.hpp"
+#include "formats/scene_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <glm/geometric.hpp>
@@ -14,6 +13,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
@@ -21,9 +21,8 @@
 #include "core/text.hpp"
 #include "formats/json_text.hpp"
 #include "formats/load_model.hpp"
-#include "stage/cloth_material.hpp"
-#include "stage/material_parameters.hpp"
-#include "stage/scratch_material.hpp"
+#include "maps/scratch/scratch_settings.hpp"
+#include "maps/weave/draft.hpp"
 
 namespace burnish {
 
@@ -55,35 +54,66 @@ std::string beside(const std::filesystem::path& scene_file, const std::string& n
     return (scene_file.parent_path() / name).string();
 }
 
+bool is_among(std::span<const std::string_view> names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Whether the text parameter `key` names a file by `name`.
+bool names_file(std::string_view key, std::string_view name) {
+    if (key == "scratch") return !is_among(scratch_preset_names(), name);
+    if (key == "weave") return !is_among(draft_names(), name);
+    return key == "normal_map" || key == "tabulated";
+}
+
 // --- parameters -------------------------------------------------------------------------------
 
-// The text that ParameterValues wants, once the JSON type is the right one.
-std::string text_of(const JsonPlace& place, const Parameter& parameter) {
+glm::vec3 read_numbers(const JsonPlace& place) {
+    glm::vec3 numbers(0.0f);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const nlohmann::json& number = place.value()[i];
+        if (!number.is_number()) place.at(i).fail("a number");
+        numbers[static_cast<int>(i)] = static_cast<float>(number.get<double>());
+    }
+    return numbers;
+}
+
+// Sets `key` to the JSON value at `place`; a number beyond an int is none of any parameter.
+void read_parameter(const JsonPlace& place, const Parameter& parameter,
+                    const std::filesystem::path& file, ParameterValues& values) {
     const nlohmann::json& value = place.value();
+    const std::string where = place.file() + ": " + place.path();
+    const auto set = [&](const ParameterValue& typed) {
+        values.set_value(parameter.name, typed, where);
+    };
     using Kind = ParameterKind;
     switch (parameter.kind) {
         case Kind::real:
             if (!value.is_number()) place.fail("a number");
-            return value.dump();
-        case Kind::integer:
+            return set(value.get<double>());
+        case Kind::integer: {
             if (!value.is_number_integer()) place.fail("a whole number");
-            return value.dump();
+            const double number = value.get<double>();
+            if (number < parameter.low || number > parameter.high)
+                return values.set(parameter.name, value.dump(), where);  // which refuses it
+            return set(value.get<int>());
+        }
         case Kind::boolean:
             if (!value.is_boolean()) place.fail("true or false");
-            return value.dump();
+            return set(value.get<bool>());
         case Kind::color:
-            if (value.is_string()) return place.text();
+            if (value.is_string()) return values.set(parameter.name, place.text(), where);
             if (!value.is_array() || value.size() != 3) place.fail("[r, g, b] or \"#rrggbb\"");
-            break;
+            return set(read_numbers(place));
         case Kind::vector:
             if (!value.is_array() || value.size() != 3) place.fail("[x, y, z]");
-            break;
-        default:
-            return place.text();
+            return set(read_numbers(place));
+        case Kind::choice:
+            return values.set(parameter.name, place.text(), where);
+        case Kind::text: {
+            const std::string text = place.text();
+            return set(names_file(parameter.name, text) ? beside(file, text) : text);
+        }
     }
-    for (std::size_t i = 0; i < 3; ++i)
-        if (!value[i].is_number()) place.at(i).fail("a number");
-    return fmt::format("{},{},{}", value[0].dump(), value[1].dump(), value[2].dump());
 }
 
 ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::path& file,
@@ -97,11 +127,7 @@ ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::p
             const JsonPlace member = place.at(key);
             if (only_material && parameter->group != ParameterGroup::material)
                 throw Error(place.file(), member.path(), "a parameter of materials", shown(key));
-            std::string text = text_of(member, *parameter);
-            if (key == "normal_map" || key == "tabulated") text = beside(file, text);
-            if (key == "scratch" && !is_scratch_preset(text)) text = beside(file, text);
-            if (key == "weave" && !is_weave_name(text)) text = beside(file, text);
-            values.set(key, text, place.file() + ": " + member.path());
+            read_parameter(member, *parameter, file, values);
         } catch (const UsageError& error) {
             throw Error(error.what());  // the fault is the file's, not the command's
         }
@@ -228,14 +254,14 @@ class SceneFileReader {
     }
 
   private:
-    // What "parameters" says of materials goes onto every material here and now, so that the named
-    // sets of "materials" can be more particular; the rest is for the caller.
+    // The material parameters of "parameters" hold for every material that its named set does not
+    // overrule; the others are the caller's.
     void read_parameter_sets() {
         if (root_.has("parameters")) {
             const ParameterValues all = read_parameters(root_.at("parameters"), path_, false);
-            for (const auto& [name, text] : all.set_values()) {
+            for (const auto& [name, value] : all.set_values()) {
                 const bool material = find_parameter(name)->group == ParameterGroup::material;
-                (material ? common_ : out_.values).set(name, text, "");
+                (material ? common_ : out_.values).set_value(name, value);
             }
         }
         if (!root_.has("materials")) return;
@@ -290,7 +316,7 @@ class SceneFileReader {
         return models_.emplace(name, std::move(model)).first->second;
     }
 
-    // Index of the first of the model's materials with the named parameters put on.
+    // Index of the first of the model's materials under the named set of parameters.
     int materials_of(LoadedModel& model, const std::string& set, const JsonPlace& place) {
         const auto [found, is_new] =
             model.first_material.try_emplace(set, static_cast<int>(out_.scene.materials.size()));
@@ -307,18 +333,16 @@ class SceneFileReader {
         }
         ParameterValues values = common_;
         if (!set.empty()) values.merge(sets_.at(set));
-        apply(values, static_cast<std::size_t>(found->second), model, place);
+        out_.layers.resize(out_.scene.materials.size(), {values, file_ + ": " + place.path()});
+        require_consistent(values, out_.layers.back().place);
         return found->second;
     }
 
-    void apply(const ParameterValues& values, std::size_t first, const LoadedModel& model,
-               const JsonPlace& place) {
+    static void require_consistent(const ParameterValues& values, const std::string& place) {
         try {
-            apply_material_parameters(out_.scene, first, model.rest.materials.size(), values);
-        } catch (const Interrupted&) {
-            throw;
-        } catch (const Error& error) {
-            throw Error(file_ + ": " + place.path() + ": " + error.what());
+            require_one_roughness(values, false);
+        } catch (const UsageError& error) {
+            throw Error(place + ": " + error.what());
         }
     }
 

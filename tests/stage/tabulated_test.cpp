@@ -7,8 +7,7 @@
 #include "formats/load_model.hpp"
 #include "formats/tabulated/tabulated_file.hpp"
 #include "scene/material/tabulated_material.hpp"
-#include "stage/material_parameters.hpp"
-#include "stage/scene_file.hpp"
+#include "stage/layered_materials.hpp"
 #include "support/bsdf_writer.hpp"
 #include "support/test_folder.hpp"
 
@@ -53,10 +52,10 @@ TEST_F(TabulatedParameter, ReplacesLobeAndColours) {
                                                 {"alpha_x", "0.1"},
                                                 {"normal_map", "builtin:bumps"},
                                                 {"uv_scale", "3"}}));
-    const Material& m = scene.materials[0];
-    ASSERT_TRUE(m.tabulated);
-    EXPECT_EQ(m.tabulated->texels(), 2U);
-    EXPECT_EQ(m.tabulated_file, file());
+    const Material m = drawn_material(scene.materials[0]);
+    ASSERT_TRUE(tabulated_of(m));
+    EXPECT_EQ(tabulated_of(m)->material->texels(), 2U);
+    EXPECT_EQ(tabulated_of(m)->file, file());
     EXPECT_FALSE(m.conductor);
     EXPECT_EQ(m.metallic, 0.0F);
     EXPECT_EQ(m.brdf, Brdf::microfacet_separable);
@@ -68,20 +67,18 @@ TEST_F(TabulatedParameter, ReplacesLobeAndColours) {
     EXPECT_NE(warnings.find("alpha_x, metal"), std::string::npos) << warnings;
     // Later values: what they leave out stays.
     apply_material_parameters(scene, values_of({{"method", "follow-grain"}}));
-    EXPECT_TRUE(scene.materials[0].tabulated);
+    EXPECT_TRUE(tabulated_of(scene.materials[0]));
     apply_material_parameters(scene, values_of({{"tabulated", "none"}}));
-    EXPECT_FALSE(scene.materials[0].tabulated);
+    EXPECT_FALSE(tabulated_of(scene.materials[0]));
 }
 
 TEST_F(TabulatedParameter, AWeaveTakesItsPlaceAndTheOtherWayRound) {
     Scene scene = load_model("builtin:plane");
     apply_material_parameters(scene, values_of({{"tabulated", file()}}));
     apply_material_parameters(scene, values_of({{"weave", "plain"}}));
-    EXPECT_FALSE(scene.materials[0].tabulated);
-    EXPECT_TRUE(scene.materials[0].cloth);
+    EXPECT_TRUE(cloth_of(scene.materials[0]));
     apply_material_parameters(scene, values_of({{"tabulated", file()}}));
-    EXPECT_TRUE(scene.materials[0].tabulated);
-    EXPECT_FALSE(scene.materials[0].cloth);
+    EXPECT_TRUE(tabulated_of(scene.materials[0]));
     const std::string line = error_line<UsageError>([&] {
         apply_material_parameters(scene, values_of({{"tabulated", file()}, {"weave", "plain"}}));
     });
@@ -96,10 +93,13 @@ TEST_F(TabulatedParameter, LiesBesideItsSceneFileAndIsReadOnce) {
         "objects": [{"model": "builtin:plane", "material": "a"},
                     {"model": "builtin:sphere", "material": "a"}],
         "materials": {"a": {"tabulated": "even.exr"}}})");
-    const SceneFile read = load_scene_file(folder / "s.json");
+    SceneFile read = load_scene_file(folder / "s.json");
+    LayeredMaterials materials(read.scene.materials, read.layers);
+    materials.apply(read.scene, {});
     ASSERT_EQ(read.scene.materials.size(), 2U);
-    ASSERT_TRUE(read.scene.materials[0].tabulated);
-    EXPECT_EQ(read.scene.materials[0].tabulated, read.scene.materials[1].tabulated);
+    ASSERT_TRUE(tabulated_of(read.scene.materials[0]));
+    EXPECT_EQ(tabulated_of(read.scene.materials[0])->material,
+              tabulated_of(read.scene.materials[1])->material);
 }
 
 TEST_F(TabulatedParameter, OtherFilesAreRefused) {
@@ -114,7 +114,7 @@ TEST_F(TabulatedParameter, OtherFilesAreRefused) {
     KnownMaterial known;
     folder.write("known.bsdf", known.text());
     apply_material_parameters(scene, values_of({{"tabulated", (folder / "known.bsdf").string()}}));
-    EXPECT_EQ(scene.materials[0].tabulated->exemplars, 1);
+    EXPECT_EQ(tabulated_of(scene.materials[0])->material->exemplars, 1);
 }
 
 }  // namespace

@@ -1,0 +1,121 @@
+#include "stage/layered_materials.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "burnish/error.hpp"
+#include "burnish/progress.hpp"
+#include "stage/material_parameters.hpp"
+#include "stage/material_warnings.hpp"
+
+namespace burnish {
+namespace {
+
+void erase_all(ParameterValues& values, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) values.erase(name);
+}
+
+// What the upper layer's values make meaningless in the lower one.
+void erase_replaced(ParameterValues& lower, const ParameterValues& upper,
+                    const std::optional<glm::vec2>& lower_alpha) {
+    if (upper.is_set("normal_map") || upper.is_set("scratch"))
+        erase_all(lower, {"normal_scale", "flip_green", "uv_scale"});
+    if (upper.is_set("scratch") && static_cast<ScratchDirection>(upper.choice(
+                                       "scratch_direction")) == ScratchDirection::follow)
+        lower.erase("anisotropy_rotation");
+    if (names_one(upper, "metal")) lower.erase("metallic");
+    if (names_one(upper, "weave")) {
+        erase_all(lower, {"metal", "metallic"});
+        if (!lower_alpha) erase_all(lower, {"roughness", "anisotropy"});
+    } else if (upper.is_set("weave")) {
+        for (const Parameter& parameter : parameter_table())
+            if (parameter.belongs_to == "weave") lower.erase(parameter.name);
+    }
+}
+
+double within_table(std::string_view name, float value) {
+    const Parameter& parameter = *find_parameter(name);
+    return std::clamp(static_cast<double>(value), parameter.low, parameter.high);
+}
+
+// The halves of a roughness pair that values state, as alphas or as exponents.
+struct Halves {
+    bool x, y;
+};
+Halves halves_of(const ParameterValues& values) {
+    return {values.is_set("alpha_x") || values.is_set("e_x"),
+            values.is_set("alpha_y") || values.is_set("e_y")};
+}
+
+// States as alphas a pair of which `upper` states one half. A half of `lower` that stands alone,
+// and so for both, is no other half of the same half in `upper`.
+void complete_pair(ParameterValues& values, const ParameterValues& lower,
+                   const ParameterValues& upper, glm::vec2 lower_alpha) {
+    const Halves above = halves_of(upper), below = halves_of(lower);
+    if (above.x == above.y) return;
+    if (below.x == above.x && below.y == above.y) return;
+    const glm::vec2 pair = roughness_pair(upper, lower_alpha).value_or(lower_alpha);
+    erase_all(values, {"e_x", "e_y"});
+    values.set_value("alpha_x", within_table("alpha_x", pair.x));
+    values.set_value("alpha_y", within_table("alpha_y", pair.y));
+}
+
+}  // namespace
+
+ParameterValues values_over(const ParameterValues& lower, const ParameterValues& upper,
+                            const std::optional<glm::vec2>& lower_alpha) {
+    ParameterValues values = lower;
+    erase_replaced(values, upper, lower_alpha);
+    values.merge(upper);
+    require_one_roughness(upper, false);
+    if (lower_alpha) complete_pair(values, lower, upper, *lower_alpha);
+    return values;
+}
+
+LayeredMaterials::LayeredMaterials(std::vector<Material> base, std::vector<SceneFile::Layer> layers)
+    : base_(std::move(base)), layers_(std::move(layers)) {
+    layers_.resize(base_.size());
+}
+
+// Of one material, loaded. Faults of the file's own values name the place in the file.
+ParameterValues LayeredMaterials::values_of(std::size_t index, Scene& scene,
+                                            const ParameterValues& flags) {
+    const SceneFile::Layer& layer = layers_[index];
+    std::optional<glm::vec2> alpha;
+    try {
+        assets_.load(layer.values, scene.textures, file_warnings_);
+        alpha = stated_alpha(apply_parameters(base_[index], layer.values, assets_));
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error& error) {
+        throw Error(layer.place + ": " + error.what());
+    }
+    ParameterValues values = values_over(layer.values, flags, alpha);
+    assets_.load(values, scene.textures, file_warnings_);
+    return values;
+}
+
+std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
+    std::vector<Material> materials;
+    std::vector<ParameterValues> values;
+    for (std::size_t i = 0; i < base_.size(); ++i) {
+        values.push_back(values_of(i, scene, flags));
+        materials.push_back(apply_parameters(base_[i], values.back(), assets_));
+    }
+    require_belonging(materials, values, layers_, flags);
+    std::vector<std::string> warnings = file_warnings_;
+    std::swap(scene.materials, materials);
+    append_warnings(scene, values, warnings);
+    return warnings;
+}
+
+void apply_material_parameters(Scene& scene, const ParameterValues& values) {
+    for (std::string& warning : LayeredMaterials(scene.materials).apply(scene, values)) {
+        const auto end = scene.warnings.end();
+        if (std::find(scene.warnings.begin(), end, warning) == end)
+            scene.warnings.push_back(std::move(warning));
+    }
+}
+
+}  // namespace burnish

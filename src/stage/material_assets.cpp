@@ -1,0 +1,131 @@
+#include "stage/material_assets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+#include "burnish/error.hpp"
+#include "formats/load_tabulated.hpp"
+#include "formats/wif/wif.hpp"
+#include "image/image_io.hpp"
+#include "maps/normal/bumps.hpp"
+#include "maps/weave/draft.hpp"
+#include "scene/geometry/builtin_meshes.hpp"
+#include "stage/scratch_material.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr std::string_view kBumps = "builtin:bumps";
+constexpr int kBumpsSize = 1024;  // texels a side
+
+// 16 bits: 8 would show as steps in the highlight of a smooth metal.
+Texture bumps_texture() {
+    const Image map = bump_normal_map(kBumpsSize);
+    Texture texture{std::string(kBumps), map.width,          map.height, 3,
+                    TexelType::u16,      ColorSpace::linear, {}};
+    texture.texels.resize(map.pixels.size() * sizeof(std::uint16_t));
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        const auto code = static_cast<std::uint16_t>(std::lround(map.pixels[i] * 65535.0f));
+        std::memcpy(texture.texels.data() + i * sizeof code, &code, sizeof code);
+    }
+    return texture;
+}
+
+Texture load_normal_map(const std::string& name) {
+    if (is_builtin(name) && name != kBumps)
+        throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
+    Texture texture = name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear);
+    if (texture.channels < 3)
+        throw Error(name, "channels", "a normal map with red, green and blue",
+                    std::to_string(texture.channels));
+    texture.name = name;
+    return texture;
+}
+
+std::shared_ptr<const Draft> load_draft(const std::string& name,
+                                        std::vector<std::string>& warnings) {
+    const auto known = draft_names();
+    if (std::find(known.begin(), known.end(), name) != known.end())
+        return std::make_shared<Draft>(builtin_draft(name));
+    // A name with a dot or a folder is meant to be a file.
+    const bool file = name.find_first_of("./\\") != std::string::npos;
+    std::error_code error;
+    if (!file && !std::filesystem::is_regular_file(name, error))
+        throw UsageError("weave", "",
+                         fmt::format("a .wif file, none, or {}", fmt::join(draft_names(), ", ")),
+                         shown(name));
+    return std::make_shared<Draft>(load_wif(name, warnings));
+}
+
+int append(std::vector<Texture>& textures, Texture texture) {
+    textures.push_back(std::move(texture));
+    return static_cast<int>(textures.size()) - 1;
+}
+
+template <typename Loaded>
+Loaded find_or(const std::map<std::string, Loaded>& all, const std::string& name,
+               Loaded otherwise) {
+    const auto found = all.find(name);
+    return found == all.end() ? otherwise : found->second;
+}
+
+}  // namespace
+
+bool names_one(const ParameterValues& values, std::string_view name) {
+    return values.is_set(name) && values.text(name) != "none";
+}
+
+void MaterialAssets::load_scratch_maps(const std::string& name, bool follow,
+                                       std::vector<Texture>& textures) {
+    ScratchMaps maps = scratch(name);
+    if (maps.normal >= 0 && (!follow || maps.anisotropy >= 0)) return;
+    ScratchTextures made = load_scratch(name, follow);
+    if (maps.normal < 0) maps.normal = append(textures, std::move(made.normal));
+    if (follow) maps.anisotropy = append(textures, std::move(made.anisotropy));
+    scratch_[name] = maps;
+}
+
+void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& textures,
+                          std::vector<std::string>& warnings) {
+    if (names_one(values, "normal_map")) {
+        const std::string name = values.text("normal_map");
+        if (!normal_maps_.contains(name))
+            normal_maps_[name] = append(textures, load_normal_map(name));
+    }
+    if (values.is_set("scratch")) {
+        const bool follow = static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
+                            ScratchDirection::follow;
+        load_scratch_maps(values.text("scratch"), follow, textures);
+    }
+    if (names_one(values, "weave")) {
+        const std::string name = values.text("weave");
+        if (!drafts_.contains(name)) drafts_[name] = load_draft(name, warnings);
+    }
+    if (names_one(values, "tabulated")) {
+        const std::string name = values.text("tabulated");
+        if (!tabulated_.contains(name)) tabulated_[name] = load_tabulated(name);
+    }
+}
+
+int MaterialAssets::normal_map(const std::string& name) const {
+    return find_or(normal_maps_, name, -1);
+}
+
+MaterialAssets::ScratchMaps MaterialAssets::scratch(const std::string& name) const {
+    return find_or(scratch_, name, ScratchMaps{});
+}
+
+std::shared_ptr<const Draft> MaterialAssets::draft(const std::string& name) const {
+    return find_or(drafts_, name, std::shared_ptr<const Draft>());
+}
+
+std::shared_ptr<const TabulatedMaterial> MaterialAssets::tabulated(const std::string& name) const {
+    return find_or(tabulated_, name, std::shared_ptr<const TabulatedMaterial>());
+}
+
+}  // namespace burnish

@@ -1,0 +1,133 @@
+#include "stage/material_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "burnish/error.hpp"
+#include "stage/material_assets.hpp"
+#include "stage/material_parameters.hpp"
+
+namespace burnish {
+namespace {
+
+// What a tabulated material brings itself.
+constexpr std::string_view kHidden[] = {"mdf",
+                                        "brdf",
+                                        "alpha_x",
+                                        "alpha_y",
+                                        "e_x",
+                                        "e_y",
+                                        "cosine_exponent",
+                                        "roughness",
+                                        "anisotropy",
+                                        "ks",
+                                        "lafortune_c",
+                                        "metallic",
+                                        "base_color",
+                                        "metal",
+                                        "f0"};
+
+void append_once(std::vector<std::string>& lines, std::string line) {
+    if (std::find(lines.begin(), lines.end(), line) == lines.end())
+        lines.push_back(std::move(line));
+}
+
+// Whether `name` is set on some material, and on none that `uses` it.
+template <typename Uses>
+bool is_idle(const std::vector<Material>& materials, const std::vector<ParameterValues>& values,
+             std::string_view name, Uses uses) {
+    bool any = false;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (!values[i].is_set(name)) continue;
+        if (uses(materials[i], values[i])) return false;
+        any = true;
+    }
+    return any;
+}
+
+void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
+                 std::vector<std::string>& warnings) {
+    const auto warn_if_idle = [&](std::string_view name, std::string_view line, auto uses) {
+        if (is_idle(scene.materials, values, name, uses))
+            append_once(warnings, fmt::format("{}: {}: nothing changes", name, line));
+    };
+    using Values = const ParameterValues&;
+    warn_if_idle("ks", "only phong or lafortune asks for it",
+                 [](const Material& m, Values) { return !has_half_vectors(m.brdf); });
+    warn_if_idle("lafortune_c", "only lafortune asks for it",
+                 [](const Material& m, Values) { return m.brdf == Brdf::lafortune; });
+    warn_if_idle("roughness", "the pair set beside it holds",
+                 [](const Material&, Values v) { return !roughness_pair(v, std::nullopt); });
+    warn_if_idle("scratch_direction", "there is no scratch map",
+                 [](const Material&, Values v) { return v.is_set("scratch"); });
+}
+
+void append_hidden(const Scene& scene, const std::vector<ParameterValues>& values,
+                   std::vector<std::string>& warnings) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Material& material = scene.materials[i];
+        const ParameterValues& set = values[i];
+        if (cloth_of(material) && material.conductor &&
+            (set.is_set("warp_color") || set.is_set("weft_color")))
+            append_once(warnings,
+                        "warp_color, weft_color: a measured metal has its own colour: nothing "
+                        "changes");
+        if (!tabulated_of(material)) continue;
+        std::vector<std::string_view> hidden;
+        for (const std::string_view name : kHidden)
+            if (set.is_set(name)) hidden.push_back(name);
+        if (hidden.empty()) continue;
+        append_once(warnings, fmt::format("{}: a tabulated material has a lobe and colours of its "
+                                          "own: nothing changes",
+                                          fmt::join(hidden, ", ")));
+    }
+}
+
+void append_missing_coordinates(const Scene& scene, const std::vector<ParameterValues>& values,
+                                std::vector<std::string>& warnings) {
+    for (const Instance& instance : scene.instances) {
+        if (instance.mesh < 0) continue;
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const auto index = static_cast<std::size_t>(instance.material);
+        const ParameterValues& set = values[index];
+        const bool asks = names_one(set, "normal_map") || set.is_set("scratch") ||
+                          names_one(set, "weave") || names_one(set, "tabulated");
+        if (!asks || !mesh.texcoord0.empty()) continue;
+        const Material& m = scene.materials[index];
+        const char* detail = cloth_of(m)       ? "weave"
+                             : tabulated_of(m) ? "tabulated material"
+                                               : "normal map";
+        append_once(warnings,
+                    fmt::format("mesh {} has no texture coordinates: the {} does not show",
+                                shown(mesh.name), detail));
+    }
+}
+
+}  // namespace
+
+void require_belonging(const std::vector<Material>& materials,
+                       const std::vector<ParameterValues>& values,
+                       const std::vector<SceneFile::Layer>& layers, const ParameterValues& flags) {
+    const auto is_cloth = [](const Material& m, const ParameterValues&) {
+        return cloth_of(m) != nullptr;
+    };
+    for (const Parameter& parameter : parameter_table()) {
+        const std::string_view name = parameter.name;
+        if (parameter.belongs_to != "weave" || !is_idle(materials, values, name, is_cloth))
+            continue;
+        const UsageError error(name, "", "a weave beside it", "none");
+        if (flags.is_set(name)) throw error;
+        for (const SceneFile::Layer& layer : layers)
+            if (layer.values.is_set(name)) throw Error(layer.place + ": " + error.what());
+    }
+}
+
+void append_warnings(const Scene& scene, const std::vector<ParameterValues>& values,
+                     std::vector<std::string>& warnings) {
+    append_idle(scene, values, warnings);
+    append_missing_coordinates(scene, values, warnings);
+    append_hidden(scene, values, warnings);
+}
+
+}  // namespace burnish

@@ -1,0 +1,130 @@
+// Parameters are a pure function of the models' materials and the values: properties over the whole
+// table.
+#include "stage/layered_materials.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "stage/material_parameters.hpp"
+#include "value_samples.hpp"
+
+namespace burnish::test {
+namespace {
+
+class LayeredMaterialsTest : public testing::Test {
+  protected:
+    Scene scene_ = scene_of_all_lobes();
+    const std::vector<Material> base_ = scene_.materials;
+    const ValueSamples samples_;
+
+    std::vector<Material> applied(LayeredMaterials& materials, const ParameterValues& values) {
+        materials.apply(scene_, values);
+        return scene_.materials;
+    }
+
+    // Twice is once, other values in between leave nothing, and no values give the base back.
+    void expect_pure(const ParameterValues& values, const ParameterValues& between) {
+        LayeredMaterials materials(base_);
+        const std::vector<Material> once = applied(materials, values);
+        const std::size_t textures = scene_.textures.size();
+        EXPECT_EQ(applied(materials, values), once);
+        EXPECT_EQ(scene_.textures.size(), textures) << "a map was read again";
+        EXPECT_EQ(applied(materials, {}), base_);
+        applied(materials, between);
+        EXPECT_EQ(applied(materials, values), once);
+        EXPECT_EQ(materials.base(), base_);
+    }
+};
+
+TEST_F(LayeredMaterialsTest, EveryParameterIsAppliedOnceAndCanBeTakenBack) {
+    int counted = 0;
+    for (const Parameter& p : parameter_table()) {
+        if (p.group != ParameterGroup::material) continue;
+        SCOPED_TRACE(std::string(p.name));
+        const ParameterValues values = samples_.values(p, 0);
+        LayeredMaterials materials(base_);
+        EXPECT_NE(applied(materials, values), base_) << "it changes nothing";
+        expect_pure(values, samples_.values(p, 1));
+        ++counted;
+    }
+    EXPECT_EQ(counted, 36);
+}
+
+// What two values of a layer say together that is refused.
+bool is_refused(const ParameterValues& values) {
+    try {
+        apply_parameters(Material{}, values, MaterialAssets{});
+    } catch (const UsageError&) {
+        return true;
+    }
+    return false;
+}
+
+TEST_F(LayeredMaterialsTest, SoAreManyTogether) {
+    std::mt19937 random(16);
+    const auto some_values = [&] {
+        for (;;) {
+            ParameterValues values;
+            for (const Parameter& p : parameter_table()) {
+                if (p.group != ParameterGroup::material || random() % 5 != 0) continue;
+                const ParameterValues more = samples_.values(p, static_cast<int>(random() % 2));
+                for (const auto& [name, value] : more.set_values()) values.set_value(name, value);
+            }
+            if (!is_refused(values)) return values;
+        }
+    };
+    for (int i = 0; i < 100; ++i) {
+        SCOPED_TRACE(i);
+        expect_pure(some_values(), some_values());
+        if (HasFailure()) return;
+    }
+}
+
+// What the file says of a parameter leaves nothing behind when a flag says it.
+TEST_F(LayeredMaterialsTest, AFlagWinsOverTheFileForEveryParameter) {
+    scene_.instances.resize(1);
+    for (const Parameter& p : parameter_table()) {
+        if (p.group != ParameterGroup::material) continue;
+        SCOPED_TRACE(std::string(p.name));
+        const ParameterValues file = samples_.values(p, 0), both = samples_.values(p, 1);
+        ParameterValues flag;
+        flag.set_value(p.name, samples_.value(p, 1));
+        Material plain;
+        plain.normal_texture.texture = 0;
+        LayeredMaterials layered({plain}, {{file, "s.json: objects[0]"}});
+        const std::vector<Material> found = applied(layered, flag);
+        LayeredMaterials alone({plain});
+        std::vector<Material> expected = applied(alone, both);
+        // Each has appended its own textures.
+        const auto name_of = [&](const TextureUse& use) {
+            return use ? scene_.textures[static_cast<std::size_t>(use.texture)].name : "";
+        };
+        EXPECT_EQ(name_of(found[0].normal_texture), name_of(expected[0].normal_texture));
+        expected[0].normal_texture.texture = found[0].normal_texture.texture;
+        expected[0].anisotropy_texture.texture = found[0].anisotropy_texture.texture;
+        if (p.name == "tabulated")
+            std::get<Tabulated>(expected[0].lobe).material = tabulated_of(found[0])->material;
+        if (const Cloth* cloth = cloth_of(found[0])) {
+            EXPECT_EQ(cloth->draft->name, cloth_of(expected[0])->draft->name);
+            std::get<Cloth>(expected[0].lobe).draft = cloth->draft;
+        }
+        EXPECT_EQ(found, expected);
+    }
+}
+
+TEST_F(LayeredMaterialsTest, AFailureChangesNoMaterial) {
+    LayeredMaterials materials(base_);
+    ParameterValues good;
+    good.set("base_color", "1,0,0", "");
+    const std::vector<Material> before = applied(materials, good);
+    for (const char* name : {"normal_map", "tabulated", "weave", "scratch"}) {
+        ParameterValues bad;
+        bad.set(name, "no/such", "");
+        EXPECT_THROW(materials.apply(scene_, bad), Error) << name;
+        EXPECT_EQ(scene_.materials, before);
+    }
+}
+
+}  // namespace
+}  // namespace burnish::test

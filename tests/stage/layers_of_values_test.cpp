@@ -1,0 +1,177 @@
+// Values of a scene file under those of flags: what flags replace, and who is told of a fault.
+#include <gtest/gtest.h>
+
+#include <glm/trigonometric.hpp>
+
+#include "formats/scene_file.hpp"
+#include "image/image_io.hpp"
+#include "stage/layered_materials.hpp"
+#include "support/paths.hpp"
+#include "support/test_folder.hpp"
+
+namespace burnish::test {
+namespace {
+
+using Words = std::vector<std::pair<const char*, std::string>>;
+
+ParameterValues values_of(const Words& words) {
+    ParameterValues values;
+    for (const auto& [name, text] : words) values.set(name, text, "");
+    return values;
+}
+
+// A default material under the file's values and the flags'.
+Material material_of(const Words& file, const Words& flags, Material base = {}) {
+    Scene scene;
+    LayeredMaterials materials({base}, {{values_of(file), "s.json: objects[0]"}});
+    materials.apply(scene, values_of(flags));
+    return scene.materials.at(0);
+}
+
+TEST(LayersOfValues, HalfOfAPairKeepsTheOtherHalf) {
+    const auto alpha = [](const Words& file, const Words& flags) {
+        return stated_alpha(material_of(file, flags)).value();
+    };
+    EXPECT_EQ(alpha({{"alpha_x", "0.1"}, {"alpha_y", "0.3"}}, {{"alpha_x", "0.2"}}),
+              glm::vec2(0.2f, 0.3f));
+    EXPECT_EQ(alpha({{"alpha_x", "0.1"}}, {{"alpha_y", "0.2"}}), glm::vec2(0.1f, 0.2f));
+    // One alone states both, in the file and after the flag has replaced it.
+    EXPECT_EQ(alpha({{"alpha_x", "0.1"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f));
+    EXPECT_EQ(alpha({{"e_x", "198"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f));
+    // alpha = sqrt(2 / (e + 2)): 198 is 0.1.
+    EXPECT_EQ(alpha({{"e_x", "198"}, {"e_y", "198"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f, 0.1f));
+    EXPECT_EQ(alpha({{"alpha_x", "0.25"}, {"alpha_y", "0.3"}}, {{"e_y", "198"}}),
+              glm::vec2(0.25f, 0.1f));
+    EXPECT_EQ(alpha({{"weave", "plain"}}, {{"alpha_x", "0.3"}}), glm::vec2(0.3f, 0.45f));
+    EXPECT_EQ(alpha({{"roughness", "0.5"}}, {{"alpha_x", "0.3"}}), glm::vec2(0.3f));
+    EXPECT_EQ(alpha({{"alpha_x", "0.1"}, {"alpha_y", "0.3"}}, {{"cosine_exponent", "49.5"}}),
+              glm::vec2(0.1f));
+}
+
+TEST(LayersOfValues, AMetalOfTheFlagsIsMetallic) {
+    const Material gold = material_of({{"metallic", "0"}}, {{"metal", "gold"}});
+    EXPECT_TRUE(gold.conductor);
+    EXPECT_EQ(gold.metallic, 1.0f);
+    EXPECT_EQ(material_of({{"metal", "gold"}}, {{"metallic", "0.5"}}).metallic, 0.5f);
+    // One set, one thing: what a file says of both holds.
+    EXPECT_EQ(material_of({{"metallic", "0"}, {"metal", "gold"}}, {}).metallic, 0.0f);
+}
+
+TEST(LayersOfValues, NumbersOfTheFilesMapAreNotThoseOfTheFlags) {
+    const Words file = {{"normal_map", "builtin:bumps"},
+                        {"normal_scale", "2"},
+                        {"uv_scale", "4"},
+                        {"flip_green", "true"}};
+    Material m = material_of(file, {{"normal_map", "builtin:bumps"}});
+    EXPECT_EQ(m.normal_scale, 1.0f);
+    EXPECT_EQ(m.normal_texture.transform[0][0], 1.0f);
+    EXPECT_FALSE(m.flip_green);
+    m = material_of(file, {{"normal_scale", "3"}});
+    EXPECT_EQ(m.normal_scale, 3.0f);
+    EXPECT_EQ(m.normal_texture.transform[0][0], 4.0f);
+    EXPECT_TRUE(m.flip_green);
+}
+
+TEST(LayersOfValues, AWeaveOfTheFlagsIsNoneOfTheFilesMetal) {
+    const Words file = {{"metal", "steel"}, {"roughness", "0.6"}};
+    const Material m = material_of(file, {{"weave", "plain"}});
+    EXPECT_FALSE(m.conductor);
+    EXPECT_EQ(m.metallic, 0.0f);
+    EXPECT_EQ(cloth_of(m)->alpha, Cloth{}.alpha);
+    // The roughness of a cloth of the file stays with another draft.
+    const Material other =
+        material_of({{"weave", "plain"}, {"roughness", "0.5"}}, {{"weave", "satin-5"}});
+    EXPECT_EQ(cloth_of(other)->alpha, glm::vec2(0.25f));
+}
+
+// A flag takes back all that the file's value did.
+TEST(LayersOfValues, WhatAFlagReplacesLeavesNothing) {
+    Material base;
+    base.metallic = 0.6f;
+    base.lobe = GltfLobe{0.3f, 0.2f};
+    base.anisotropy_rotation = 0.4f;
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder / "map");
+    for (const char* name : {"map/normal.png", "map/anisotropy.png"})
+        write_image(folder / name, Image(4, 4, 3, 0.5f), {});
+    const std::string map = (folder / "map").string();
+    EXPECT_EQ(material_of({{"weave", "plain"}}, {{"normal_map", "none"}, {"weave", "none"}}, base),
+              base);
+    EXPECT_EQ(material_of({{"weave", "plain"}, {"weave_gap", "0.2"}}, {{"weave", "none"}}, base),
+              base);
+    EXPECT_EQ(material_of({{"metal", "gold"}}, {{"metal", "none"}}, base), base);
+    const Words follow = {{"scratch", map}, {"scratch_direction", "follow"}};
+    EXPECT_TRUE(material_of(follow, {}, base).anisotropy_texture);
+    EXPECT_EQ(material_of(follow, {{"normal_map", "none"}}, base), base);
+    // The rotation follows the pair that holds in the end.
+    Words pair = follow;
+    pair.insert(pair.end(), {{"alpha_x", "0.1"}, {"alpha_y", "0.4"}});
+    EXPECT_FLOAT_EQ(material_of(pair, {}).anisotropy_rotation, glm::radians(90.0f));
+    EXPECT_EQ(material_of(pair, {{"alpha_x", "0.5"}}).anisotropy_rotation, 0.0f);
+}
+
+TEST(LayersOfValues, FaultsOfTheFileNameItsPlace) {
+    const auto line = [](const Words& file, const Words& flags) {
+        return error_line([&] { material_of(file, flags); });
+    };
+    EXPECT_EQ(line({{"normal_map", "no.png"}}, {}).find("s.json: objects[0]: no.png"), 0u);
+    EXPECT_EQ(line({{"brdf", "phong"}, {"method", "deform-smooth"}}, {}).find("s.json: "), 0u);
+    EXPECT_EQ(line({{"weave_gap", "0.2"}}, {}).find("s.json: objects[0]: weave_gap: expected"), 0u);
+    EXPECT_EQ(error_line<UsageError>([] {
+                  material_of({}, {{"weave_gap", "0.2"}});
+              }),
+              "weave_gap: expected a weave beside it, found none");
+    EXPECT_EQ(error_line<UsageError>([] {
+                  material_of({{"brdf", "phong"}}, {{"method", "deform-smooth"}});
+              }).find("method: "),
+              0u);
+    try {
+        material_of({{"normal_map", "builtin:bump"}}, {});
+        ADD_FAILURE() << "accepted";
+    } catch (const UsageError& error) {
+        ADD_FAILURE() << "not the command's: " << error.what();
+    } catch (const Error&) {
+    }
+}
+
+// An example, through the reader and the parameters.
+TEST(LayersOfValues, TheExampleIsWhatItSays) {
+    SceneFile file = load_scene_file(source_folder() / "examples/scenes/brushed_cup.json");
+    LayeredMaterials materials(file.scene.materials, file.layers);
+    EXPECT_TRUE(materials.apply(file.scene, {}).empty());
+    ASSERT_EQ(file.scene.materials.size(), 2u);
+    const Material &copper = file.scene.materials[0], &steel = file.scene.materials[1];
+    EXPECT_EQ(copper.name, "turned copper");
+    EXPECT_EQ(copper.lobe, MaterialLobe(AlphaLobe{{0.08f, 0.35f}}));
+    EXPECT_TRUE(copper.conductor);
+    EXPECT_EQ(steel.mdf, Mdf::ashikhmin_shirley);
+    EXPECT_EQ(steel.normal_scale, 0.4f);
+    EXPECT_EQ(file.scene.textures.at(static_cast<std::size_t>(steel.normal_texture.texture)).name,
+              "builtin:bumps");
+}
+
+// One model in several sets: each has its own values, and a map is read once.
+TEST(LayersOfValues, ManyObjectsOfAFile) {
+    const ScratchFolder folder;
+    const auto path = folder.write("s.json", R"({"format": "burnish-scene", "version": 1,
+        "objects": [{"model": "builtin:plane"}, {"model": "builtin:plane", "material": "a"},
+                    {"model": "builtin:plane", "material": "b"}],
+        "materials": {"a": {"mdf": "ward"}, "b": {"alpha_x": 0.2, "normal_map": "builtin:bumps"}},
+        "parameters": {"mdf": "beckmann", "roughness": 0.5, "triangles": 2,
+                       "normal_map": "builtin:bumps"}})");
+    SceneFile file = load_scene_file(path);
+    LayeredMaterials materials(file.scene.materials, file.layers);
+    materials.apply(file.scene, {});
+    EXPECT_EQ(file.scene.textures.size(), 1u);
+    ASSERT_EQ(file.scene.materials.size(), 3u);
+    const auto& m = file.scene.materials;
+    EXPECT_EQ(m[0].mdf, Mdf::beckmann);
+    EXPECT_EQ(m[1].mdf, Mdf::ward);
+    EXPECT_EQ(m[1].lobe, MaterialLobe(GltfLobe{0.5f}));
+    EXPECT_EQ(m[2].lobe, MaterialLobe(AlphaLobe{glm::vec2(0.2f)}));
+    materials.apply(file.scene, values_of({{"mdf", "ggx"}}));
+    for (const Material& material : file.scene.materials) EXPECT_EQ(material.mdf, Mdf::ggx);
+}
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,49 @@
+// Render settings and the parameter table say the same.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "stage/stage.hpp"
+
+namespace burnish {
+namespace {
+
+TEST(RenderSettings, DefaultsAreThoseOfTheTable) {
+    const ParameterValues none;
+    EXPECT_EQ(render_settings(none), RenderSettings{});
+    const Stage stage;
+    EXPECT_EQ(static_cast<ToneMap>(none.choice("tone_map")), stage.tone_map);
+    EXPECT_EQ(none.real("exposure"), stage.exposure_ev);
+}
+
+// A value at the other end of a parameter's range, which is no default.
+ParameterValue another_value(const Parameter& p) {
+    switch (p.kind) {
+        case ParameterKind::integer:
+            return static_cast<int>(p.high);
+        case ParameterKind::boolean:
+            return p.default_value != ParameterValue(true);
+        case ParameterKind::choice:
+            return ParameterChoice{static_cast<int>(p.choices.size()) - 1};
+        case ParameterKind::color:
+            return glm::vec3(0.5f);
+        default:
+            return p.high;
+    }
+}
+
+TEST(RenderSettings, EveryParameterOfThePictureGoesIn) {
+    int counted = 0;
+    for (const Parameter& p : parameter_table()) {
+        if (p.group != ParameterGroup::render && p.group != ParameterGroup::environment) continue;
+        if (p.name == "exposure" || p.name == "tone_map") continue;  // of Stage
+        ParameterValues values;
+        values.set_value(p.name, another_value(p));
+        EXPECT_NE(render_settings(values), RenderSettings{}) << p.name;
+        ++counted;
+    }
+    EXPECT_EQ(counted, 13);
+}
+
+}  // namespace
+}  // namespace burnish
