@@ -8,15 +8,15 @@
 
 #include "burnish/error.hpp"
 #include "burnish/render.hpp"
+#include "burnish/render_settings.hpp"
 #include "core/files.hpp"
 #include "core/version.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "image/image_io.hpp"
 #include "plot/sheet.hpp"
 #include "stage/material_parameters.hpp"
 #include "stage/stage.hpp"
-#include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish {
 
@@ -66,7 +66,7 @@ std::string warning_of_lost_transparency(const RenderRequest& request, const Sta
 
 // Part `index` of `count` equal parts of a longer work.
 Progress part_of(const Progress& whole, std::size_t index, std::size_t count) {
-    return Progress([=](std::string_view stage, double done) {
+    return whole.with_report([=](std::string_view stage, double done) {
         whole.step(stage, (static_cast<double>(index) + done) / static_cast<double>(count));
     });
 }

@@ -303,7 +303,7 @@ void CaptureFit::fit_band(const StackBand& band, TexelTools& tools, Texels& texe
     const auto cells = static_cast<std::size_t>(settings_.grid.cells());
     const std::size_t per_point = 3 * stack_->lights();
     parallel_for(band.pixels, kPixelTile, [&](std::size_t begin, std::size_t end) {
-        if (interrupt_requested()) throw Interrupted();
+        progress_.throw_if_cancelled();
         const WorkPool<TileWork>::Lease lease(tools.work);
         TileWork& w = *lease;
         const std::size_t count = end - begin;

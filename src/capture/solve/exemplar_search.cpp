@@ -125,7 +125,7 @@ void ExemplarSearch::solve_round(double eta, bool search) {
     trials_.assign(count, {});
     signatures_.assign(count * static_cast<std::size_t>(kSignature.cells()), 0.0f);
     parallel_for(count, 32, [&](std::size_t begin, std::size_t end) {
-        if (interrupt_requested()) throw Interrupted();
+        progress_.throw_if_cancelled();
         PixelWork work;
         for (std::size_t p = begin; p < end; ++p) fit_point(p, work);
     });
@@ -176,7 +176,7 @@ void ExemplarSearch::solve_tables() {
         const ExemplarTables tables = tables_of(static_cast<int>(e));
         PixelWork work;
         for (const std::size_t p : members[e]) {
-            if (interrupt_requested()) throw Interrupted();
+            progress_.throw_if_cancelled();
             context_.gather(pixels_[p], normals_[p], values_of(p), work);
             equations.add(work.samples, PointFitter(work.samples, eta), tables, fits_[p]);
         }
@@ -392,7 +392,7 @@ void ExemplarSearch::solve_partial() {
     const PartialNdfSolver solver(context_.grid, context_.spacing_rad, static_cast<float>(eta_));
     progress_.step("partial distributions", 0.0);
     parallel_for(count, 32, [&](std::size_t begin, std::size_t end) {
-        if (interrupt_requested()) throw Interrupted();
+        progress_.throw_if_cancelled();
         PixelWork work;
         PartialNdfWork partial;
         for (std::size_t p = begin; p < end; ++p) {
