@@ -1,6 +1,7 @@
 // `make bench`: measures the budgets and writes them beside what was reached.
-// Usage: burnish_bench OUT.md [frames|cloth|image-light|loading|first-picture|scratches|weaves|
-// distributions|capture ...]
+// Usage: burnish_bench OUT.md
+// [frames|cloth|edits|image-light|loading|first-picture|scratches|weaves| distributions|capture
+// ...]
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -19,6 +20,7 @@ using burnish::bench::Report;
 constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
     {"frames", burnish::bench::measure_frames},
     {"cloth", burnish::bench::measure_cloth},
+    {"edits", burnish::bench::measure_edits},
     {"image-light", burnish::bench::measure_image_light},
     {"loading", burnish::bench::measure_loading},
     {"first-picture", burnish::bench::measure_first_picture},

@@ -26,6 +26,7 @@ std::string to_markdown(const Report& report);
 
 void measure_frames(Report& report);
 void measure_cloth(Report& report);
+void measure_edits(Report& report);
 void measure_image_light(Report& report);  // nothing without the sample data
 void measure_loading(Report& report);
 void measure_first_picture(Report& report);

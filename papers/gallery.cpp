@@ -107,7 +107,7 @@ std::vector<const GalleryFigure*> chosen(const std::vector<std::string>& ids) {
 }
 
 Progress part_of(const Progress& whole, std::string_view id, std::size_t index, std::size_t count) {
-    return Progress([&whole, id, index, count](std::string_view, double done) {
+    return whole.with_report([&whole, id, index, count](std::string_view, double done) {
         whole.step(
             id, (static_cast<double>(index) + std::min(done, 0.99)) / static_cast<double>(count));
     });

@@ -35,7 +35,7 @@ std::string command_of(const PictureSpec& spec, int pixels, int samples) {
     return text + fmt::format(" --size {}x{} --samples {} -o OUT.png", pixels, pixels, samples);
 }
 
-// Everything but the method, which can be changed without making the scene anew.
+// Everything but the method: pictures with one key differ in their materials alone.
 std::string key_of(const PictureSpec& spec, int pixels) {
     std::string key = fmt::format("{}|{}|{}", spec.input, spec.environment, pixels);
     for (const std::string& light : spec.lights) key += "|" + light;
@@ -73,18 +73,12 @@ PictureSpec PictureSpec::with(const std::vector<std::pair<std::string, std::stri
 }
 
 struct GalleryStudio::Set {
-    std::string key;
+    std::string key, environment;
     Stage stage;
-    gpu::Renderer renderer;
-
-    Set(std::string key_, gpu::Context& context, Stage stage_)
-        : key(std::move(key_)),
-          stage(std::move(stage_)),
-          renderer(context, stage.scene,
-                   stage.environment.radiance.empty() ? nullptr : &stage.environment) {}
 };
 
-GalleryStudio::GalleryStudio(bool quick, int gl_device) : quick_(quick), context_(gl_device) {}
+GalleryStudio::GalleryStudio(bool quick, int gl_device)
+    : quick_(quick), context_(gl_device), renderer_(context_) {}
 GalleryStudio::~GalleryStudio() = default;
 
 GalleryStudio::Set& GalleryStudio::set_for(const PictureSpec& spec, double side) {
@@ -102,11 +96,16 @@ GalleryStudio::Set& GalleryStudio::set_for(const PictureSpec& spec, double side)
         values.set("background_color", kDarkness, "gallery");
         if (spec.environment == "none") values.set("background", "color", "gallery");
         for (const auto& [name, value] : spec.parameters) values.set(name, value, "gallery");
-        set_.reset();
-        set_ = std::make_unique<Set>(key, context_, set_stage(request));
+        auto set = std::make_unique<Set>(Set{key, spec.environment, set_stage(request)});
+        renderer_.set_scene(set->stage.scene);
+        if (!set_ || set_->environment != set->environment) {
+            const Environment& environment = set->stage.environment;
+            renderer_.set_environment(environment.radiance.empty() ? nullptr : &environment);
+        }
+        set_ = std::move(set);
     }
     for (Material& material : set_->stage.scene.materials) material.method = method_of(spec);
-    set_->renderer.set_materials(set_->stage.scene.materials);
+    renderer_.set_materials(set_->stage.scene.materials);
     return *set_;
 }
 
@@ -114,7 +113,7 @@ Picture GalleryStudio::picture(const PictureSpec& spec, double side, const Progr
     Set& set = set_for(spec, side);
     const Stage& stage = set.stage;
     Picture picture;
-    picture.linear = set.renderer.render(stage.camera, stage.settings, progress);
+    picture.linear = renderer_.render(stage.camera, stage.settings, progress);
     const Image shown = to_display(picture.linear, stage.exposure_ev, stage.tone_map);
     picture.display = Image(shown.width, shown.height, 3);
     for (std::size_t i = 0; i < picture.display.pixels.size(); ++i)
@@ -129,7 +128,7 @@ Image GalleryStudio::mask(const PictureSpec& spec, double side, const Progress& 
     options.background = BackgroundKind::transparent;
     options.image_light = ImageLight::off;
     options.samples = 4;
-    const Image picture = set.renderer.render(set.stage.camera, options, progress);
+    const Image picture = renderer_.render(set.stage.camera, options, progress);
     Image mask(picture.width, picture.height, 1);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) mask.pixels[i] = picture.pixels[4 * i + 3];
     return mask;
@@ -137,7 +136,7 @@ Image GalleryStudio::mask(const PictureSpec& spec, double side, const Progress& 
 
 double GalleryStudio::frame_seconds() {
     constexpr int kFrames = 4;
-    return set_->renderer.time_frames(set_->stage.camera, set_->stage.settings, kFrames) / kFrames;
+    return renderer_.time_frames(set_->stage.camera, set_->stage.settings, kFrames) / kFrames;
 }
 
 }  // namespace burnish

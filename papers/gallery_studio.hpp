@@ -49,11 +49,12 @@ class GalleryStudio {
     const gpu::Context& context() const { return context_; }
 
   private:
-    struct Set;  // a scene on the device
+    struct Set;  // the stage of the last picture
     Set& set_for(const PictureSpec& spec, double side);
 
     bool quick_;
     gpu::Context context_;
+    gpu::Renderer renderer_;  // of the last picture's scene
     std::unique_ptr<Set> set_;
 };
 

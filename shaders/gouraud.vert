@@ -25,7 +25,7 @@ void main() {
                     ((u_phong_exponent + 2.0) / (2.0 * kPi));
     v_radiance = vec3(0.0);
 #if LIGHTS > 0
-    for (int i = 0; i < LIGHTS; ++i) {
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         vec3 irradiance;
         vec3 wi = light_direction(i, world.xyz, irradiance);
         float mirror = max(dot(reflect(-wi, n), wo), 1e-6);

@@ -12,7 +12,7 @@ layout(location = 0) out vec4 o_left;
 void main() {
     vec3 all = u_sky * u_ground_scale;
 #if LIGHTS > 0
-    for (int i = 0; i < LIGHTS; ++i) { all += ground_irradiance(i, ground_position(v_place)); }
+    for (int i = 0; i < LIGHT_COUNT; ++i) { all += ground_irradiance(i, ground_position(v_place)); }
 #endif
     vec3 blocked = texture(u_blocked, 0.5 + 0.5 * v_place).rgb;
     // Long shadows end before the square does.

@@ -45,7 +45,7 @@ float cloth_specular(ClothFamily f, vec3 wi) {
 
 vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < LIGHTS; ++i) {
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         vec3 irradiance;
         vec3 towards = light_direction(i, s.position, irradiance);
 #if SHADOW_MAPS > 0

@@ -3,7 +3,16 @@
 // is. SHADOW_MAPS: how many there are (shadow_maps.hpp).
 #include "shading/prelude.glsl"
 #include "shading/surface/light.glsl"
+// LIGHT_COUNT_AT_RUN_TIME: u_light_count of the LIGHTS are there, so that one program serves scenes of
+// any number of lights.
 #if LIGHTS > 0
+
+#ifdef LIGHT_COUNT_AT_RUN_TIME
+uniform int u_light_count;
+#define LIGHT_COUNT u_light_count
+#else
+#define LIGHT_COUNT LIGHTS
+#endif
 
 uniform vec4 u_light_place[LIGHTS];      // xyz: position, or towards a directional light; w: 0 or 1
 uniform vec4 u_light_radiance[LIGHTS];   // rgb: colour times intensity; w: 1 / range^2, 0 unbounded

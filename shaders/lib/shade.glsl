@@ -5,7 +5,7 @@
 // Only the horizon of n~ counts, as under the environment.
 vec3 lit_by_lights(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < LIGHTS; ++i) {
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         vec3 irradiance;
         vec3 towards = light_direction(i, s.position, irradiance);
         vec3 wi = frame_to_local(a, towards);

@@ -80,7 +80,7 @@ struct TexelLights {
 
 TexelLights texel_lights(Surface s, Frame a, vec3 wo) {
     TexelLights l;
-    for (int i = 0; i < LIGHTS; ++i) {
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         vec3 irradiance;
         vec3 towards = light_direction(i, s.position, irradiance);
 #if SHADOW_MAPS > 0
@@ -99,7 +99,7 @@ vec3 lit_texel(TexelLights l, Shading m, Perturbation p, vec3 wo) {
     float cos_o = dot(p.n, wo);
     float seen = tabulated_seen(m.table, perturb_direction(p, wo));
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < LIGHTS; ++i) {
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         vec3 wi = seen_from_rotated(l.wi[i], m.direction);
         float cos_i = dot(p.n, wi);
         float D = tabulated_D(m.table, perturb_point(p, seen_from_rotated(l.h[i], m.direction)));

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -22,7 +23,7 @@ namespace {
 enum ExitCode { kDone = 0, kFailure = 1, kUsage = 2, kInterrupted = 130 };
 
 void on_interrupt(int) {
-    request_interrupt();
+    interrupt_token().cancel();
 }
 
 void set_signal(int number, void (*handler)(int), int flags) {
@@ -34,6 +35,7 @@ void set_signal(int number, void (*handler)(int), int flags) {
 }
 
 void set_signals() {
+    interrupt_token();  // made now: a signal handler must not make it
     // Reads and writes that wait are to return; a second Ctrl-C ends the program at once.
     constexpr int kOnce = static_cast<int>(SA_RESETHAND);
     set_signal(SIGINT, on_interrupt, kOnce);
@@ -88,6 +90,9 @@ int main(int argc, char** argv) {
     using namespace burnish::cli;
     try {
         set_signals();
+        // Mesa writes warnings about devices that it cannot open to standard error; those of our
+        // own contexts are in Context::warnings.
+        setenv("EGL_LOG_LEVEL", "fatal", 0);
         run(argc, argv);
         return kDone;
     } catch (const burnish::UsageError& error) {

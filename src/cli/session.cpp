@@ -36,6 +36,11 @@ std::string shell_quoted(std::string_view word) {
 
 }  // namespace
 
+const CancelToken& interrupt_token() {
+    static const CancelToken token;
+    return token;
+}
+
 Session::Session(int argc, const char* const* argv) {
     // Without the folder: where the program is installed says nothing about what it made.
     command_line_ = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "burnish";
@@ -47,7 +52,8 @@ Progress Session::progress() const {
     const auto mode = static_cast<ProgressMode>(
         index_of_name(names, progress_mode_, "way to show progress", "--progress"));
     const auto display = std::make_shared<ProgressDisplay>(mode);
-    return Progress([display](std::string_view stage, double done) { display->show(stage, done); });
+    return {[display](std::string_view stage, double done) { display->show(stage, done); },
+            interrupt_token()};
 }
 
 void Session::add_options(CLI::App& app) {
@@ -58,7 +64,7 @@ void Session::add_options(CLI::App& app) {
 }
 
 void print(const std::string& text) {
-    OutputStream output = OutputStream::standard_output();
+    OutputStream output = OutputStream::standard_output(Progress(interrupt_token()));
     output.write(text);
     output.finish();
 }

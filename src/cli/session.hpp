@@ -14,6 +14,9 @@ class App;
 
 namespace burnish::cli {
 
+// Cancelled by Ctrl-C and SIGTERM: the one of this program.
+const CancelToken& interrupt_token();
+
 class Session {
   public:
     Session(int argc, const char* const* argv);
@@ -21,7 +24,8 @@ class Session {
     // The command as it can be typed into a shell again, for the metadata of what it makes.
     const std::string& command_line() const { return command_line_; }
 
-    // Shows the progress of one piece of work as --progress asks, until the last copy is gone.
+    // Shows the progress of one piece of work as --progress asks, until the last copy is gone;
+    // Ctrl-C cancels it.
     Progress progress() const;
 
     void add_options(CLI::App& app);

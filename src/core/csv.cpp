@@ -81,8 +81,9 @@ std::string place_of(const CsvRecord& record) {
     return "line " + std::to_string(record.line);
 }
 
-CsvReader::CsvReader(const std::string& path)
+CsvReader::CsvReader(const std::string& path, Progress cancellable)
     : name_(path == "-" ? "standard input" : path),
+      cancellable_(std::move(cancellable)),
       descriptor_(path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (descriptor_ < 0) throw_unreadable(name_);
     struct stat status {};
@@ -129,13 +130,13 @@ std::span<const CsvRecord> CsvReader::next_block() {
     return records_;
 }
 
-// Waits for bytes in short sleeps. A signal that arrives between the test of the flag and a read
-// that blocks would otherwise go unnoticed until the next bytes arrive.
+// Waits for bytes in short sleeps: a signal between a look at the token and a read that blocks
+// would otherwise go unnoticed until the next bytes come.
 void CsvReader::wait_for_bytes() const {
     constexpr int kSleepMs = 100;
     pollfd waiting{descriptor_, POLLIN, 0};
     for (;;) {
-        if (interrupt_requested()) throw Interrupted();
+        cancellable_.throw_if_cancelled();
         const int ready = ::poll(&waiting, 1, kSleepMs);
         if (ready > 0) return;
         if (ready < 0 && errno != EINTR) throw_unreadable(name_);

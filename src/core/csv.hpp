@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "burnish/progress.hpp"
+
 namespace burnish {
 
 inline constexpr std::size_t kLongestCsvRecord = std::size_t{1} << 20;
@@ -27,10 +29,11 @@ struct CsvRecord {
 std::string place_of(const CsvRecord& record);
 
 // Reads a file or, for "-", the standard input. Throws Error for what cannot be read and for a
-// record over kLongestCsvRecord.
+// record over kLongestCsvRecord, and Interrupted when `cancellable` is cancelled while it waits for
+// bytes.
 class CsvReader {
   public:
-    explicit CsvReader(const std::string& path);
+    explicit CsvReader(const std::string& path, Progress cancellable = {});
     CsvReader(const CsvReader&) = delete;
     CsvReader& operator=(const CsvReader&) = delete;
     ~CsvReader();
@@ -48,6 +51,7 @@ class CsvReader {
     void drop_byte_order_mark();
 
     std::string name_;
+    Progress cancellable_;
     int descriptor_ = -1;
     std::size_t file_bytes_ = 0;
     std::size_t read_bytes_ = 0;

@@ -264,14 +264,14 @@ void CsvRow::fail(std::size_t column, std::string_view expected, std::string_vie
 
 void add_csv_columns(const std::string& input, const std::string& output, const CsvTask& task,
                      const Progress& progress) {
-    CsvReader reader(input);
+    CsvReader reader(input, progress);
     if (output == "-") {
-        OutputStream stream = OutputStream::standard_output();
+        OutputStream stream = OutputStream::standard_output(progress);
         transform_table(reader, task, stream, progress);
         return;
     }
     write_file_whole(output, [&](const std::filesystem::path& temporary) {
-        OutputStream stream(temporary, output);
+        OutputStream stream(temporary, output, progress);
         transform_table(reader, task, stream, progress);
     });
 }

@@ -67,7 +67,7 @@ struct TwoSums {
 class Search {
   public:
     Search(const FitModel& model, const FitVariant& variant, std::span<const BrdfSample> samples,
-           FitMetric metric);
+           FitMetric metric, const Progress& progress);
 
     // Numbers of the search: the shape, kd, ks.
     Index shape_size() const { return static_cast<Index>(variant_.free.size()); }
@@ -93,12 +93,13 @@ class Search {
     const FitVariant& variant_;
     std::span<const BrdfSample> samples_;
     FitMetric metric_;
+    const Progress& progress_;
     std::vector<double> root_weights_;  // their squares add up to 1 / 3 over the samples
 };
 
 Search::Search(const FitModel& model, const FitVariant& variant,
-               std::span<const BrdfSample> samples, FitMetric metric)
-    : model_(model), variant_(variant), samples_(samples), metric_(metric) {
+               std::span<const BrdfSample> samples, FitMetric metric, const Progress& progress)
+    : model_(model), variant_(variant), samples_(samples), metric_(metric), progress_(progress) {
     double sum = 0;
     for (const BrdfSample& sample : samples) sum += sample.weight;
     if (!(sum > 0 && std::isfinite(sum)))
@@ -108,7 +109,7 @@ Search::Search(const FitModel& model, const FitVariant& variant,
 }
 
 void Search::lobes(const LobeParameters& p, std::size_t stride, std::vector<double>& values) const {
-    if (interrupt_requested()) throw Interrupted();
+    progress_.throw_if_cancelled();
     values.resize((samples_.size() + stride - 1) / stride);
     parallel_for(values.size(), 128, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -294,7 +295,7 @@ std::span<const std::string_view> fit_metric_names() {
 }
 
 BrdfFit fit_brdf(const FitModel& model, std::span<const BrdfSample> samples,
-                 const FitSettings& settings) {
+                 const FitSettings& settings, const Progress& progress) {
     std::optional<BrdfFit> best;
     double best_sum = 0;
     const auto consider = [&](const Search& search, const LeastSquaresResult& result) {
@@ -303,11 +304,11 @@ BrdfFit fit_brdf(const FitModel& model, std::span<const BrdfSample> samples,
         best_sum = result.sum;
     };
     for (std::size_t i = 0; i < model.isotropic.size(); ++i) {
-        const Search search(model, model.isotropic[i], samples, settings.metric);
+        const Search search(model, model.isotropic[i], samples, settings.metric, progress);
         const LeastSquaresResult result = best_of(search, model.isotropic[i], settings);
         consider(search, result);
         if (!settings.anisotropic || model.anisotropic.empty()) continue;
-        const Search wider(model, model.anisotropic[i], samples, settings.metric);
+        const Search wider(model, model.anisotropic[i], samples, settings.metric, progress);
         consider(wider, widened(model, wider, result, model.isotropic[i].free.size(),
                                 settings.most_iterations));
     }

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "burnish/progress.hpp"
 #include "fit/fit_models.hpp"
 #include "models/mdf.hpp"
 
@@ -54,9 +55,10 @@ struct BrdfFit {
 };
 
 // Throws Error when there are no samples or their weights do not add up to something, and
-// Interrupted after Ctrl-C. Numbers do not depend on the number of threads.
+// Interrupted when `progress` is cancelled; nothing is reported to it. Numbers do not depend on the
+// number of threads.
 BrdfFit fit_brdf(const FitModel& model, std::span<const BrdfSample> samples,
-                 const FitSettings& settings);
+                 const FitSettings& settings, const Progress& progress = {});
 
 // f of a fit; 0 below the horizon.
 FitRgb fitted_value(const BrdfFit& fit, Direction<double> wi, Direction<double> wo);

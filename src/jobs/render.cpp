@@ -67,7 +67,7 @@ std::string warning_of_lost_transparency(const RenderRequest& request, const Sta
 
 // Part `index` of `count` equal parts of a longer work.
 Progress part_of(const Progress& whole, std::size_t index, std::size_t count) {
-    return Progress([=](std::string_view stage, double done) {
+    return whole.with_report([=](std::string_view stage, double done) {
         whole.step(stage, (static_cast<double>(index) + done) / static_cast<double>(count));
     });
 }

@@ -64,16 +64,42 @@ TEST(Progress, ReportsStageAndClampedShare) {
     EXPECT_NO_THROW(Progress().step("anything", 0.5));
 }
 
-TEST(Progress, StopsAfterAnInterrupt) {
+TEST(Progress, StopsWhenItsTokenIsCancelled) {
     int reports = 0;
-    const Progress progress([&](std::string_view, double) { ++reports; });
-    request_interrupt();
-    EXPECT_TRUE(interrupt_requested());
+    const CancelToken token;
+    const Progress progress([&](std::string_view, double) { ++reports; }, token);
+    EXPECT_NO_THROW(progress.throw_if_cancelled());
+    token.cancel();
+    EXPECT_TRUE(progress.cancelled());
     EXPECT_THROW(progress.step("render", 0.5), Interrupted);
+    EXPECT_THROW(progress.throw_if_cancelled(), Interrupted);
     EXPECT_EQ(reports, 0);
-    clear_interrupt();
+    token.reset();
     EXPECT_NO_THROW(progress.step("render", 0.5));
     EXPECT_EQ(reports, 1);
+}
+
+TEST(Progress, CancelsNothingBesideIt) {
+    const CancelToken token, other;
+    const Progress progress(token), beside(other);
+    token.cancel();
+    EXPECT_TRUE(progress.cancelled());
+    EXPECT_FALSE(beside.cancelled());
+    EXPECT_FALSE(Progress().cancelled());
+}
+
+TEST(Progress, APartHasTheTokenOfTheWhole) {
+    const CancelToken token;
+    const Progress whole(token);
+    double reported = 0;
+    const Progress part =
+        whole.with_report([&](std::string_view, double done) { reported = done; });
+    part.step("part", 0.25);
+    EXPECT_EQ(reported, 0.25);
+    token.cancel();
+    EXPECT_TRUE(part.cancelled());
+    EXPECT_THROW(part.step("part", 0.5), Interrupted);
+    EXPECT_EQ(reported, 0.25);
 }
 
 }  // namespace

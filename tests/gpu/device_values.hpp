@@ -1,7 +1,6 @@
-// Random inputs, and what a fragment shader makes of each of them: a value a pixel, read back as floats.
+// Random inputs, and what a fragment shader makes of each of them: a value a pixel, read back as
+// floats.
 #pragma once
-
-#include <epoxy/gl.h>
 
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "burnish/f32.hpp"
+#include "gpu/device/gl.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu_fixture.hpp"
@@ -48,8 +48,8 @@ inline f32::vec3 xyz(const Row& v) {
 
 class DeviceValues : public GpuTest {
   protected:
-    // `stage`: a fragment shader that reads u_wi (xyz, xi.x), u_wo (xyz, xi.y), u_n (xyz, select) at its
-    // pixel, and u_alpha. `defines`: whole lines.
+    // `stage`: a fragment shader that reads u_wi (xyz, xi.x), u_wo (xyz, xi.y), u_n (xyz, select)
+    // at its pixel, and u_alpha. `defines`: whole lines.
     std::vector<Row> values_of(const std::string& stage, const std::string& defines,
                                glm::vec2 alpha = glm::vec2(0.3f)) {
         const gpu::ShaderDialect dialect =

@@ -10,6 +10,7 @@
 #include "burnish/render_settings.hpp"
 #include "gpu/device/context.hpp"
 #include "gpu/draw/renderer.hpp"
+#include "support/picture_checks.hpp"
 
 namespace burnish::test {
 
@@ -48,17 +49,6 @@ inline RenderSettings small_picture(int width = 48, int height = 48, int samples
 inline glm::vec3 rgb(const Image& image, int x, int y) {
     const float* p = image.at(x, y);
     return {p[0], p[1], p[2]};
-}
-
-// Largest difference of two pictures, relative to the larger of the value and `floor`.
-inline double largest_difference(const Image& a, const Image& b, double floor) {
-    double worst = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const double x = a.pixels[i];
-        const double y = b.pixels[i];
-        worst = std::max(worst, std::abs(x - y) / std::max({x, y, floor}));
-    }
-    return worst;
 }
 
 }  // namespace burnish::test

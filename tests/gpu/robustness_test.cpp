@@ -55,9 +55,8 @@ TEST_F(Robustness, TexelsThatAreNoNormalsLeaveTheSurfaceUnperturbed) {
     for (const glm::vec3& texel : bad) {
         scene.textures[0] = constant_texture(texel);
         gpu::Renderer renderer(*context, scene, nullptr);
-        EXPECT_LT(
-            largest_difference(renderer.render(camera_on_z(), small_picture(16, 16)), wanted, 1e-2),
-            1e-3)
+        EXPECT_TRUE(close_pictures(renderer.render(camera_on_z(), small_picture(16, 16)), wanted,
+                                   1e-2, 1e-3))
             << texel.x;
     }
 }
@@ -205,7 +204,7 @@ TEST_F(Robustness, InterruptsStopARender) {
     gpu::Renderer renderer(*context, lit_sphere(), nullptr);
     int steps = 0;
     const Progress progress([&](std::string_view stage, double done) {
-        EXPECT_EQ(stage, "render");
+        if (stage != "render") return;  // shaders are compiled first
         EXPECT_GE(done, 0.0);
         if (++steps == 3) throw Interrupted();
     });

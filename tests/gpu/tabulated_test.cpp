@@ -1,8 +1,6 @@
 // Tabulated materials on the device: look-ups and draws against the tables, pictures against an
 // evaluation of our own, against the analytic lobe that a table was made of, and from afar against
 // pictures drawn much larger.
-#include <epoxy/gl.h>
-
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +9,7 @@
 
 #include "burnish/shading_names.hpp"
 #include "flicker.hpp"
+#include "gpu/device/gl.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu/upload/tabulated_maps.hpp"
@@ -96,8 +95,9 @@ class TabulatedLookUp : public GpuTest {
                                0);
         glViewport(0, 0, kSide, kSide);
         program.use();
-        gpu::TabulatedMaps maps;
-        maps.bind(program, surface_of(m), true);
+        gpu::TabulatedMaps maps(tabulated_of(surface_of(m))->material);
+        maps.require_draws();
+        maps.bind(program);
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, input.get());
         program.set("u_inputs", 0);

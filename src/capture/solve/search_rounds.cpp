@@ -129,7 +129,7 @@ SearchState solve_partial(const SearchInput& input, double eta, PartialTables& p
                                   static_cast<float>(eta));
     input.progress.step("partial distributions", 0.0);
     parallel_for(partial.count, kPointTile, [&](std::size_t begin, std::size_t end) {
-        if (interrupt_requested()) throw Interrupted();
+        input.progress.throw_if_cancelled();
         PixelWork work;
         PartialNdfWork partial_work;
         for (std::size_t p = begin; p < end; ++p) {
@@ -152,7 +152,7 @@ SearchState solve_round(const SearchInput& input, const PartialTables& partial, 
                         bool match) {
     if (match) match_candidates(input, partial, state);
     parallel_for(state.points.size(), kPointTile, [&](std::size_t begin, std::size_t end) {
-        if (interrupt_requested()) throw Interrupted();
+        input.progress.throw_if_cancelled();
         PixelWork work;
         for (std::size_t p = begin; p < end; ++p) fit_point(input, state, p, work, state.points[p]);
     });
@@ -171,7 +171,7 @@ SearchState solve_tables(const SearchInput& input, SearchState state) {
             input.context.gather(input.pixels[p], state.points[p].normal, input.values_of(p), work);
         };
         for (const std::size_t p : members[e]) {
-            if (interrupt_requested()) throw Interrupted();
+            input.progress.throw_if_cancelled();
             gather(p);
             equations.add(work.samples, PointFitter(work.samples, eta), tables,
                           state.points[p].fit);

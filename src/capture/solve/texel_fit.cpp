@@ -156,9 +156,9 @@ TexelFitter::TexelFitter(const SampleContext& context, const ImageStack& stack,
 
 TexelFitter::~TexelFitter() = default;
 
-void TexelFitter::fit(const StackBand& band, const Progress&, Texels& texels) {
+void TexelFitter::fit(const StackBand& band, const Progress& progress, Texels& texels) {
     parallel_for(band.pixels, kPixelTile, [&](std::size_t begin, std::size_t end) {
-        if (interrupt_requested()) throw Interrupted();
+        progress.throw_if_cancelled();
         const WorkPool<TileWork>::Lease lease(shared_->work);
         TileWork& tile = *lease;
         const std::size_t count = end - begin;

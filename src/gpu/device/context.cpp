@@ -1,15 +1,17 @@
 #include "gpu/device/context.hpp"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
-#include <epoxy/gl.h>
 
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <optional>
 
 #include "burnish/error.hpp"
+#include "gpu/device/albedo_tables.hpp"
+#include "gpu/device/gl.hpp"
+#include "gpu/device/program.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -20,14 +22,7 @@ bool has_client_extension(const char* name) {
     return epoxy_has_egl_extension(EGL_NO_DISPLAY, name);
 }
 
-// Mesa writes warnings about devices it cannot open to stderr; ours go into Context::warnings.
-void silence_mesa() {
-    static std::once_flag once;
-    std::call_once(once, [] { setenv("EGL_LOG_LEVEL", "fatal", 0); });
-}
-
 std::vector<EGLDeviceEXT> egl_devices() {
-    silence_mesa();
     const bool enumerates = has_client_extension("EGL_EXT_device_enumeration") ||
                             has_client_extension("EGL_EXT_device_base");
     if (!enumerates || !has_client_extension("EGL_EXT_platform_device") ||
@@ -201,6 +196,33 @@ std::vector<Candidate> candidates(int wanted) {
     return list;
 }
 
+// The context that is current on this thread, whoever made it; null: none. GLX is asked where the
+// host has loaded it, so that we need neither X11 nor its library.
+void* current_context() {
+    if (EGLContext context = eglGetCurrentContext(); context != EGL_NO_CONTEXT) return context;
+    void* library = dlopen("libGL.so.1", RTLD_LAZY | RTLD_NOLOAD);
+    if (library == nullptr) return nullptr;
+    using Current = void* (*)();
+    const auto current = reinterpret_cast<Current>(dlsym(library, "glXGetCurrentContext"));
+    void* context = current != nullptr ? current() : nullptr;
+    dlclose(library);
+    return context;
+}
+
+// What is current on this thread as EGL has it.
+class CurrentContext {
+  public:
+    EGLContext context() const { return context_; }
+    void restore() const {
+        if (context_ != EGL_NO_CONTEXT) eglMakeCurrent(display_, draw_, read_, context_);
+    }
+
+  private:
+    EGLContext context_ = eglGetCurrentContext();
+    EGLDisplay display_ = eglGetCurrentDisplay();
+    EGLSurface draw_ = eglGetCurrentSurface(EGL_DRAW), read_ = eglGetCurrentSurface(EGL_READ);
+};
+
 bool is_software_name(const std::string& renderer) {
     for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "swrast"}) {
         if (renderer.find(name) != std::string::npos) return true;
@@ -241,11 +263,43 @@ void Context::describe() {
     version_ = text(GL_VERSION);
     is_software_ = is_software_name(renderer_);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &max_texture_size_);
+    programs_ = std::make_unique<ProgramCache>(is_es_ ? ShaderDialect::es300 : ShaderDialect::gl330,
+                                               has_extension("GL_KHR_parallel_shader_compile"));
+    albedos_ = std::make_unique<AlbedoTables>();
 }
 
-Context::~Context() = default;
+Context::Context(Adopt) : adopted_(current_context()) {
+    if (adopted_ == nullptr) throw Error("no OpenGL context is current that could be adopted");
+    is_es_ = !epoxy_is_desktop_gl();
+    const int least = is_es_ ? 30 : 33;
+    if (epoxy_gl_version() < least) {
+        throw Error("OpenGL", "", is_es_ ? "ES 3.0 at least" : "3.3 at least",
+                    reinterpret_cast<const char*>(glGetString(GL_VERSION)));
+    }
+    describe();
+}
+
+Context Context::adopt_current() {
+    return Context(Adopt{});
+}
+
+Context::~Context() {
+    const CurrentContext before;
+    try {
+        make_current();
+    } catch (const Error&) {  // the context is lost, and everything in it with it
+    }
+    albedos_.reset();
+    programs_.reset();
+    if (handles_ != nullptr && before.context() != handles_->context) before.restore();
+}
 
 void Context::make_current() {
+    if (is_adopted()) {
+        if (current_context() != adopted_)
+            throw Error("the adopted OpenGL context of " + renderer_ + " is not current");
+        return;
+    }
     EGLDisplay display = handles_->display.get();
     eglBindAPI(is_es_ ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
     if (!eglMakeCurrent(display, handles_->surface, handles_->surface, handles_->context)) {

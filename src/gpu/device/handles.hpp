@@ -2,9 +2,9 @@
 // context they were made in must be current.
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <utility>
+
+#include "gpu/device/gl.hpp"
 
 namespace burnish::gpu {
 

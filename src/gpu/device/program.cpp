@@ -1,6 +1,7 @@
 #include "gpu/device/program.hpp"
 
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <utility>
 
@@ -31,17 +32,20 @@ std::string with_file(const ShaderStage& stage, const std::string& message) {
     return number < stage.files.size() ? stage.files[number] + " (file " + message + ")" : message;
 }
 
-GLuint compile(GLenum type, const ShaderStage& stage) {
+GLuint send_stage(GLenum type, const ShaderStage& stage) {
     const GLuint shader = glCreateShader(type);
     const char* text = stage.text.c_str();
     glShaderSource(shader, 1, &text, nullptr);
     glCompileShader(shader);
+    return shader;
+}
+
+void require_compiled(GLuint shader, const ShaderStage& stage) {
     GLint done = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
-    if (done != 0) return shader;
+    if (done != 0) return;
     std::array<char, 4096> log{};
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    glDeleteShader(shader);
     throw Error("shader " + stage.files.front() + ": " + with_file(stage, first_error(log.data())));
 }
 
@@ -56,33 +60,78 @@ void check_gl(const char* doing) {
     throw Error(std::string(doing) + ": OpenGL error " + std::to_string(error));
 }
 
-Program::Program(const ShaderStage& vertex, const ShaderStage& fragment) {
-    const GLuint vertex_shader = compile(GL_VERTEX_SHADER, vertex);
-    GLuint fragment_shader = 0;
-    try {
-        fragment_shader = compile(GL_FRAGMENT_SHADER, fragment);
-    } catch (...) {
+struct Program::Stages {
+    ShaderStage vertex, fragment;
+    GLuint vertex_shader = 0, fragment_shader = 0;
+
+    Stages(ShaderStage v, ShaderStage f)
+        : vertex(std::move(v)),
+          fragment(std::move(f)),
+          vertex_shader(send_stage(GL_VERTEX_SHADER, vertex)),
+          fragment_shader(send_stage(GL_FRAGMENT_SHADER, fragment)) {}
+    ~Stages() {
         glDeleteShader(vertex_shader);
+        glDeleteShader(fragment_shader);
+    }
+    Stages(const Stages&) = delete;
+    Stages& operator=(const Stages&) = delete;
+};
+
+Program::Program() = default;
+
+Program::Program(const ShaderStage& vertex, const ShaderStage& fragment) {
+    send(vertex, fragment);
+    try {
+        finish();
+    } catch (...) {
+        glDeleteProgram(program_);
         throw;
     }
+}
+
+std::unique_ptr<Program> Program::start(const ShaderStage& vertex, const ShaderStage& fragment) {
+    std::unique_ptr<Program> program(new Program);
+    program->send(vertex, fragment);
+    return program;
+}
+
+void Program::send(const ShaderStage& vertex, const ShaderStage& fragment) {
+    unfinished_ = std::make_unique<Stages>(vertex, fragment);
     program_ = glCreateProgram();
-    glAttachShader(program_, vertex_shader);
-    glAttachShader(program_, fragment_shader);
+    glAttachShader(program_, unfinished_->vertex_shader);
+    glAttachShader(program_, unfinished_->fragment_shader);
     glLinkProgram(program_);
-    glDeleteShader(vertex_shader);
-    glDeleteShader(fragment_shader);
+}
+
+bool Program::is_compiled() const {
+    if (is_finished()) return true;
+    GLint done = 0;
+    glGetProgramiv(program_, GL_COMPLETION_STATUS_KHR, &done);
+    return done != 0;
+}
+
+void Program::finish() {
+    if (is_finished()) return;
+    require_compiled(unfinished_->vertex_shader, unfinished_->vertex);
+    require_compiled(unfinished_->fragment_shader, unfinished_->fragment);
     GLint done = 0;
     glGetProgramiv(program_, GL_LINK_STATUS, &done);
-    if (done != 0) return;
-    std::array<char, 4096> log{};
-    glGetProgramInfoLog(program_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    glDeleteProgram(program_);
-    throw Error("shaders " + vertex.files.front() + " and " + fragment.files.front() +
-                " do not link: " + first_error(log.data()));
+    if (done == 0) {
+        std::array<char, 4096> log{};
+        glGetProgramInfoLog(program_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        throw Error("shaders " + unfinished_->vertex.files.front() + " and " +
+                    unfinished_->fragment.files.front() +
+                    " do not link: " + first_error(log.data()));
+    }
+    unfinished_.reset();
 }
 
 Program::~Program() {
     glDeleteProgram(program_);
+}
+
+bool Program::take(UniformGroup group, std::uint64_t version) {
+    return std::exchange(versions_[static_cast<std::size_t>(group)], version) != version;
 }
 
 GLint Program::location(const char* name) {
@@ -141,18 +190,28 @@ void Program::set(const char* name, std::span<const glm::vec4> values) {
     glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values[0].x);
 }
 
+Program& ProgramCache::start(std::string_view vertex, std::string_view fragment,
+                             const std::string& defines) {
+    const std::string key = std::string(vertex) + "\n" + std::string(fragment) + "\n" + defines;
+    const auto found = programs_.find(key);
+    if (found != programs_.end()) return *found->second;
+    const std::string folder = "shaders/";
+    auto program =
+        Program::start(assemble_stage(dialect_, defines, folder + std::string(vertex)),
+                       assemble_stage(dialect_, defines, folder + std::string(fragment)));
+    return *programs_.emplace(key, std::move(program)).first->second;
+}
+
 Program& ProgramCache::get(std::string_view vertex, std::string_view fragment,
                            const std::string& defines) {
-    const std::string key = std::string(vertex) + "\n" + std::string(fragment) + "\n" + defines;
-    auto found = programs_.find(key);
-    if (found == programs_.end()) {
-        const std::string folder = "shaders/";
-        auto program = std::make_unique<Program>(
-            assemble_stage(dialect_, defines, folder + std::string(vertex)),
-            assemble_stage(dialect_, defines, folder + std::string(fragment)));
-        found = programs_.emplace(key, std::move(program)).first;
-    }
-    return *found->second;
+    Program& program = start(vertex, fragment, defines);
+    program.finish();
+    return program;
+}
+
+std::uint64_t new_uniform_version() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
 }
 
 }  // namespace burnish::gpu

@@ -1,8 +1,8 @@
-// A linked shader program and its uniforms.
+// A linked shader program and its uniforms. The context that it was made in must be current.
 #pragma once
 
-#include <epoxy/gl.h>
-
+#include <array>
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -14,9 +14,13 @@
 #include <string>
 #include <string_view>
 
+#include "gpu/device/gl.hpp"
 #include "gpu/device/shader_source.hpp"
 
 namespace burnish::gpu {
+
+// Uniforms that are set together and stay in a program until another version of them is set.
+enum class UniformGroup { frame, material };
 
 class Program {
   public:
@@ -26,7 +30,18 @@ class Program {
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
+    // Sends the stages to the compiler without waiting for it; finish() before anything else.
+    static std::unique_ptr<Program> start(const ShaderStage& vertex, const ShaderStage& fragment);
+    bool is_finished() const { return unfinished_ == nullptr; }
+    // Whether finish() would not wait; asks KHR_parallel_shader_compile, which must be there.
+    bool is_compiled() const;
+    void finish();  // throws as the constructor
+
     void use() const { glUseProgram(program_); }
+
+    // True when `version` of the group is not the one in the program, and records it: the caller
+    // sets the uniforms of the group. Versions are never 0 and differ between renderers.
+    bool take(UniformGroup group, std::uint64_t version);
 
     // Set on the program in use; a uniform that the compiler has removed is passed over.
     void set(const char* name, int value);
@@ -45,21 +60,38 @@ class Program {
     void set(const char* name, std::span<const glm::mat4> values);
 
   private:
+    struct Stages;  // of a program that is not finished, for its messages
+    Program();
+    void send(const ShaderStage& vertex, const ShaderStage& fragment);
     GLint location(const char* name);
 
     GLuint program_ = 0;
+    std::unique_ptr<Stages> unfinished_;
     std::map<std::string, GLint, std::less<>> locations_;
+    std::array<std::uint64_t, 2> versions_{};
 };
 
-// Programs by stages and defines, each built when first asked for.
+// A number that no other version has had in this process.
+std::uint64_t new_uniform_version();
+
+// Programs by stages and defines, each compiled once; they live as long as the cache. Part of a
+// context (context.hpp).
 class ProgramCache {
   public:
-    explicit ProgramCache(ShaderDialect dialect) : dialect_(dialect) {}
-    // Stages: names below shaders/.
+    // `parallel`: the device has KHR_parallel_shader_compile.
+    ProgramCache(ShaderDialect dialect, bool parallel) : dialect_(dialect), parallel_(parallel) {}
+
+    // Stages: names below shaders/. Compiled when it is not there; Error when it does not compile.
     Program& get(std::string_view vertex, std::string_view fragment, const std::string& defines);
+    // The same without waiting for the compiler: finish() it before it is used.
+    Program& start(std::string_view vertex, std::string_view fragment, const std::string& defines);
+
+    bool parallel() const { return parallel_; }
+    std::size_t size() const { return programs_.size(); }  // how many were compiled
 
   private:
     ShaderDialect dialect_;
+    bool parallel_;
     std::map<std::string, std::unique_ptr<Program>> programs_;
 };
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
 
 namespace burnish::gpu {
@@ -121,8 +122,7 @@ void Targets::clear_sum() {
 
 void Targets::accumulate(Program& program, GLuint empty_vertex_array) {
     glBindFramebuffer(GL_FRAMEBUFFER, sum_target_[1 - current_].get());
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
+    apply(DrawState{.depth_test = false, .depth_write = false});
     program.use();
     glActiveTexture(GL_TEXTURE0 + kSumUnit);
     glBindTexture(GL_TEXTURE_2D, sum_[current_].get());
@@ -134,6 +134,18 @@ void Targets::accumulate(Program& program, GLuint empty_vertex_array) {
     glBindVertexArray(empty_vertex_array);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     current_ = 1 - current_;
+}
+
+void Targets::show_sum(Program& program, GLuint empty_vertex_array) const {
+    apply(DrawState{.depth_test = false, .depth_write = false});
+    glActiveTexture(GL_TEXTURE0 + kSumUnit);
+    glBindTexture(GL_TEXTURE_2D, sum_[current_].get());
+    glBindSampler(kSumUnit, 0);
+    program.set("u_sum", static_cast<int>(kSumUnit));
+    program.set("u_depth", 0.0f);
+    glBindVertexArray(empty_vertex_array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
 }
 
 std::vector<float> Targets::read_sum(int width, int height) const {

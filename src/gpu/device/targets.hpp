@@ -26,7 +26,7 @@ class Targets {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    void bind_frame() const;  // colour, depth and stencil
+    void bind_frame() const;  // color, depth and stencil
     // The images of gbuffer.frag with the same depth and stencil; made when first asked for.
     void bind_gbuffer(bool with_position, bool with_shape);
     void bind_gbuffer_textures(Program& program) const;
@@ -34,6 +34,9 @@ class Targets {
     void clear_sum();
     // Adds the frame to the sum; `program` is accumulate.frag's. A viewport must be set.
     void accumulate(Program& program, GLuint empty_vertex_array);
+    // Draws the sum by `program`, display.frag's, over the viewport of the framebuffer that is
+    // bound.
+    void show_sum(Program& program, GLuint empty_vertex_array) const;
     // RGBA of the lower left width x height pixels, bottom row first.
     std::vector<float> read_sum(int width, int height) const;
 

@@ -1,7 +1,7 @@
 // Which texture unit holds what, so that binding one thing never disturbs another.
 #pragma once
 
-#include <epoxy/gl.h>
+#include "gpu/device/gl.hpp"
 
 namespace burnish::gpu {
 

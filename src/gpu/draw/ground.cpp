@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "burnish/error.hpp"
+#include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "scene/camera/view.hpp"
 
@@ -73,8 +77,11 @@ Tile reach_of(const Bounds& box, const glm::mat4& clip_from_world) {
     return {first.x, first.y, std::max(last.x - first.x, 0), std::max(last.y - first.y, 0)};
 }
 
+// One program for all numbers of lights: it is drawn in moments, and compiled as long as another.
 std::string light_defines(const LightUniforms& lights) {
-    return "#define LIGHTS " + std::to_string(lights.count()) + "\n#define POSITION\n";
+    if (lights.count() == 0) return "#define LIGHTS 0\n#define POSITION\n";
+    return "#define LIGHTS " + std::to_string(kMostLights) +
+           "\n#define LIGHT_COUNT_AT_RUN_TIME\n#define POSITION\n";
 }
 
 }  // namespace
@@ -88,15 +95,20 @@ glm::mat4 flattened(const glm::vec4& light, float height) {
     return m;
 }
 
-Ground::Ground(const Bounds& model, std::size_t triangles, const Environment* environment)
-    : model_(model) {
+Ground::Ground(const Bounds& model, std::size_t triangles,
+               std::shared_ptr<const Environment> environment)
+    : model_(model), triangles_(triangles), environment_(std::move(environment)) {
     const glm::vec3 size = model.high - model.low;
     center_ = glm::vec3(model.center().x, model.low.y, model.center().z);
     // 1e-6: a point has no extent.
     half_ = std::max(0.5f * std::hypot(size.x, size.z) + kHeights * size.y, 1e-6f);
-    if (environment == nullptr || environment->radiance.empty()) return;
-    sky_lights_ = sky_lights(*environment, sky_light_count(triangles));
+}
+
+void Ground::find_sky_lights() {
+    if (environment_ == nullptr) return;
+    sky_lights_ = sky_lights(*environment_, sky_light_count(triangles_));
     for (const SkyLight& light : sky_lights_) sky_irradiance_ += light.irradiance;
+    environment_.reset();
 }
 
 Bounds Ground::bounds() const {
@@ -108,67 +120,86 @@ bool Ground::faces(const glm::vec4& eye) const {
     return eye.y > center_.y * eye.w;
 }
 
-void Ground::make_device() {
-    device_.emplace();
-    define(device_->mask.get(), GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
-    // Half floats, which every device filters and blends into; scale_ keeps values near 1.
-    define(device_->blocked.get(), GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
-    const GLuint sampler = device_->sampler.get();
+Ground::Shadow::Shadow() {
+    define(mask.get(), GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+    // Half floats, which every device filters and blends into; `scale` keeps values near 1.
+    define(blocked.get(), GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT);
     for (const GLenum name :
          std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glSamplerParameteri(sampler, name, GL_LINEAR);
+        glSamplerParameteri(sampler.get(), name, GL_LINEAR);
     for (const GLenum name : std::initializer_list<GLenum>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glSamplerParameteri(sampler, name, GL_CLAMP_TO_EDGE);
-    glBindFramebuffer(GL_FRAMEBUFFER, device_->mask_target.get());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, device_->mask.get(),
-                           0);
+        glSamplerParameteri(sampler.get(), name, GL_CLAMP_TO_EDGE);
+    glBindFramebuffer(GL_FRAMEBUFFER, mask_target.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, mask.get(), 0);
     const GLenum none = GL_NONE;
     glDrawBuffers(1, &none);
     glReadBuffer(GL_NONE);
-    glBindFramebuffer(GL_FRAMEBUFFER, device_->blocked_target.get());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                           device_->blocked.get(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, blocked_target.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, blocked.get(), 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("render", "ground", "a device that renders to half floats", "none");
     check_gl("making the ground's shadow");
 }
 
-void Ground::set_place(Program& program, const LightUniforms& lights) const {
+struct Ground::Tools {
+    ProgramCache& programs;
+    GLuint empty_vertex_array;
+    const LightUniforms& lights;
+    const DrawCasters& draw_casters;
+};
+
+void Ground::set_place(Program& program, const LightUniforms& lights, float scale) const {
     lights.set(program);
     program.set("u_ground_center", center_);
     program.set("u_ground_half", half_);
-    program.set("u_ground_scale", scale_);
+    program.set("u_ground_scale", scale);
+}
+
+void Ground::require_programs(ProgramCache& programs, const LightUniforms& lights) {
+    programs.get("fullscreen.vert", "ground_add.frag", light_defines(lights));
+    programs.get("ground.vert", "ground.frag", light_defines(lights));
 }
 
 void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
-                     const Sky& sky, const DrawCasters& draw_casters) {
-    if (made_for_ == sky) return;
-    if (!device_) make_device();
+                     const Sky& sky, const DrawCasters& draw_casters, const Progress& progress) {
+    if (is_made_for(sky)) return;
+    constexpr std::string_view kStage = "shadow on the ground";
+    progress.step(kStage, 0.0);
+    find_sky_lights();
+    auto shadow = std::make_unique<Shadow>();
+    shadow->sky = sky;
     glm::vec3 brightest = sky_irradiance_ * sky.intensity;
     for (int i = 0; i < lights.count(); ++i) brightest += lights.irradiance(i, center_);
-    scale_ = largest(brightest) > 0.0f ? 1.0f / largest(brightest) : 1.0f;
-    glBindFramebuffer(GL_FRAMEBUFFER, device_->blocked_target.get());
-    glDisable(GL_SCISSOR_TEST);
+    shadow->scale = largest(brightest) > 0.0f ? 1.0f / largest(brightest) : 1.0f;
+    glBindFramebuffer(GL_FRAMEBUFFER, shadow->blocked_target.get());
+    apply(DrawState{});
     const float nothing[4] = {};
     glClearBufferfv(GL_COLOR, 0, nothing);
     glViewport(0, 0, kSide, kSide);
-    glDisable(GL_STENCIL_TEST);
-    glDisable(GL_CULL_FACE);
-    for (int i = 0; i < lights.count(); ++i)
-        add(programs, empty_vertex_array, lights, i, {}, draw_casters);
-    if (sky.intensity > 0.0f) {
-        for (const SkyLight& light : sky_lights_)
-            add(programs, empty_vertex_array, lights, -1,
-                {turned(light.direction, sky.rotation), light.irradiance * sky.intensity},
-                draw_casters);
+    const Tools tools{programs, empty_vertex_array, lights, draw_casters};
+    for (int i = 0; i < lights.count(); ++i) {
+        progress.step(kStage, 0.0);
+        add(tools, *shadow, i, {});
     }
-    made_for_ = sky;
+    if (sky.intensity > 0.0f) {
+        for (std::size_t i = 0; i < sky_lights_.size(); ++i) {
+            // Every fourth: often enough to be cancelled, and the device is not kept waiting.
+            if (i % 4 == 0) {
+                glFinish();
+                progress.step(kStage,
+                              static_cast<double>(i) / static_cast<double>(sky_lights_.size()));
+            }
+            const SkyLight& light = sky_lights_[i];
+            add(tools, *shadow, -1,
+                {turned(light.direction, sky.rotation), light.irradiance * sky.intensity});
+        }
+    }
     check_gl("drawing the ground's shadow");
+    made_ = std::move(shadow);
 }
 
-void Ground::add(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
-                 int light, const SkyLight& sky, const DrawCasters& draw_casters) {
-    const glm::vec4 place = light < 0 ? glm::vec4(sky.direction, 0.0f) : lights.place(light);
+void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& sky) const {
+    const glm::vec4 place = light < 0 ? glm::vec4(sky.direction, 0.0f) : tools.lights.place(light);
     if (!(place.y > center_.y * place.w)) return;  // below: the plane is dark with or without model
     // From above: x to the right, z down; the depth of the plane is 0, that of nothing 1.
     const float r = 1.0f / half_;
@@ -176,68 +207,54 @@ void Ground::add(ProgramCache& programs, GLuint empty_vertex_array, const LightU
     square[0].x = r;
     square[2].y = r;
     square[3] = glm::vec4(-center_.x * r, -center_.z * r, 0.0f, 1.0f);
-    const glm::mat4 shadow = square * flattened(place, center_.y);
-    Program& program = programs.get("fullscreen.vert", "ground_add.frag", light_defines(lights));
+    const glm::mat4 flat = square * flattened(place, center_.y);
+    Program& program =
+        tools.programs.get("fullscreen.vert", "ground_add.frag", light_defines(tools.lights));
     const int draws = light < 0 ? 1 : kLampDraws;
-    const Tile reach = reach_of(model_, shadow);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(reach.x, reach.y, reach.width, reach.height);
+    const Tile reach = reach_of(model_, flat);
+    const Rectangle part{reach.x, reach.y, reach.width, reach.height};
     for (int i = 0; i < draws; ++i) {
         glm::mat4 shift(1.0f);
         const glm::dvec2 offset = pixel_offset(i) * (2.0 / kSide);
         shift[3] = glm::vec4(static_cast<float>(offset.x), static_cast<float>(offset.y), 0, 1);
-        glBindFramebuffer(GL_FRAMEBUFFER, device_->mask_target.get());
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LEQUAL);
-        glDepthMask(GL_TRUE);
-        glDisable(GL_BLEND);
+        glBindFramebuffer(GL_FRAMEBUFFER, shadow.mask_target.get());
+        apply(DrawState{.scissor = part});
         const float deepest = 1.0f;
         glClearBufferfv(GL_DEPTH, 0, &deepest);
-        draw_casters(shift * shadow);
-        glBindFramebuffer(GL_FRAMEBUFFER, device_->blocked_target.get());
-        glDisable(GL_DEPTH_TEST);
-        glDisable(GL_CULL_FACE);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
+        tools.draw_casters(shift * flat);
+        glBindFramebuffer(GL_FRAMEBUFFER, shadow.blocked_target.get());
+        apply(DrawState{.depth_test = false, .blend = Blend::add, .scissor = part});
         program.use();
-        set_place(program, lights);
+        set_place(program, tools.lights, shadow.scale);
         program.set("u_depth", 0.0f);
         program.set("u_light", light);
         program.set("u_sky", sky.irradiance);
         program.set("u_share", 1.0f / static_cast<float>(draws));
         program.set("u_mask", static_cast<int>(kScratchUnit));
         glActiveTexture(GL_TEXTURE0 + kScratchUnit);
-        glBindTexture(GL_TEXTURE_2D, device_->mask.get());
+        glBindTexture(GL_TEXTURE_2D, shadow.mask.get());
         glBindSampler(kScratchUnit, 0);
-        draw_fullscreen(empty_vertex_array, 3);
+        draw_fullscreen(tools.empty_vertex_array, 3);
         glBindTexture(GL_TEXTURE_2D, 0);
     }
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
 }
 
 void Ground::paint(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
                    const glm::mat4& clip_from_world, bool transparent) const {
     Program& program = programs.get("ground.vert", "ground.frag", light_defines(lights));
     program.use();
-    set_place(program, lights);
+    set_place(program, lights, made_->scale);
     program.set("u_clip_from_world", clip_from_world);
-    program.set("u_sky", sky_irradiance_ * made_for_->intensity);
+    program.set("u_sky", sky_irradiance_ * made_->sky.intensity);
     program.set("u_transparent", transparent ? 1.0f : 0.0f);
     program.set("u_blocked", static_cast<int>(kScratchUnit));
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
-    glBindTexture(GL_TEXTURE_2D, device_->blocked.get());
-    glBindSampler(kScratchUnit, device_->sampler.get());
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
+    glBindTexture(GL_TEXTURE_2D, made_->blocked.get());
+    glBindSampler(kScratchUnit, made_->sampler.get());
     // Over a background: times what is left. Over nothing: black that covers what is missing.
-    glBlendFunc(transparent ? GL_ONE : GL_ZERO,
-                transparent ? GL_ONE_MINUS_SRC_ALPHA : GL_SRC_COLOR);
-    glDepthMask(GL_FALSE);
+    apply(DrawState{.depth_write = false,
+                    .blend = transparent ? Blend::premultiplied : Blend::multiply});
     draw_fullscreen(empty_vertex_array, 6);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
     glBindTexture(GL_TEXTURE_2D, 0);
     glBindSampler(kScratchUnit, 0);
 }

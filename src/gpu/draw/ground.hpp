@@ -11,10 +11,11 @@
 
 #include <functional>
 #include <glm/mat4x4.hpp>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "burnish/progress.hpp"
 #include "burnish/scene.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
@@ -31,7 +32,8 @@ class Ground {
   public:
     // `model`: its box; the plane touches it from below. `triangles`: of the model, whose number
     // limits that of the sky lights. `environment` may be null.
-    Ground(const Bounds& model, std::size_t triangles, const Environment* environment);
+    Ground(const Bounds& model, std::size_t triangles,
+           std::shared_ptr<const Environment> environment);
 
     Bounds bounds() const;  // of the square that is drawn
     // Whether an eye (View::eye) is above the plane; from below there is no ground.
@@ -44,36 +46,44 @@ class Ground {
     };
     // Draws all that casts a shadow by shadow.frag with this clip_from_world.
     using DrawCasters = std::function<void(const glm::mat4&)>;
+    // Compiles what require and paint draw with.
+    static void require_programs(ProgramCache& programs, const LightUniforms& lights);
     // Makes the shadow unless it is made for this sky. Changes framebuffer, viewport and raster
-    // state.
+    // state. When `progress` throws, the shadow made before stays.
     void require(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
-                 const Sky& sky, const DrawCasters& draw_casters);
+                 const Sky& sky, const DrawCasters& draw_casters, const Progress& progress);
+    // Lights or casters have changed: the next require makes the shadow again.
+    void invalidate() { made_.reset(); }
+    bool is_made_for(const Sky& sky) const { return made_ && made_->sky == sky; }
     // Multiplies what has been drawn; `transparent`: the shadow's coverage is left in alpha. Depth
     // is tested. `clip_from_world` of the view.
     void paint(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
                const glm::mat4& clip_from_world, bool transparent) const;
 
   private:
-    struct Device {
-        GlTexture mask;  // depth: nearer than the far plane where a shadow falls
+    struct Shadow {
+        Shadow();
+        Sky sky;
+        float scale = 1.0f;  // what is stored is irradiance times this
+        GlTexture mask;      // depth: nearer than the far plane where a shadow falls
         GlTexture blocked;
         Framebuffer mask_target, blocked_target;
         Sampler sampler;
     };
-    void make_device();
-    void set_place(Program& program, const LightUniforms& lights) const;
-    // One light's shadow into `blocked`; `light` -1: `sky`.
-    void add(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
-             int light, const SkyLight& sky, const DrawCasters& draw_casters);
+    struct Tools;  // of one drawing
+    void find_sky_lights();
+    void set_place(Program& program, const LightUniforms& lights, float scale) const;
+    // The shadow of one light into `blocked`; `light` -1: `sky`.
+    void add(const Tools& tools, Shadow& shadow, int light, const SkyLight& sky) const;
 
     Bounds model_;
     glm::vec3 center_{0.0f};  // on the plane
     float half_ = 1.0f;       // of the square's side
+    std::size_t triangles_ = 0;
+    std::shared_ptr<const Environment> environment_;  // until its lights are found
     std::vector<SkyLight> sky_lights_;
     glm::vec3 sky_irradiance_{0.0f};
-    float scale_ = 1.0f;  // what is stored is irradiance times this
-    std::optional<Sky> made_for_;
-    std::optional<Device> device_;
+    std::unique_ptr<Shadow> made_;
 };
 
 }  // namespace burnish::gpu

@@ -45,7 +45,7 @@ bool uses_differ(const Material& material) {
     return false;
 }
 
-void set_textures(Program& program, const Material& material, TextureStore& textures,
+void set_textures(Program& program, const Material& material, const TextureStore& textures,
                   float lod_bias) {
     std::array<glm::vec3, kMaterialTextures> s{}, t{};
     std::array<float, kMaterialTextures> set{}, lod{};
@@ -57,11 +57,8 @@ void set_textures(Program& program, const Material& material, TextureStore& text
         t[i] = row(uses[i]->transform, 1);
         set[i] = static_cast<float>(uses[i]->texcoord);
         if (!*uses[i]) continue;
-        const bool slopes = uses[i] == &material.normal_texture && wants_slopes(material);
-        lod[i] = textures.log2_side(*uses[i], slopes) + lod_bias;
-        const GLuint unit = kMaterialUnits + static_cast<GLuint>(i);
-        textures.bind(unit, *uses[i], slopes);
-        program.set(kSamplers[i], static_cast<int>(unit));
+        lod[i] = textures.log2_side(*uses[i]) + lod_bias;
+        program.set(kSamplers[i], static_cast<int>(kMaterialUnits) + static_cast<int>(i));
     }
     program.set("u_uv_s", std::span<const glm::vec3>(s));
     program.set("u_uv_t", std::span<const glm::vec3>(t));
@@ -81,7 +78,18 @@ void set_shared_uv(Program& program, const Material& material) {
     program.set("u_uv_from_set", static_cast<float>(shared.texcoord));
 }
 
-SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool vertex_color,
+void bind_textures(const Material& material, TextureStore& textures) {
+    const auto uses = uses_of(material);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (!*uses[i]) continue;
+        const TextureForm form = uses[i] != &material.normal_texture ? TextureForm::plain
+                                 : wants_slopes(material)            ? TextureForm::slopes
+                                                                     : TextureForm::normal;
+        textures.bind(kMaterialUnits + static_cast<GLuint>(i), *uses[i], form);
+    }
+}
+
+SurfaceVariant variant_of(const Material& m, const TextureStore::Slots& textures,
                           bool with_normal_map) {
     SurfaceVariant v;
     v.mdf = m.mdf;
@@ -92,7 +100,8 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     v.metallic_roughness_map = static_cast<bool>(m.metallic_roughness_texture);
     v.normal_map = with_normal_map && m.normal_texture;
     v.normal_moments = v.normal_map && wants_slopes(m);
-    v.normal_map_xy = v.normal_map && !v.normal_moments && textures.channels(m.normal_texture) == 2;
+    v.normal_map_xy = v.normal_map && !v.normal_moments &&
+                      TextureStore::channels(textures, m.normal_texture) == 2;
     v.occlusion_map = static_cast<bool>(m.occlusion_texture);
     v.emissive_map = static_cast<bool>(m.emissive_texture);
     v.anisotropy_map = static_cast<bool>(m.anisotropy_texture);
@@ -110,7 +119,6 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
         v.brdf = Brdf::microfacet_separable;
     }
     v.uv_per_texture = uses_differ(m);
-    v.vertex_color = vertex_color;
     v.alpha_mode = m.alpha_mode;
     // Without a perturbed normal all methods are one.
     v.method = v.normal_map || v.cloth || v.tabulated ? drawn_method(m) : Method::none;
@@ -118,7 +126,8 @@ SurfaceVariant variant_of(const Material& m, const TextureStore& textures, bool 
     return v;
 }
 
-void set_material(Program& program, const Material& m, TextureStore& textures, float lod_bias) {
+void set_material(Program& program, const Material& m, const TextureStore& textures,
+                  float lod_bias) {
     const f32::Lobe lobe = lobe_of(m);
     const GltfLobe gltf = gltf_lobe_of(m) ? *gltf_lobe_of(m) : GltfLobe{};
     const Conductor conductor = m.conductor.value_or(Conductor{});

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
-#include "burnish/render_settings.hpp"
+#include "gpu/device/albedo_tables.hpp"
+#include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
+#include "gpu/draw/material_state.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -17,96 +20,18 @@ float lod_bias(int samples) {
     return std::max(-0.5f * std::log2(static_cast<float>(std::max(samples, 1))), -2.0f);
 }
 
-void set_culling(bool cull, bool mirrored) {
-    if (cull) {
-        glEnable(GL_CULL_FACE);
-    } else {
-        glDisable(GL_CULL_FACE);
-    }
-    glFrontFace(mirrored ? GL_CW : GL_CCW);
-}
-
-void set_rays(Program& program, const View& view) {
-    program.set("u_ray_center", view.ray_center);
-    program.set("u_ray_x", view.ray_x);
-    program.set("u_ray_y", view.ray_y);
-}
-
-// Below this average size of a triangle shading once a pixel is the faster way (measured on
-// llvmpipe: renderer.hpp).
-constexpr double kPixelsPerTriangle = 40.0;
-// Likewise of tabulated materials, whose pixels are dear.
-constexpr double kTabulatedPixelsPerTriangle = 400.0;
-
-bool blended(const Material& m) {
-    return m.alpha_mode == AlphaMode::blend;
-}
-
-std::size_t triangles_of(const Scene& scene, const std::vector<DrawItem>& items) {
-    std::size_t indices = 0;
-    for (const DrawItem& item : items)
-        indices += scene.meshes[static_cast<std::size_t>(item.mesh)].indices.size();
-    return indices / 3;
-}
-
 }  // namespace
 
-DeviceScene::DeviceScene(Context& context, const Scene& scene, const Environment* light)
-    : materials(drawn_materials(scene.materials)),
-      items(draw_items(scene)),
-      bounds(gpu::bounds_of(items)),
-      ground(bounds, triangles_of(scene, items), light),
-      textures(context, scene),
-      lights(scene.lights),
-      shadows(scene.lights, bounds) {
-    for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh);
-    if (light != nullptr && !light->radiance.empty()) environment.emplace(context, *light);
-}
+Painter::Painter(Context& context, DeviceScene& scene) : context_(context), scene_(scene) {}
 
-Painter::Painter(Context& context, DeviceScene& scene)
-    : scene_(scene), programs_(context.is_es() ? ShaderDialect::es300 : ShaderDialect::gl330) {}
-
-bool Painter::shows_environment(const Frame& frame) const {
-    return scene_.environment && frame.options->background == BackgroundKind::environment;
-}
-
-bool Painter::defers(const Frame& frame) const {
-    if (frame.variant == ShadingVariant::gouraud) return false;
-    if (frame.options->surface_pass != SurfacePass::automatic) {
-        return frame.options->surface_pass == SurfacePass::deferred;
-    }
-    std::size_t triangles = 0;
-    for (const DrawItem& item : scene_.items)
-        triangles += scene_.meshes[static_cast<std::size_t>(item.mesh)].triangles();
-    const double pixels =
-        static_cast<double>(frame.options->width) * static_cast<double>(frame.options->height);
-    return static_cast<double>(triangles) *
-               (needs_shape() ? kTabulatedPixelsPerTriangle : kPixelsPerTriangle) >
-           pixels;
-}
-
-bool Painter::can_defer(const Frame& frame, const DrawItem& item) const {
-    // 254: the stencil has one number a material.
-    const bool color = scene_.meshes[static_cast<std::size_t>(item.mesh)].has_color();
-    return item.material < 254 && variant_for(frame, item.material, color).can_resolve();
-}
-
-SurfaceVariant Painter::variant_for(const Frame& frame, int material, bool vertex_color) const {
-    SurfaceVariant v =
-        variant_of(scene_.materials[static_cast<std::size_t>(material)], scene_.textures,
-                   vertex_color, frame.variant == ShadingVariant::full);
-    v.lights = scene_.lights.count();
-    v.position = needs_position(frame);
-    v.shadow_maps = casts_shadows(frame) ? scene_.shadows.count() : 0;
-    const bool lit = scene_.environment && frame.options->environment_intensity > 0.0f;
-    v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
-    return v;
-}
-
-void Painter::set_common(Program& program, const Frame& frame) {
+void Painter::set_frame(Program& program, const Frame& frame) {
+    if (!program.take(UniformGroup::frame, needs_.frame)) return;
     const RenderSettings& o = *frame.options;
     program.set("u_clip_from_world", frame.view.clip_from_world);
     program.set("u_eye", frame.view.eye);
+    program.set("u_ray_center", frame.view.ray_center);
+    program.set("u_ray_x", frame.view.ray_x);
+    program.set("u_ray_y", frame.view.ray_y);
     program.set("u_tile_origin", glm::ivec2(frame.tile.x, frame.tile.y));
     program.set("u_image_samples", o.image_light_samples);
     program.set("u_frame", static_cast<unsigned>(frame.sample));
@@ -117,31 +42,37 @@ void Painter::set_common(Program& program, const Frame& frame) {
                                              static_cast<float>(std::max(o.samples, 1))
                                        : kSharp);
     program.set("u_seed", o.seed);
-    scene_.lights.set(program);
-    if (casts_shadows(frame)) scene_.shadows.bind(program);
-    if (scene_.environment) {
-        scene_.environment->bind(program, o.environment_intensity, o.environment_rotation);
+    scene_.lights().set(program);
+    if (needs_.shadows) scene_.shadows().bind(program);
+    if (const EnvironmentMaps* environment = scene_.environment()) {
+        environment->bind(program, o.environment_intensity, o.environment_rotation);
     }
 }
 
+// Textures when another material was drawn last, uniforms when the program has others.
 void Painter::set_surface(Program& program, const Frame& frame, int material) {
-    const Material& m = scene_.materials[static_cast<std::size_t>(material)];
-    set_common(program, frame);
-    set_material(program, m, scene_.textures, lod_bias(frame.options->samples));
-    if (cloth_of(m) && frame.variant == ShadingVariant::full) {
-        cloths_.bind(program, material, m);
-        program.set("u_weave_filter", frame.options->filter_cloth ? 1.0f : 0.0f);
+    const MaterialSlot& slot = scene_.material(material);
+    const Material& m = slot.material;
+    const RenderSettings& o = *frame.options;
+    set_frame(program, frame);
+    const bool bound = std::exchange(bound_material_, material) == material;
+    if (!bound) bind_textures(m, scene_.textures());
+    // Versions stay below 2^32: a million edits a second for an hour.
+    const bool set = program.take(UniformGroup::material, slot.version + (needs_.settings << 32));
+    if (set) set_material(program, m, scene_.textures(), lod_bias(o.samples));
+    if (bound && !set) return;
+    if (slot.cloth && frame.variant == ShadingVariant::full) {
+        slot.cloth->bind(program, m);
+        program.set("u_weave_filter", o.filter_cloth ? 1.0f : 0.0f);
     }
-    if (tabulated_of(m)) {
-        const bool sampled =
-            scene_.environment && frame.options->image_light == ImageLight::importance;
-        tabulated_.bind(program, m, sampled);
+    if (slot.tabulated) {
+        slot.tabulated->bind(program);
         program.set("u_tabulated_part",
-                    1.0f / std::sqrt(static_cast<float>(std::max(frame.options->samples, 1))));
+                    1.0f / std::sqrt(static_cast<float>(std::max(o.samples, 1))));
         return;
     }
-    if (frame.options->image_light != ImageLight::prefiltered || !has_half_vectors(m.brdf)) return;
-    albedos_.bind(m.brdf, m.mdf);
+    if (o.image_light != ImageLight::prefiltered || !has_half_vectors(m.brdf)) return;
+    context_.albedos().bind(m.brdf, m.mdf);
     program.set("u_albedo", static_cast<int>(kAlbedoUnit));
 }
 
@@ -152,68 +83,27 @@ void Painter::draw_fullscreen(Program& program, float depth) {
     glBindVertexArray(0);
 }
 
-bool Painter::casts_shadows(const Frame& frame) const {
-    return frame.options->shadows && scene_.shadows.count() > 0 &&
-           frame.variant != ShadingVariant::gouraud;
-}
-
-bool Painter::needs_position(const Frame& frame) const {
-    return scene_.lights.any_positional() || casts_shadows(frame);
-}
-
-bool Painter::needs_shape() const {
-    return std::any_of(scene_.materials.begin(), scene_.materials.end(),
-                       [](const Material& m) { return tabulated_of(m) != nullptr; });
-}
-
 // Masked surfaces cast the shadow of all their triangles, blended ones none.
 void Painter::draw_casters(const glm::mat4& clip_from_world) {
-    Program& program = programs_.get("surface.vert", "shadow.frag", "");
+    Program& program = plain_program("surface.vert", "shadow.frag", true);
     program.use();
     program.set("u_clip_from_world", clip_from_world);
-    set_culling(false, false);
-    for (const DrawItem& item : scene_.items) {
-        if (blended(scene_.materials[static_cast<std::size_t>(item.material)])) continue;
+    for (const DrawItem& item : scene_.items()) {
+        if (scene_.material(item.material).blended()) continue;
         program.set("u_world_from_local", item.world_from_local);
-        scene_.meshes[static_cast<std::size_t>(item.mesh)].draw();
+        scene_.mesh(item.mesh).draw();
     }
 }
 
 void Painter::draw_shadows(const Frame& frame) {
-    for (int map = 0; map < scene_.shadows.count(); ++map)
-        draw_casters(scene_.shadows.begin(map, frame.sample));
-    scene_.shadows.end();
-}
-
-bool Painter::shows_ground(const Frame& frame) const {
-    return frame.options->ground && frame.variant != ShadingVariant::gouraud &&
-           scene_.ground.faces(frame.view.eye);
-}
-
-void Painter::draw_ground_shadow(const Frame& frame) {
-    const RenderSettings& o = *frame.options;
-    // An environment that is shown but lights nothing casts no shadow either.
-    const bool lit = o.image_light != ImageLight::off;
-    scene_.ground.require(programs_, empty_.get(), scene_.lights,
-                          {lit ? o.environment_intensity : 0.0f, o.environment_rotation},
-                          [&](const glm::mat4& clip) { draw_casters(clip); });
-}
-
-void Painter::paint_ground(const Frame& frame) {
-    scene_.ground.paint(programs_, empty_.get(), scene_.lights, frame.view.clip_from_world,
-                        frame.options->background == BackgroundKind::transparent);
+    for (int map = 0; map < scene_.shadows().count(); ++map)
+        draw_casters(scene_.shadows().begin(map, frame.sample));
 }
 
 void Painter::clear(const Frame& frame, Targets& targets) {
     targets.bind_frame();
     glViewport(0, 0, frame.tile.width, frame.tile.height);
-    glDisable(GL_BLEND);
-    glDisable(GL_STENCIL_TEST);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glDepthMask(GL_TRUE);
-    glStencilMask(0xFF);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    apply(DrawState{});
     const bool transparent = frame.options->background == BackgroundKind::transparent;
     const glm::vec4 color =
         transparent ? glm::vec4(0.0f) : glm::vec4(frame.options->background_color, 1.0f);
@@ -222,28 +112,29 @@ void Painter::clear(const Frame& frame, Targets& targets) {
 }
 
 void Painter::paint(const Frame& frame, Targets& targets) {
-    const ImageLight light = frame.options->image_light;
-    if (scene_.environment &&
-        (light == ImageLight::prefiltered || light == ImageLight::bent_normal)) {
-        scene_.environment->require_lobes(programs_, empty_.get());
-    }
-    if (casts_shadows(frame)) draw_shadows(frame);
-    if (shows_ground(frame)) draw_ground_shadow(frame);
+    needs_ = needs_of(frame);
+    bound_material_ = -1;
+    if (needs_.shadows) draw_shadows(frame);
     clear(frame, targets);
-    std::vector<std::size_t> forward(scene_.items.size());
+    std::vector<std::size_t> forward(scene_.items().size());
     std::iota(forward.begin(), forward.end(), std::size_t{0});
-    if (defers(frame)) paint_deferred(frame, targets, forward);
+    if (needs_.defers) paint_deferred(frame, targets, forward);
+    apply(DrawState{});
     const bool gouraud = frame.variant == ShadingVariant::gouraud;
     for (const std::size_t i : forward) {
-        const DrawItem& item = scene_.items[i];
+        const DrawItem& item = scene_.items()[i];
         if (gouraud) {
             paint_gouraud(frame, item);
-        } else if (!blended(scene_.materials[static_cast<std::size_t>(item.material)])) {
+        } else if (!scene_.material(item.material).blended()) {
             paint_item(frame, item);
         }
     }
     if (shows_environment(frame)) paint_background(frame);
-    if (shows_ground(frame)) paint_ground(frame);
+    if (needs_.ground) {
+        scene_.ground().paint(context_.programs(), empty_.get(), scene_.lights(),
+                              frame.view.clip_from_world,
+                              frame.options->background == BackgroundKind::transparent);
+    }
     if (!gouraud) paint_blended(frame);
 }
 
@@ -251,126 +142,100 @@ void Painter::paint(const Frame& frame, Targets& targets) {
 // has its number, and a full-screen triangle at the far plane passes where something is nearer.
 void Painter::paint_deferred(const Frame& frame, Targets& targets,
                              std::vector<std::size_t>& forward) {
-    targets.bind_gbuffer(needs_position(frame), needs_shape());
-    glEnable(GL_STENCIL_TEST);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    targets.bind_gbuffer(needs_.position, needs_.shape);
     std::map<int, Bounds> seen;  // by material
     std::erase_if(forward, [&](std::size_t i) {
-        const DrawItem& item = scene_.items[i];
+        const DrawItem& item = scene_.items()[i];
         if (!can_defer(frame, item)) return false;
-        glStencilFunc(GL_ALWAYS, item.material + 1, 0xFF);
+        apply(DrawState{.stencil = Stencil{true, item.material + 1}});
         write_gbuffer(frame, item);
         Bounds& box = seen.try_emplace(item.material, item.bounds).first->second;
         box = {glm::min(box.low, item.bounds.low), glm::max(box.high, item.bounds.high)};
         return true;
     });
     targets.bind_frame();
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_GREATER);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    set_culling(false, false);
-    if (seen.size() == 1) glDisable(GL_STENCIL_TEST);
-    glEnable(GL_SCISSOR_TEST);
     for (const auto& [material, box] : seen) {
         const Tile part = screen_bounds(frame.view, box, frame.tile);
-        glScissor(part.x, part.y, part.width, part.height);
-        glStencilFunc(GL_EQUAL, material + 1, 0xFF);
-        resolve_material(frame, targets, material);
+        DrawState state{.depth_write = false, .depth_function = GL_GREATER};
+        if (seen.size() > 1) state.stencil = Stencil{false, material + 1};
+        state.scissor = Rectangle{part.x, part.y, part.width, part.height};
+        resolve_material(frame, targets, material, state);
     }
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_STENCIL_TEST);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LEQUAL);
 }
 
 void Painter::write_gbuffer(const Frame& frame, const DrawItem& item) {
-    const Material& material = scene_.materials[static_cast<std::size_t>(item.material)];
-    std::string defines = needs_position(frame) ? "#define POSITION\n" : "";
-    if (needs_shape()) defines += "#define SHAPE\n";
-    if (material.double_sided) defines += "#define DOUBLE_SIDED\n";
-    Program& program = programs_.get("surface.vert", "gbuffer.frag", defines);
+    const MaterialSlot& slot = scene_.material(item.material);
+    Program& program = gbuffer_program(slot, true);
     program.use();
     program.set("u_clip_from_world", frame.view.clip_from_world);
-    set_shared_uv(program, material);
-    place(program, item);
+    set_shared_uv(program, slot.material);
+    draw_item(program, item);
 }
 
-void Painter::resolve_material(const Frame& frame, Targets& targets, int material) {
-    const SurfaceVariant variant = variant_for(frame, material, false);
-    Program& program = programs_.get("fullscreen.vert", "resolve.frag", variant.defines());
+void Painter::resolve_material(const Frame& frame, Targets& targets, int material,
+                               const DrawState& state) {
+    MaterialSlot& slot = scene_.material(material);
+    Program& program = surface_program(slot, variant_of(frame, slot, false), true, true);
     program.use();
     set_surface(program, frame, material);
-    set_rays(program, frame.view);
     targets.bind_gbuffer_textures(program);
+    apply(state);
     draw_fullscreen(program, 1.0f);
 }
 
 // Sets where an item is and draws it.
-void Painter::place(Program& program, const DrawItem& item) {
+void Painter::draw_item(Program& program, const DrawItem& item) {
     program.set("u_world_from_local", item.world_from_local);
     program.set("u_normal_from_local", item.normal_from_local);
     program.set("u_mirror", item.mirrored ? -1.0f : 1.0f);
-    set_culling(!scene_.materials[static_cast<std::size_t>(item.material)].double_sided,
-                item.mirrored);
-    scene_.meshes[static_cast<std::size_t>(item.mesh)].draw();
+    apply_culling(!scene_.material(item.material).material.double_sided, item.mirrored);
+    scene_.mesh(item.mesh).draw();
 }
 
 void Painter::paint_item(const Frame& frame, const DrawItem& item) {
-    const bool color = scene_.meshes[static_cast<std::size_t>(item.mesh)].has_color();
-    const SurfaceVariant variant = variant_for(frame, item.material, color);
-    Program& program = programs_.get("surface.vert", "surface.frag", variant.defines());
+    MaterialSlot& slot = scene_.material(item.material);
+    const SurfaceVariant variant = variant_of(frame, slot, scene_.mesh(item.mesh).has_color());
+    Program& program = surface_program(slot, variant, false, true);
     program.use();
     set_surface(program, frame, item.material);
-    place(program, item);
+    draw_item(program, item);
 }
 
 void Painter::paint_gouraud(const Frame& frame, const DrawItem& item) {
-    std::string defines = "#define LIGHTS " + std::to_string(scene_.lights.count()) + "\n";
-    if (scene_.lights.any_positional()) defines += "#define POSITION\n";
-    Program& program = programs_.get("gouraud.vert", "gouraud.frag", defines);
+    Program& program = gouraud_program(true);
     program.use();
-    set_common(program, frame);
-    set_material(program, scene_.materials[static_cast<std::size_t>(item.material)],
-                 scene_.textures, 0.0f);
-    place(program, item);
+    set_frame(program, frame);
+    set_material(program, scene_.material(item.material).material, scene_.textures(), 0.0f);
+    draw_item(program, item);
 }
 
 void Painter::paint_background(const Frame& frame) {
-    Program& program = programs_.get("fullscreen.vert", "background.frag", "");
+    Program& program = plain_program("fullscreen.vert", "background.frag", true);
     program.use();
-    set_common(program, frame);
-    set_rays(program, frame.view);
+    set_frame(program, frame);
     program.set("u_background_lod", std::clamp(frame.options->background_blur, 0.0f, 1.0f) *
-                                        std::max(scene_.environment->last_lod() - 1.0f, 0.0f));
-    set_culling(false, false);
-    glDepthMask(GL_FALSE);
+                                        std::max(scene_.environment()->last_lod() - 1.0f, 0.0f));
+    apply(DrawState{.depth_write = false});
     draw_fullscreen(program, 1.0f);
-    glDepthMask(GL_TRUE);
 }
 
 void Painter::paint_blended(const Frame& frame) {
     std::vector<std::pair<float, std::size_t>> order;
-    for (std::size_t i = 0; i < scene_.items.size(); ++i) {
-        const DrawItem& item = scene_.items[i];
-        if (!blended(scene_.materials[static_cast<std::size_t>(item.material)])) continue;
+    for (std::size_t i = 0; i < scene_.items().size(); ++i) {
+        const DrawItem& item = scene_.items()[i];
+        if (!scene_.material(item.material).blended()) continue;
         const glm::vec4 clip = frame.view.clip_from_world * glm::vec4(item.bounds.center(), 1.0f);
         // Orthographic views have w = 1 and depth in z; z grows with depth in both.
         order.emplace_back(-(frame.view.eye.w > 0.0f ? clip.w : clip.z), i);
     }
     if (order.empty()) return;
     std::ranges::stable_sort(order, {}, &std::pair<float, std::size_t>::first);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
-    for (const auto& [depth, index] : order) paint_item(frame, scene_.items[index]);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    apply(DrawState{.depth_write = false, .blend = Blend::premultiplied});
+    for (const auto& [depth, index] : order) paint_item(frame, scene_.items()[index]);
 }
 
 void Painter::accumulate(Targets& targets) {
-    Program& program = programs_.get("fullscreen.vert", "accumulate.frag", "");
-    set_culling(false, false);
-    targets.accumulate(program, empty_.get());
+    targets.accumulate(plain_program("fullscreen.vert", "accumulate.frag", true), empty_.get());
 }
 
 }  // namespace burnish::gpu

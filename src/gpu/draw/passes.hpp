@@ -1,40 +1,25 @@
 // Drawing one frame: surfaces, background, blended surfaces.
 #pragma once
 
-#include <memory>
-#include <optional>
+#include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
-#include "gpu/device/targets.hpp"
-#include "gpu/draw/ground.hpp"
-#include "gpu/draw/material_state.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "gpu/draw/shadow_maps.hpp"
-#include "gpu/upload/albedo_textures.hpp"
-#include "gpu/upload/cloth_maps.hpp"
-#include "gpu/upload/environment.hpp"
-#include "gpu/upload/geometry.hpp"
-#include "gpu/upload/lights.hpp"
-#include "gpu/upload/tabulated_maps.hpp"
-#include "scene/camera/view.hpp"
+#include "burnish/progress.hpp"
 #include "burnish/render_settings.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/device/draw_state.hpp"
+#include "gpu/device/targets.hpp"
+#include "gpu/draw/device_scene.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "scene/camera/view.hpp"
 
 namespace burnish::gpu {
 
-// Everything of a scene that lives on the device.
-struct DeviceScene {
-    DeviceScene(Context& context, const Scene& scene, const Environment* environment);
-
-    std::vector<Material> materials;
-    std::vector<MeshBuffers> meshes;
-    std::vector<DrawItem> items;
-    Bounds bounds;
-    Ground ground;
-    TextureStore textures;
-    LightUniforms lights;
-    ShadowMaps shadows;
-    std::optional<EnvironmentMaps> environment;
-};
+// Whether the number of lights is compiled into programs, which is fastest, or a uniform, so that
+// adding a light compiles nothing.
+enum class LightCount { compiled, at_run_time };
 
 // One sub-pixel sample of one tile.
 struct Frame {
@@ -43,50 +28,77 @@ struct Frame {
     Tile tile;
     int sample = 0;
     ShadingVariant variant = ShadingVariant::full;
+    LightCount light_count = LightCount::compiled;
 };
 
 class Painter {
   public:
     Painter(Context& context, DeviceScene& scene);
 
-    // Draws the frame into `targets`; the viewport is left at the tile's size.
+    // Makes everything that frames with these settings need and that is not there: programs, albedo
+    // tables, blurred environments, tables to draw from, the shadow on the ground (`ground`: it can
+    // be seen). What was made stays when `progress` throws.
+    void prepare(const Frame& frame, bool ground, const Progress& progress);
+
+    // Draws a prepared frame into `targets`; the viewport is left at the tile's size.
     void paint(const Frame& frame, Targets& targets);
     // Adds it to the sum of `targets`.
     void accumulate(Targets& targets);
 
+    bool sees_ground(const Frame& frame);
+    GLuint empty_vertex_array() const { return empty_.get(); }
+
   private:
+    // What a frame needs to know of the scene, worked out once.
+    struct Needs {
+        bool defers = false;
+        bool shadows = false;   // of lights
+        bool position = false;  // of surfaces, beside their normals
+        bool shape = false;     // of pixels on their textures: tabulated materials read it
+        bool ground = false;
+        std::uint64_t frame = 0;     // version of the frame's uniforms
+        std::uint64_t settings = 0;  // version of what materials take from the settings
+    };
+    Needs needs_of(const Frame& frame);
+    void start_programs(const Frame& frame, std::vector<Program*>& programs);
+    void prepare_programs(const Frame& frame, const Progress& progress);
+    void prepare_tables(const Frame& frame, const Progress& progress);
+    void prepare_ground(const Frame& frame, const Progress& progress);
+
+    SurfaceVariant variant_of(const Frame& frame, const MaterialSlot& slot, bool color) const;
+    Program& surface_program(MaterialSlot& slot, const SurfaceVariant& variant, bool resolve,
+                             bool wait);
+    Program& gbuffer_program(const MaterialSlot& slot, bool wait);
+    Program& gouraud_program(bool wait);
+    Program& plain_program(const char* vertex, const char* fragment, bool wait);
+    bool can_defer(const Frame& frame, const DrawItem& item) const;
+    bool defers(const Frame& frame, bool shape) const;
+    bool shows_environment(const Frame& frame) const;
+
     void draw_casters(const glm::mat4& clip_from_world);
     void draw_shadows(const Frame& frame);
-    bool shows_ground(const Frame& frame) const;
-    void draw_ground_shadow(const Frame& frame);
-    void paint_ground(const Frame& frame);
     void clear(const Frame& frame, Targets& targets);
     // Items that were shaded once a pixel are left out of `forward`.
     void paint_deferred(const Frame& frame, Targets& targets, std::vector<std::size_t>& forward);
     void write_gbuffer(const Frame& frame, const DrawItem& item);
-    void resolve_material(const Frame& frame, Targets& targets, int material);
-    void place(Program& program, const DrawItem& item);
+    void resolve_material(const Frame& frame, Targets& targets, int material,
+                          const DrawState& state);
+    void draw_item(Program& program, const DrawItem& item);
     void paint_item(const Frame& frame, const DrawItem& item);
     void paint_gouraud(const Frame& frame, const DrawItem& item);
     void paint_background(const Frame& frame);
     void paint_blended(const Frame& frame);
-    void set_common(Program& program, const Frame& frame);
+    void set_frame(Program& program, const Frame& frame);
     void set_surface(Program& program, const Frame& frame, int material);
-    SurfaceVariant variant_for(const Frame& frame, int material, bool vertex_color) const;
-    bool shows_environment(const Frame& frame) const;
-    bool defers(const Frame& frame) const;
-    bool casts_shadows(const Frame& frame) const;
-    bool needs_position(const Frame& frame) const;
-    bool needs_shape() const;  // of pixels on their textures: tabulated materials ask for it
-    bool can_defer(const Frame& frame, const DrawItem& item) const;
     void draw_fullscreen(Program& program, float depth);
 
+    Context& context_;
     DeviceScene& scene_;
-    ProgramCache programs_;
-    AlbedoTables albedos_;
-    ClothMaps cloths_;
-    TabulatedMaps tabulated_;
     VertexArray empty_;
+    Needs needs_;              // of the frame in progress
+    int bound_material_ = -1;  // whose textures are bound
+    std::pair<int, bool> material_settings_{0, false};
+    std::uint64_t settings_version_ = 0;
 };
 
 }  // namespace burnish::gpu

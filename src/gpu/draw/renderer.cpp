@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/common.hpp>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include "burnish/error.hpp"
 #include "burnish/render_settings.hpp"
 #include "core/machine.hpp"
 #include "gpu/device/device_timer.hpp"
+#include "gpu/device/draw_state.hpp"
 #include "gpu/draw/passes.hpp"
 
 namespace burnish::gpu {
@@ -31,15 +35,21 @@ void require_sound(const RenderSettings& o) {
     within("tile_size", o.tile_size, 0, kLargestPicture);
 }
 
-// What a tabulated lobe has no shortcut for.
+// A tabulated lobe has no shortcut for image light.
 void require_drawable(const DeviceScene& scene, const RenderSettings& o) {
-    const bool any = std::ranges::any_of(
-        scene.materials, [](const Material& m) { return tabulated_of(m) != nullptr; });
     const bool sampled =
         o.image_light == ImageLight::importance || o.image_light == ImageLight::off;
-    if (!any || sampled || !scene.environment || !(o.environment_intensity > 0.0f)) return;
+    if (!scene.any_tabulated() || sampled || scene.environment() == nullptr ||
+        !(o.environment_intensity > 0.0f))
+        return;
     throw Error("render", "image_light", "importance or off for a tabulated material",
                 o.image_light == ImageLight::prefiltered ? "prefiltered" : "bent-normal");
+}
+
+void require_one_tile(const char* doing, const RenderSettings& o, const Context& context) {
+    const int side = std::min(context.max_texture_size(), kLargestPicture);
+    if (o.width <= side && o.height <= side) return;
+    throw Error(doing, "size", "at most " + std::to_string(side), "more");
 }
 
 float writable(float v) {
@@ -67,8 +77,30 @@ void store(const std::vector<float>& sum, const Tile& tile, int samples, bool tr
 }  // namespace
 
 struct Renderer::Impl {
-    Impl(Context& c, const Scene& s, const Environment* environment)
-        : context(c), scene(c, s, environment), painter(c, scene) {}
+    explicit Impl(Context& c) : context(c), scene(c), painter(c, scene) {}
+
+    // A call from outside: the context is current, the state of its host is kept.
+    class Use {
+      public:
+        explicit Use(Impl& impl) : host_(current(impl)) {}
+
+      private:
+        static Context& current(Impl& impl) {
+            impl.context.make_current();
+            return impl.context;
+        }
+        HostState host_;
+    };
+
+    // Samples of one tile of a picture.
+    struct Series {
+        Camera camera;
+        RenderSettings settings;
+        Tile tile;
+        LightCount light_count = LightCount::compiled;
+        int samples = 0;
+        bool stale = false;  // the scene was edited
+    };
 
     Targets& targets_for(int width, int height) {
         if (!targets || targets->width() != width || targets->height() != height) {
@@ -78,31 +110,86 @@ struct Renderer::Impl {
         return *targets;
     }
 
-    Frame frame_of(const Camera& camera, const RenderSettings& options, const Tile& tile,
-                   int sample) {
+    Frame frame_of(const Series& s) {
         Frame frame;
-        frame.options = &options;
-        frame.tile = tile;
-        frame.sample = sample;
-        Bounds bounds = scene.bounds;
-        if (options.ground) {
-            const Bounds ground = scene.ground.bounds();
+        frame.options = &s.settings;
+        frame.tile = s.tile;
+        frame.sample = s.samples;
+        frame.light_count = s.light_count;
+        Bounds bounds = scene.bounds();
+        if (s.settings.ground) {
+            const Bounds ground = scene.ground().bounds();
             bounds = {glm::min(bounds.low, ground.low), glm::max(bounds.high, ground.high)};
         }
-        frame.view =
-            make_view(camera, bounds, options.width, options.height, tile, pixel_offset(sample));
+        frame.view = make_view(s.camera, bounds, s.settings.width, s.settings.height, s.tile,
+                               pixel_offset(s.samples));
         return frame;
+    }
+
+    // Clears the sum and prepares; the series counts from here.
+    void start(const Progress& progress) {
+        require_drawable(scene, series->settings);
+        series->samples = 0;
+        const Frame frame = frame_of(*series);
+        painter.prepare(frame, painter.sees_ground(frame), progress);
+        targets->clear_sum();
+        series->stale = false;
+    }
+
+    void add() {
+        painter.paint(frame_of(*series), *targets);
+        painter.accumulate(*targets);
+        ++series->samples;
+    }
+
+    // The mean into its place in the picture.
+    void store_into(Image& image) {
+        const Tile& tile = series->tile;
+        store(targets->read_sum(tile.width, tile.height), tile, series->samples,
+              series->settings.background == BackgroundKind::transparent, image);
+    }
+
+    struct EndOfSeries {
+        std::optional<Series>& series;
+        ~EndOfSeries() { series.reset(); }
+    };
+
+    template <typename Edit>
+    auto edit(Edit change) {
+        const Use use(*this);
+        if constexpr (std::is_void_v<decltype(change(scene))>) {
+            change(scene);
+            if (series) series->stale = true;
+        } else {
+            const auto id = change(scene);
+            if (series) series->stale = true;
+            return id;
+        }
+    }
+
+    void require_samples(const char* doing) const {
+        if (series && series->samples > 0) return;
+        throw Error(doing, "samples", "one at least: begin and add_sample", "none");
     }
 
     Context& context;
     DeviceScene scene;
     Painter painter;
     std::optional<Targets> targets;
+    std::optional<Series> series;
 };
 
-Renderer::Renderer(Context& context, const Scene& scene, const Environment* environment) {
+Renderer::Renderer(Context& context) {
     context.make_current();
-    impl_ = std::make_unique<Impl>(context, scene, environment);
+    const HostState host(context);
+    impl_ = std::make_unique<Impl>(context);
+}
+
+Renderer::Renderer(Context& context, const Scene& scene, const Environment* environment,
+                   const Progress& progress)
+    : Renderer(context) {
+    set_scene(scene, progress);
+    set_environment(environment, progress);
 }
 
 Renderer::~Renderer() {
@@ -112,41 +199,147 @@ Renderer::~Renderer() {
     }
 }
 
-void Renderer::set_materials(const std::vector<Material>& materials) {
-    if (materials.size() != impl_->scene.materials.size()) {
-        throw Error("materials", "", std::to_string(impl_->scene.materials.size()),
-                    std::to_string(materials.size()));
-    }
-    impl_->scene.materials = drawn_materials(materials);
+void Renderer::set_scene(const Scene& scene, const Progress& progress) {
+    impl_->edit([&](DeviceScene& s) { s.set_scene(scene, progress); });
 }
 
-Image Renderer::render(const Camera& camera, const RenderSettings& options,
+void Renderer::set_environment(const Environment* environment, const Progress& progress) {
+    impl_->edit([&](DeviceScene& s) { s.set_environment(environment, progress); });
+}
+
+void Renderer::set_lights(std::span<const Light> lights) {
+    impl_->edit([&](DeviceScene& s) { s.set_lights(lights); });
+}
+
+int Renderer::add_material(const Material& material, const Progress& progress) {
+    return impl_->edit([&](DeviceScene& s) { return s.add_material(material, progress); });
+}
+
+void Renderer::update_material(int id, const Material& material, const Progress& progress) {
+    impl_->edit([&](DeviceScene& s) { s.update_material(id, material, progress); });
+}
+
+void Renderer::set_materials(const std::vector<Material>& materials, const Progress& progress) {
+    impl_->edit([&](DeviceScene& s) { s.update_materials(materials, progress); });
+}
+
+int Renderer::add_texture(Texture texture) {
+    return impl_->edit([&](DeviceScene& s) { return s.add_texture(std::move(texture)); });
+}
+
+void Renderer::update_texture(int id, Texture texture, const Progress& progress) {
+    impl_->edit([&](DeviceScene& s) { s.update_texture(id, std::move(texture), progress); });
+}
+
+int Renderer::add_mesh(const Mesh& mesh) {
+    return impl_->edit([&](DeviceScene& s) { return s.add_mesh(mesh); });
+}
+
+void Renderer::update_mesh(int id, const Mesh& mesh) {
+    impl_->edit([&](DeviceScene& s) { s.update_mesh(id, mesh); });
+}
+
+int Renderer::add_instance(const Instance& instance) {
+    return impl_->edit([&](DeviceScene& s) { return s.add_instance(instance); });
+}
+
+void Renderer::update_instance(int id, const Instance& instance) {
+    impl_->edit([&](DeviceScene& s) { s.update_instance(id, instance); });
+}
+
+void Renderer::remove_instance(int id) {
+    impl_->edit([&](DeviceScene& s) { s.remove_instance(id); });
+}
+
+void Renderer::prepare(const RenderSettings& settings, const Progress& progress) {
+    require_sound(settings);
+    require_drawable(impl_->scene, settings);
+    const Impl::Use use(*impl_);
+    Frame frame;
+    frame.options = &settings;
+    frame.light_count = LightCount::at_run_time;
+    impl_->painter.prepare(frame, settings.ground, progress);
+    impl_->context.programs().get("fullscreen.vert", "display.frag", "");
+}
+
+void Renderer::begin(const Camera& camera, const RenderSettings& settings) {
+    require_sound(settings);
+    require_drawable(impl_->scene, settings);
+    require_one_tile("begin", settings, impl_->context);
+    const Impl::Use use(*impl_);
+    impl_->targets_for(settings.width, settings.height);
+    impl_->series = Impl::Series{
+        camera, settings, {0, 0, settings.width, settings.height}, LightCount::at_run_time};
+    impl_->start({});
+}
+
+void Renderer::add_sample() {
+    if (!impl_->series) throw Error("add_sample", "", "begin before it", "none");
+    const Impl::Use use(*impl_);
+    if (impl_->series->stale) impl_->start({});
+    impl_->add();
+    check_gl("drawing a sample");
+}
+
+int Renderer::samples_done() const {
+    return impl_->series && !impl_->series->stale ? impl_->series->samples : 0;
+}
+
+void Renderer::present(unsigned framebuffer, int width, int height, double exposure_ev,
+                       ToneMap tone_map) {
+    impl_->require_samples("present");
+    const Impl::Use use(*impl_);
+    const Impl::Series& series = *impl_->series;
+    Program& program = impl_->context.programs().get("fullscreen.vert", "display.frag", "");
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+    program.use();
+    program.set("u_size", glm::ivec2(series.tile.width, series.tile.height));
+    program.set("u_share", 1.0f / static_cast<float>(series.samples));
+    program.set("u_gain", static_cast<float>(std::exp2(exposure_ev)));
+    program.set("u_tone_map", static_cast<int>(tone_map));
+    program.set("u_transparent",
+                series.settings.background == BackgroundKind::transparent ? 1.0f : 0.0f);
+    impl_->targets->show_sum(program, impl_->painter.empty_vertex_array());
+    check_gl("presenting a picture");
+}
+
+Image Renderer::picture() {
+    impl_->require_samples("picture");
+    const Impl::Use use(*impl_);
+    const RenderSettings& settings = impl_->series->settings;
+    Image image(settings.width, settings.height, 4);
+    impl_->store_into(image);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    check_gl("reading a picture");
+    return image;
+}
+
+Image Renderer::render(const Camera& camera, const RenderSettings& settings,
                        const Progress& progress) {
-    require_sound(options);
-    require_drawable(impl_->scene, options);
-    impl_->context.make_current();
-    const int side = std::min(options.tile_size > 0 ? options.tile_size : kLargestTile,
+    require_sound(settings);
+    const Impl::Use use(*impl_);
+    const int side = std::min(settings.tile_size > 0 ? settings.tile_size : kLargestTile,
                               impl_->context.max_texture_size());
-    const std::vector<Tile> tiles = tiles_of(options.width, options.height, side);
-    Targets& targets =
-        impl_->targets_for(std::min(side, options.width), std::min(side, options.height));
-    Image image(options.width, options.height, 4);
-    const bool transparent = options.background == BackgroundKind::transparent;
-    const double total = static_cast<double>(tiles.size()) * options.samples;
+    impl_->targets_for(std::min(side, settings.width), std::min(side, settings.height));
+    const std::vector<Tile> tiles = tiles_of(settings.width, settings.height, side);
+    Image image(settings.width, settings.height, 4);
+    const double total = static_cast<double>(tiles.size()) * settings.samples;
     double done = 0;
+    const Impl::EndOfSeries end{impl_->series};
     for (const Tile& tile : tiles) {
-        targets.clear_sum();
-        for (int sample = 0; sample < options.samples; ++sample) {
-            // Every fourth: often enough for Ctrl-C, and the device is not kept waiting.
+        impl_->series = Impl::Series{camera, settings, tile};
+        impl_->start(progress);
+        for (int sample = 0; sample < settings.samples; ++sample) {
+            // Every fourth: often enough to be cancelled, and the device is not kept waiting.
             if (sample % 4 == 0) {
                 glFinish();
                 progress.step("render", done / total);
             }
-            impl_->painter.paint(impl_->frame_of(camera, options, tile, sample), targets);
-            impl_->painter.accumulate(targets);
+            impl_->add();
             done += 1;
         }
-        store(targets.read_sum(tile.width, tile.height), tile, options.samples, transparent, image);
+        impl_->store_into(image);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     check_gl("rendering");
@@ -154,21 +347,19 @@ Image Renderer::render(const Camera& camera, const RenderSettings& options,
     return image;
 }
 
-FrameTimes Renderer::measure_frames(const Camera& camera, const RenderSettings& options, int frames,
-                                    int warm_up, ShadingVariant variant) {
-    require_sound(options);
-    require_drawable(impl_->scene, options);
-    impl_->context.make_current();
-    const int side = std::min(impl_->context.max_texture_size(), kLargestPicture);
-    if (options.width > side || options.height > side) {
-        throw Error("measure_frames", "size", "at most " + std::to_string(side), "more");
-    }
-    RenderSettings once = options;
-    once.samples = 1;
-    Targets& targets = impl_->targets_for(options.width, options.height);
-    const Tile tile{0, 0, options.width, options.height};
-    Frame frame = impl_->frame_of(camera, once, tile, 0);
+FrameTimes Renderer::measure_frames(const Camera& camera, const RenderSettings& settings,
+                                    int frames, int warm_up, ShadingVariant variant) {
+    require_sound(settings);
+    require_drawable(impl_->scene, settings);
+    require_one_tile("measure_frames", settings, impl_->context);
+    const Impl::Use use(*impl_);
+    const Impl::EndOfSeries end{impl_->series};
+    Impl::Series once{camera, settings, {0, 0, settings.width, settings.height}};
+    once.settings.samples = 1;
+    Targets& targets = impl_->targets_for(settings.width, settings.height);
+    Frame frame = impl_->frame_of(once);
     frame.variant = variant;
+    impl_->painter.prepare(frame, impl_->painter.sees_ground(frame), {});
     // Each frame is sent off by itself, as the swap of a window would.
     const auto paint = [&](int sample) {
         frame.sample = sample;
@@ -192,9 +383,13 @@ FrameTimes Renderer::measure_frames(const Camera& camera, const RenderSettings& 
     return times;
 }
 
-double Renderer::time_frames(const Camera& camera, const RenderSettings& options, int frames,
+double Renderer::time_frames(const Camera& camera, const RenderSettings& settings, int frames,
                              ShadingVariant variant) {
-    return measure_frames(camera, options, frames, 1, variant).wall_s;
+    return measure_frames(camera, settings, frames, 1, variant).wall_s;
+}
+
+UploadCounts Renderer::uploads() const {
+    return impl_->scene.uploads();
 }
 
 }  // namespace burnish::gpu

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <initializer_list>
 
+#include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "scene/camera/view.hpp"
 
@@ -49,7 +50,7 @@ int largest_side(std::size_t maps) {
 
 }  // namespace
 
-ShadowMaps::ShadowMaps(const std::vector<Light>& lights, const Bounds& bounds) {
+ShadowMaps::ShadowMaps(std::span<const Light> lights, const Bounds& bounds) {
     for (const Light& light : lights) add_light(light, bounds);
     current_.resize(maps_.size(), glm::mat4(1.0f));
     if (maps_.empty()) return;
@@ -100,6 +101,10 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
     }
 }
 
+void ShadowMaps::take_device(ShadowMaps& before) {
+    if (count() == before.count() && side_ == before.side_) device_ = std::move(before.device_);
+}
+
 void ShadowMaps::make_device() {
     device_.emplace();
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
@@ -136,21 +141,12 @@ glm::mat4 ShadowMaps::begin(int index, int sample) {
     glDrawBuffers(1, &none);
     glReadBuffer(GL_NONE);
     glViewport(0, 0, side_, side_);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_STENCIL_TEST);
-    glDisable(GL_BLEND);
+    apply(DrawState{.depth_offset = true});
     const float deepest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &deepest);
     // A surface slopes through a texel; the filter of the look-up reaches one and a half beside it.
-    glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2.0f, 4.0f);
     return current_[i];
-}
-
-void ShadowMaps::end() const {
-    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void ShadowMaps::bind(Program& program) const {

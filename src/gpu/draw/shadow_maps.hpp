@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "burnish/scene.hpp"
@@ -18,17 +19,18 @@ inline constexpr int kMostShadowMaps = 24;
 
 class ShadowMaps {
   public:
-    // `bounds`: what may cast or catch a shadow. Nothing is made on the device before draw().
-    ShadowMaps(const std::vector<Light>& lights, const Bounds& bounds);
+    // `bounds`: what may cast or catch a shadow. Nothing is made on the device before begin().
+    ShadowMaps(std::span<const Light> lights, const Bounds& bounds);
+
+    // The images of the maps that these follow, where they have as many of the same size.
+    void take_device(ShadowMaps& before);
 
     int count() const { return static_cast<int>(maps_.size()); }
 
-    // Makes map `index` the target, cleared, for sub-pixel sample `sample`: every sample sees the
-    // light through texels shifted by a part of themselves, so that many together have soft edges.
-    // Returns its clip_from_world.
+    // Makes map `index` the target, cleared, with the state to draw into it, for sub-pixel sample
+    // `sample`: every sample sees the light through texels shifted by a part of themselves, so that
+    // many together have soft edges. Returns its clip_from_world.
     glm::mat4 begin(int index, int sample);
-    // Back to the state that surfaces are drawn in.
-    void end() const;
 
     // The uniforms of shaders/lib/lights.glsl and the texture.
     void bind(Program& program) const;

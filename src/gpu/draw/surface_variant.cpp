@@ -42,6 +42,7 @@ std::string SurfaceVariant::defines() const {
         {tabulated, "TABULATED"},
         {uv_per_texture, "UV_PER_TEXTURE"},
         {vertex_color, "VERTEX_COLOR"},
+        {light_count_at_run_time, "LIGHT_COUNT_AT_RUN_TIME"},
         {position, "POSITION"},
         {alpha_mode == AlphaMode::mask, "MASK"},
         {alpha_mode == AlphaMode::blend, "BLEND"},

@@ -32,7 +32,8 @@ struct SurfaceVariant {
     bool uv_per_texture = false;
     bool vertex_color = false;
     AlphaMode alpha_mode = AlphaMode::opaque;
-    int lights = 0;
+    int lights = 0;  // of light_count_at_run_time: room for so many
+    bool light_count_at_run_time = false;
     bool position = false;  // a light asks where the surface is
     int shadow_maps = 0;
     int image_light = 0;  // 0 off, 1 importance, 2 bent normal, 3 prefiltered
@@ -41,6 +42,8 @@ struct SurfaceVariant {
     bool can_resolve() const {
         return alpha_mode == AlphaMode::opaque && !vertex_color && !uv_per_texture;
     }
+
+    bool operator==(const SurfaceVariant&) const = default;
 
     std::string defines() const;  // lines for assemble_stage, and the key of the program
 };

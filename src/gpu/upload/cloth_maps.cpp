@@ -9,15 +9,12 @@
 
 #include "burnish/error.hpp"
 #include "gpu/device/texture_units.hpp"
+#include "maps/weave/cloth_levels.hpp"
 #include "maps/weave/draft.hpp"
 #include "scene/material/material_lobe.hpp"
 
 namespace burnish::gpu {
 namespace {
-
-std::size_t index_of(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 f32::WeaveShape shape_of(const Cloth& c) {
     return {c.crimp, c.bulge, c.gap, {1.0f, 0.0f}};
@@ -27,46 +24,6 @@ f32::WeaveShape shape_of(const Cloth& c) {
 f32::vec2 turn_of(const Material& m) {
     const float angle = cloth_of(m)->twist + m.anisotropy_rotation;
     return {std::cos(angle), std::sin(angle)};
-}
-
-// The mean over [low, high] of values a unit wide: weights of the first and the last, and the sum.
-template <typename Value>
-glm::vec4 mean_over(float low, float high, int count, Value value) {
-    glm::vec4 sum(0.0f);
-    for (int i = std::max(static_cast<int>(low), 0);
-         i < std::min(static_cast<int>(std::ceil(high)), count); ++i) {
-        const float part =
-            std::min(high, static_cast<float>(i + 1)) - std::max(low, static_cast<float>(i));
-        sum += value(i) * std::max(part, 0.0f);
-    }
-    return sum / (high - low);
-}
-
-std::vector<glm::vec4> reduced(const std::vector<glm::vec4>& from, int width, int height,
-                               int to_width, int to_height) {
-    const auto span = [](int i, int count, int of) {
-        const float each = static_cast<float>(of) / static_cast<float>(count);
-        return glm::vec2(each * static_cast<float>(i), each * static_cast<float>(i + 1));
-    };
-    std::vector<glm::vec4> rows(index_of(to_width) * index_of(height));
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < to_width; ++x) {
-            const glm::vec2 s = span(x, to_width, width);
-            rows[index_of(y) * index_of(to_width) + index_of(x)] =
-                mean_over(s.x, s.y, width,
-                          [&](int i) { return from[index_of(y) * index_of(width) + index_of(i)]; });
-        }
-    }
-    std::vector<glm::vec4> to(index_of(to_width) * index_of(to_height));
-    for (int y = 0; y < to_height; ++y) {
-        for (int x = 0; x < to_width; ++x) {
-            const glm::vec2 s = span(y, to_height, height);
-            to[index_of(y) * index_of(to_width) + index_of(x)] = mean_over(
-                s.x, s.y, height,
-                [&](int i) { return rows[index_of(i) * index_of(to_width) + index_of(x)]; });
-        }
-    }
-    return to;
 }
 
 void upload_levels(GLuint texture, const std::vector<ClothLevel>& levels, bool warp) {
@@ -147,37 +104,11 @@ bool has_yarn_colors(const Cloth& cloth) {
            (!cloth.weft_color && !d.weft_colours.empty());
 }
 
-std::vector<ClothLevel> cloth_levels(const Draft& draft, float gap, glm::vec3 warp_color,
-                                     glm::vec3 weft_color, bool warp_from_draft,
-                                     bool weft_from_draft) {
-    ClothLevel first;
-    first.width = draft.ends;
-    first.height = draft.picks;
-    for (int pick = 0; pick < draft.picks; ++pick) {
-        for (int end = 0; end < draft.ends; ++end) {
-            const bool up = draft.is_warp_up(end, pick);
-            const float upper = f32::weave_upper_share(gap), lower = f32::weave_lower_share(gap);
-            const glm::vec3 warp = warp_from_draft ? draft.warp_colours[index_of(end)] : warp_color;
-            const glm::vec3 weft =
-                weft_from_draft ? draft.weft_colours[index_of(pick)] : weft_color;
-            first.warp.push_back(glm::vec4(warp, 1.0f) * (up ? upper : lower));
-            first.weft.push_back(glm::vec4(weft, 1.0f) * (up ? lower : upper));
-        }
-    }
-    std::vector<ClothLevel> levels{std::move(first)};
-    while (levels.back().width > 1 || levels.back().height > 1) {
-        const ClothLevel& last = levels.back();
-        ClothLevel next;
-        next.width = std::max(last.width / 2, 1);
-        next.height = std::max(last.height / 2, 1);
-        next.warp = reduced(last.warp, last.width, last.height, next.width, next.height);
-        next.weft = reduced(last.weft, last.width, last.height, next.width, next.height);
-        levels.push_back(std::move(next));
-    }
-    return levels;
+bool ClothMaps::serves(const Material& material) const {
+    return same_cloth(material_, material);
 }
 
-void ClothMaps::make(Made& made, const Material& m) {
+ClothMaps::ClothMaps(const Material& m) : material_(m) {
     const Cloth& cloth = *cloth_of(m);
     const Draft& draft = *cloth.draft;
     GLint most = 0;
@@ -186,57 +117,51 @@ void ClothMaps::make(Made& made, const Material& m) {
         throw Error(draft.name, "repeat",
                     "at most " + std::to_string(most) + " yarns a side on this device",
                     std::to_string(draft.ends) + " x " + std::to_string(draft.picks));
-    made.material = m;
-    made.warp_color = cloth.warp_color.value_or(base_of(m));
-    made.weft_color = cloth.weft_color.value_or(base_of(m));
+    warp_color_ = cloth.warp_color.value_or(base_of(m));
+    weft_color_ = cloth.weft_color.value_or(base_of(m));
     const bool warp_from_draft = !cloth.warp_color && !draft.warp_colours.empty();
     const bool weft_from_draft = !cloth.weft_color && !draft.weft_colours.empty();
-    const std::vector<ClothLevel> levels = cloth_levels(
-        draft, cloth.gap, made.warp_color, made.weft_color, warp_from_draft, weft_from_draft);
-    upload_cells(made.cells.get(), draft);
-    upload_levels(made.weft.get(), levels, false);
-    upload_levels(made.warp.get(), levels, true);
+    const std::vector<ClothLevel> levels =
+        cloth_levels(draft, cloth.gap, warp_color_, weft_color_, warp_from_draft, weft_from_draft);
+    upload_cells(cells_.get(), draft);
+    upload_levels(weft_.get(), levels, false);
+    upload_levels(warp_.get(), levels, true);
     const WeaveLobe lobe{static_cast<int>(m.brdf), lobe_of(m), static_cast<int>(drawn_method(m)),
                          m.conserve, turn_of(m)};
     const WeaveFamilies families = weave_families(draft);
-    made.weft_mean = weave_mean(families.weft, shape_of(cloth), lobe);
-    made.warp_mean = weave_mean(families.warp, shape_of(cloth), lobe);
-    upload_lobes(made.lobes.get(), {&made.weft_mean, &made.warp_mean});
+    weft_mean_ = weave_mean(families.weft, shape_of(cloth), lobe);
+    warp_mean_ = weave_mean(families.warp, shape_of(cloth), lobe);
+    upload_lobes(lobes_.get(), {&weft_mean_, &warp_mean_});
     int layer = 0;
-    for (WeaveMean* mean : {&made.weft_mean, &made.warp_mean}) {
+    for (WeaveMean* mean : {&weft_mean_, &warp_mean_}) {
         mean->table.clear();
-        made.wide_lobe[layer++] =
+        wide_lobe_[layer++] =
             lobe_words(f32::widen_lobe(lobe.lobe, mean->variance.x, mean->variance.y));
     }
     check_gl("uploading a weave");
 }
 
-void ClothMaps::bind(Program& program, int index, const Material& m) {
-    std::unique_ptr<Made>& made = made_[index];
-    if (!made || !same_cloth(made->material, m)) {
-        made = std::make_unique<Made>();
-        make(*made, m);
-    }
-    bind_texture(program, "u_weave_cells", kWeaveCellsUnit, GL_TEXTURE_2D, made->cells.get());
-    bind_texture(program, "u_weave_weft", kWeaveWeftUnit, GL_TEXTURE_2D, made->weft.get());
-    bind_texture(program, "u_weave_warp", kWeaveWarpUnit, GL_TEXTURE_2D, made->warp.get());
-    bind_texture(program, "u_weave_lobes", kWeaveLobesUnit, GL_TEXTURE_2D_ARRAY, made->lobes.get());
+void ClothMaps::bind(Program& program, const Material& m) const {
+    bind_texture(program, "u_weave_cells", kWeaveCellsUnit, GL_TEXTURE_2D, cells_.get());
+    bind_texture(program, "u_weave_weft", kWeaveWeftUnit, GL_TEXTURE_2D, weft_.get());
+    bind_texture(program, "u_weave_warp", kWeaveWarpUnit, GL_TEXTURE_2D, warp_.get());
+    bind_texture(program, "u_weave_lobes", kWeaveLobesUnit, GL_TEXTURE_2D_ARRAY, lobes_.get());
     const Cloth& cloth = *cloth_of(m);
     const f32::vec2 turn = turn_of(m);
     program.set("u_weave_yarns", cloth.yarns);
     program.set("u_weave_shape", glm::vec3(cloth.crimp, cloth.bulge, cloth.gap));
     program.set("u_weave_twist", glm::vec2(turn.x, turn.y));
-    const WeaveMean* means[] = {&made->weft_mean, &made->warp_mean};
+    const WeaveMean* means[] = {&weft_mean_, &warp_mean_};
     std::array<glm::vec3, 2> nodes, widths;
     for (std::size_t i = 0; i < 2; ++i) {
         nodes[i] = means[i]->node;
         widths[i] = glm::vec3(means[i]->width, means[i]->peak);
     }
-    const std::array<glm::vec3, 2> colors = {made->weft_color, made->warp_color};
+    const std::array<glm::vec3, 2> colors = {weft_color_, warp_color_};
     program.set("u_weave_nodes", std::span<const glm::vec3>(nodes));
     program.set("u_weave_widths", std::span<const glm::vec3>(widths));
     program.set("u_weave_colors", std::span<const glm::vec3>(colors));
-    program.set("u_weave_wide_lobes", std::span<const glm::vec4>(made->wide_lobe));
+    program.set("u_weave_wide_lobes", std::span<const glm::vec4>(wide_lobe_));
 }
 
 }  // namespace burnish::gpu

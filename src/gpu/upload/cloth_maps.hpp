@@ -1,12 +1,10 @@
-// What the shader of woven cloth reads (shaders/lib/cloth.glsl): the draft's cells, where and in
-// which colour each family of yarns shows, and what each reflects from afar.
+// What the shader of woven cloth reads (shaders/lib/cloth.glsl): the cells of the draft, where and
+// in which color each family of yarns shows (maps/weave/cloth_levels.hpp), and the mean lobe of
+// each.
 #pragma once
 
-#include <epoxy/gl.h>
-
-#include <map>
-#include <memory>
-#include <vector>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "burnish/scene.hpp"
 #include "gpu/device/handles.hpp"
@@ -15,39 +13,26 @@
 
 namespace burnish::gpu {
 
-// Whether yarns differ in colour within a family.
+// Whether yarns of one family differ in color.
 bool has_yarn_colors(const Cloth& cloth);
-
-// One level of a chain of halved images: of each texel rgb colour times share, a share of the area
-// on which the family shows.
-struct ClothLevel {
-    int width = 0, height = 0;
-    std::vector<glm::vec4> weft, warp;
-};
-
-// Level 0 has a texel a cell, the last one is a single texel. Each level is the one before averaged
-// over areas, whatever its size, so that all have the same mean. Colours of the draft where it is
-// said.
-std::vector<ClothLevel> cloth_levels(const Draft& draft, float gap, glm::vec3 warp_color,
-                                     glm::vec3 weft_color, bool warp_from_draft,
-                                     bool weft_from_draft);
 
 class ClothMaps {
   public:
-    // Of the material with number `index`, made anew when it has changed. Throws Error when the
-    // draft is larger than the device's textures.
-    void bind(Program& program, int index, const Material& material);
+    // Of a material with `cloth`. Throws Error when the draft is larger than the device's textures.
+    explicit ClothMaps(const Material& material);
+
+    // Whether maps made for this material would be the same.
+    bool serves(const Material& material) const;
+    // Binds the textures and sets the uniforms of shaders/lib/cloth.glsl; `material` is one it
+    // serves.
+    void bind(Program& program, const Material& material) const;
 
   private:
-    struct Made {
-        Material material;  // what the maps were made for
-        GlTexture cells, weft, warp, lobes;
-        WeaveMean weft_mean, warp_mean;  // without their tables
-        glm::vec4 wide_lobe[2];
-        glm::vec3 warp_color{1.0f}, weft_color{1.0f};
-    };
-    static void make(Made& made, const Material& material);
-    std::map<int, std::unique_ptr<Made>> made_;
+    Material material_;  // what the maps were made for
+    GlTexture cells_, weft_, warp_, lobes_;
+    WeaveMean weft_mean_, warp_mean_;  // without their tables
+    glm::vec4 wide_lobe_[2];
+    glm::vec3 warp_color_{1.0f}, weft_color_{1.0f};
 };
 
 }  // namespace burnish::gpu

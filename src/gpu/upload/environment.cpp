@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
-#include <initializer_list>
+#include <string_view>
 
 #include "burnish/error.hpp"
+#include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "scene/light/cube_map.hpp"
 
@@ -40,17 +41,29 @@ float highest(const CubeMap& cube) {
 
 }  // namespace
 
-EnvironmentMaps::EnvironmentMaps(const Context& context, const Environment& environment) {
+EnvironmentMaps::EnvironmentMaps(const Context& context, const Environment& environment,
+                                 const Progress& progress) {
     const Image& map = environment.radiance;
     if (map.width < 2 || map.height < 1 || map.channels < 1) {
         throw Error(environment.name, "environment", "a lat-long picture", "an empty one");
     }
+    constexpr std::string_view kStage = "environment";
+    progress.step(kStage, 0.0);
     const CubeMap base = cube_from_latlong(map, cube_size_for(map.width));
+    progress.step(kStage, 0.4);
     const std::vector<CubeMap> mips = cube_mips(base);
     // Half floats end at 65504: a sun beyond that is stored at a fraction.
     scale_ = std::max(1.0f, highest(base) / 60000.0f);
     face_ = static_cast<float>(base.size);
     last_lod_ = static_cast<float>(mips.size());
+
+    const CubeMap* source = &base;
+    for (const CubeMap& level : mips) {
+        if (source->size > kIrradianceSource) source = &level;
+    }
+    progress.step(kStage, 0.5);
+    const CubeMap irradiance = cube_irradiance(*source, kIrradianceSize);
+    progress.step(kStage, 0.8);
 
     if (!context.is_es()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // ES: always
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
@@ -62,12 +75,8 @@ EnvironmentMaps::EnvironmentMaps(const Context& context, const Environment& envi
     }
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(mips.size()));
 
-    const CubeMap* source = &base;
-    for (const CubeMap& level : mips) {
-        if (source->size > kIrradianceSource) source = &level;
-    }
     glBindTexture(GL_TEXTURE_CUBE_MAP, irradiance_.get());
-    upload_level(cube_irradiance(*source, kIrradianceSize), 0, scale_);
+    upload_level(irradiance, 0, scale_);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
     glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
 
@@ -82,10 +91,7 @@ void EnvironmentMaps::require_lobes(ProgramCache& programs, GLuint empty_vertex_
     program.use();
     bind(program, 1.0f, 0.0f);
     program.set("u_depth", 0.0f);
-    for (const GLenum test : std::initializer_list<GLenum>{GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND,
-                                                           GL_CULL_FACE, GL_SCISSOR_TEST}) {
-        glDisable(test);
-    }
+    apply(DrawState{.depth_test = false, .depth_write = false});
     lobes_.emplace(program, static_cast<int>(face_), empty_vertex_array);
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "burnish/progress.hpp"
 #include "burnish/scene.hpp"
 #include "gpu/device/context.hpp"
 #include "gpu/device/handles.hpp"
@@ -14,10 +15,13 @@ namespace burnish::gpu {
 
 class EnvironmentMaps {
   public:
-    EnvironmentMaps(const Context& context, const Environment& environment);
+    // Works out the cube maps and uploads them. Throws Error for an empty picture; Interrupted.
+    EnvironmentMaps(const Context& context, const Environment& environment,
+                    const Progress& progress);
 
     // Makes the lobe map unless there is one. Changes framebuffer, viewport and raster state.
     void require_lobes(ProgramCache& programs, GLuint empty_vertex_array);
+    bool has_lobes() const { return lobes_.has_value(); }
     // Binds all to their units and sets the uniforms of shaders/lib/environment.glsl.
     void bind(Program& program, float intensity, float rotation) const;
     float last_lod() const { return last_lod_; }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "burnish/error.hpp"
 
@@ -108,7 +110,25 @@ void require_sound(const Mesh& mesh) {
     }
 }
 
-MeshBuffers::MeshBuffers(const Mesh& mesh) {
+std::uint64_t content_of(const Mesh& mesh) {
+    std::uint64_t sum = 0;
+    const auto add = [&](const auto& values) {
+        const auto bytes = std::as_bytes(std::span(values));
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        // An odd factor: the order of the attributes counts.
+        sum = (sum ^ std::hash<std::string_view>()(text)) * 0x9E3779B97F4A7C15U;
+    };
+    add(mesh.positions);
+    add(mesh.normals);
+    add(mesh.tangents);
+    add(mesh.texcoord0);
+    add(mesh.texcoord1);
+    add(mesh.colors);
+    add(mesh.indices);
+    return sum;
+}
+
+MeshBuffers::MeshBuffers(const Mesh& mesh) : content_(content_of(mesh)) {
     require_sound(mesh);
     index_count_ = static_cast<GLsizei>(mesh.indices.size());
     has_color_ = !mesh.colors.empty();
@@ -143,17 +163,19 @@ void MeshBuffers::draw() const {
     glBindVertexArray(0);
 }
 
-std::vector<DrawItem> draw_items(const Scene& scene) {
+std::vector<DrawItem> draw_items(std::span<const std::optional<Instance>> instances,
+                                 std::span<const Bounds> meshes, std::size_t materials,
+                                 const std::string& name) {
     std::vector<DrawItem> items;
-    std::vector<Bounds> boxes;
-    for (const Mesh& mesh : scene.meshes) boxes.push_back(burnish::bounds_of(mesh));
-    for (const Instance& instance : scene.instances) {
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (!instances[i]) continue;
+        const Instance& instance = *instances[i];
         if (instance.mesh < 0) continue;  // erased
-        const bool mesh = static_cast<std::size_t>(instance.mesh) < scene.meshes.size();
-        const bool material = instance.material >= 0 &&
-                              static_cast<std::size_t>(instance.material) < scene.materials.size();
+        const bool mesh = static_cast<std::size_t>(instance.mesh) < meshes.size();
+        const bool material =
+            instance.material >= 0 && static_cast<std::size_t>(instance.material) < materials;
         if (!mesh || !material || !finite(instance.transform)) {
-            throw Error(scene.name, "instance " + std::to_string(items.size()),
+            throw Error(name, "instance " + std::to_string(i),
                         "a mesh and a material of the scene and a finite transform",
                         "something else");
         }
@@ -170,7 +192,7 @@ std::vector<DrawItem> draw_items(const Scene& scene) {
                                   glm::cross(linear[0], linear[1]));
         item.normal_from_local = item.mirrored ? -1.0f * cofactors : cofactors;
         item.bounds =
-            transformed(boxes[static_cast<std::size_t>(instance.mesh)], instance.transform);
+            transformed(meshes[static_cast<std::size_t>(instance.mesh)], instance.transform);
         items.push_back(item);
     }
     return items;

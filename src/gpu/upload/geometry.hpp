@@ -1,8 +1,12 @@
 // Meshes on the device: one interleaved vertex buffer and one index buffer each.
 #pragma once
 
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "burnish/scene.hpp"
@@ -14,11 +18,15 @@ namespace burnish::gpu {
 // Throws Error naming the mesh when attributes differ in length or an index points nowhere.
 void require_sound(const Mesh& mesh);
 
+std::uint64_t content_of(const Mesh& mesh);  // without its name
+
 class MeshBuffers {
   public:
     explicit MeshBuffers(const Mesh& mesh);
 
     void draw() const;
+    // A number that equal meshes share and others, but for one case in 2^64, do not.
+    std::uint64_t content() const { return content_; }
     bool has_color() const { return has_color_; }
     std::size_t triangles() const { return static_cast<std::size_t>(index_count_) / 3; }
 
@@ -28,6 +36,7 @@ class MeshBuffers {
     Buffer indices_;
     GLsizei index_count_ = 0;
     bool has_color_ = false;
+    std::uint64_t content_ = 0;
 };
 
 // An instance with what is worked out of its transform once.
@@ -41,8 +50,11 @@ struct DrawItem {
 };
 
 // Throws Error for an instance of a mesh or material that does not exist or a transform that is not
-// finite.
-std::vector<DrawItem> draw_items(const Scene& scene);
+// finite. `meshes`: their boxes. `instances`: those that are there, in the order of their numbers;
+// `name`: of the scene, for messages.
+std::vector<DrawItem> draw_items(std::span<const std::optional<Instance>> instances,
+                                 std::span<const Bounds> meshes, std::size_t materials,
+                                 const std::string& name);
 
 // Box around all items; a unit box at the origin when there is none.
 Bounds bounds_of(const std::vector<DrawItem>& items);

@@ -24,7 +24,7 @@ glm::vec2 cone_of(const Light& light) {
 
 }  // namespace
 
-LightUniforms::LightUniforms(const std::vector<Light>& lights) {
+LightUniforms::LightUniforms(std::span<const Light> lights) {
     if (lights.size() > kMostLights) {
         throw Error("scene", "lights", "at most " + std::to_string(kMostLights),
                     std::to_string(lights.size()));
@@ -49,6 +49,7 @@ glm::vec3 LightUniforms::irradiance(int light, const glm::vec3& position) const 
 }
 
 void LightUniforms::set(Program& program) const {
+    program.set("u_light_count", count());
     program.set("u_light_place", std::span<const glm::vec4>(place_));
     program.set("u_light_radiance", std::span<const glm::vec4>(radiance_));
     program.set("u_light_direction", std::span<const glm::vec4>(direction_));

@@ -1,6 +1,7 @@
 // Punctual lights as uniforms of shaders/lib/lights.glsl.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "burnish/scene.hpp"
@@ -13,7 +14,7 @@ inline constexpr std::size_t kMostLights = 16;
 class LightUniforms {
   public:
     // Throws Error for more than kMostLights lights.
-    explicit LightUniforms(const std::vector<Light>& lights);
+    explicit LightUniforms(std::span<const Light> lights);
 
     int count() const { return static_cast<int>(place_.size()); }
     bool any_positional() const { return any_positional_; }

@@ -1,8 +1,7 @@
 // An environment blurred by round lobes of growing width, for --image-light prefiltered.
 #pragma once
 
-#include <epoxy/gl.h>
-
+#include "gpu/device/gl.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
 

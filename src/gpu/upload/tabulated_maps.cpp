@@ -1,43 +1,13 @@
 #include "gpu/upload/tabulated_maps.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/gtc/packing.hpp>
-#include <numbers>
-#include <string>
+#include <utility>
 
-#include "burnish/error.hpp"
 #include "burnish/f32.hpp"
 #include "gpu/device/texture_units.hpp"
-#include "scene/material/tabulated_draws.hpp"
+#include "scene/material/tabulated_images.hpp"
 
 namespace burnish::gpu {
 namespace {
-
-std::size_t index_of(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-// A picture of blocks, `values` numbers a texel.
-struct Blocks {
-    int columns, width, height, values;
-    std::vector<float> texels;
-
-    Blocks(int exemplars, int columns_, int width_, int height_, int values_)
-        : columns(columns_), width(width_), height(height_), values(values_) {
-        texels.resize(index_of(total_width()) *
-                      index_of((exemplars + columns - 1) / columns * height) * index_of(values));
-    }
-    int total_width() const { return columns * width; }
-    int total_height() const {
-        return static_cast<int>(texels.size() / index_of(values) / index_of(total_width()));
-    }
-    float* at(int exemplar, int x, int y) {
-        const std::size_t row = index_of(exemplar / columns * height + y);
-        const std::size_t column = index_of(exemplar % columns * width + x);
-        return texels.data() + (row * index_of(total_width()) + column) * index_of(values);
-    }
-};
 
 struct Format {
     GLenum internal, layout, type;
@@ -56,7 +26,7 @@ void upload(GLuint texture, const Format& format, int width, int height, const v
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void upload(GLuint texture, const Blocks& blocks) {
+void upload(GLuint texture, const TableBlocks& blocks) {
     const Format format = blocks.values == 4 ? Format{GL_RGBA32F, GL_RGBA, GL_FLOAT}
                                              : Format{GL_RG32F, GL_RG, GL_FLOAT};
     upload(texture, format, blocks.total_width(), blocks.total_height(), blocks.texels.data());
@@ -68,96 +38,6 @@ int largest_side() {
     return most;
 }
 
-int rows_of_areas(const NdfGrid& grid) {
-    return kAreaGrid.rings + (grid.rings + kAreaGrid.azimuths - 1) / kAreaGrid.azimuths;
-}
-
-// About square blocks of tables, within what the device takes.
-int columns_for(const TabulatedMaterial& m) {
-    const int side = largest_side();
-    const int widest = std::max(m.grid.azimuths, kAreaGrid.azimuths);
-    const int highest = std::max(m.grid.rings, rows_of_areas(m.grid));
-    const int most = side / widest, rows = side / highest;
-    if (most < 1 || rows < 1 || (m.exemplars + most - 1) / most > rows) {
-        throw Error("tabulated material", "exemplars",
-                    "at most " + std::to_string(most * rows) + " of " +
-                        std::to_string(m.grid.azimuths) + " x " + std::to_string(m.grid.rings) +
-                        " on this device",
-                    std::to_string(m.exemplars));
-    }
-    const int least = (m.exemplars + rows - 1) / rows;
-    const int wished =
-        static_cast<int>(std::ceil(std::sqrt(static_cast<double>(m.exemplars) * highest / widest)));
-    return std::clamp(std::max(wished, least), 1, most);
-}
-
-std::uint32_t code_of_angle(float angle) {
-    constexpr double kTurn = 2 * std::numbers::pi;
-    const double turns = static_cast<double>(angle) / kTurn;
-    return static_cast<std::uint32_t>(std::lround((turns - std::floor(turns)) * 65536)) & 0xffffU;
-}
-
-std::uint32_t code_of_slope(float v) {
-    return static_cast<std::uint32_t>(std::lround(std::clamp(v, -1.0F, 1.0F) * 32767.0F) + 32768);
-}
-
-std::uint32_t code_of_pair(float x, float y) {
-    return code_of_slope(x) | code_of_slope(y) << 16;
-}
-
-std::uint32_t code_of_direction(float angle) {
-    return code_of_pair(std::cos(angle), std::sin(angle));
-}
-
-std::vector<std::uint32_t> texels_of(const TabulatedMaterial& m) {
-    std::vector<std::uint32_t> words;
-    words.reserve(4 * m.texels());
-    for (std::size_t i = 0; i < m.texels(); ++i) {
-        const float* n = m.normal.pixels.data() + 3 * i;
-        const bool measured = m.exemplar[i] != TabulatedMaterial::kNoExemplar;
-        const float groove = measured ? m.groove[m.exemplar[i]] : 0.0F;
-        words.push_back(m.exemplar[i] | code_of_angle(groove) << 16);
-        words.push_back(code_of_pair(n[0], n[1]));
-        words.push_back(code_of_direction(m.angle[i]));
-        words.push_back(code_of_direction(m.angle[i] + groove));
-    }
-    return words;
-}
-
-std::uint32_t half_of(float v) {
-    return glm::packHalf1x16(std::clamp(v, 0.0F, 65504.0F));
-}
-
-std::vector<std::uint32_t> colors_of(const TabulatedMaterial& m) {
-    std::vector<std::uint32_t> words;
-    words.reserve(4 * m.texels());
-    for (std::size_t i = 0; i < m.texels(); ++i) {
-        const float* d = m.diffuse.pixels.data() + 3 * i;
-        const float* s = m.specular.pixels.data() + 3 * i;
-        words.push_back(half_of(d[0]) | half_of(d[1]) << 16);
-        words.push_back(half_of(d[2]) | half_of(s[0]) << 16);
-        words.push_back(half_of(s[1]) | half_of(s[2]) << 16);
-        words.push_back(0);
-    }
-    return words;
-}
-
-// Each value with those that it is mixed with: of the next column, of the next ring, and of both.
-void put_fours(Blocks& blocks, int exemplar, const NdfGrid& grid, const float* table) {
-    for (int r = 0; r < grid.rings; ++r) {
-        const float* low = table + r * grid.azimuths;
-        const float* high = table + std::min(r + 1, grid.rings - 1) * grid.azimuths;
-        for (int a = 0; a < grid.azimuths; ++a) {
-            const int next = (a + 1) % grid.azimuths;
-            float* to = blocks.at(exemplar, a, r);
-            to[0] = low[a];
-            to[1] = low[next];
-            to[2] = high[a];
-            to[3] = high[next];
-        }
-    }
-}
-
 void bind_texture(Program& program, const char* name, int unit, GLuint texture) {
     glActiveTexture(GL_TEXTURE0 + kTabulatedUnits + static_cast<GLuint>(unit));
     glBindTexture(GL_TEXTURE_2D, texture);
@@ -166,72 +46,38 @@ void bind_texture(Program& program, const char* name, int unit, GLuint texture) 
 
 }  // namespace
 
-void TabulatedMaps::make(Made& made, std::shared_ptr<const TabulatedMaterial> material) {
-    const TabulatedMaterial& m = *material;
-    const int side = largest_side();
-    if (m.width > side || m.height > side) {
-        throw Error("tabulated material", "texels",
-                    "at most " + std::to_string(side) + " a side on this device",
-                    std::to_string(m.width) + " x " + std::to_string(m.height));
-    }
-    made.material = std::move(material);
-    made.columns = columns_for(m);
-    made.area_rows = rows_of_areas(m.grid);
-    Blocks tables(m.exemplars, made.columns, m.grid.azimuths, m.grid.rings, 4);
-    Blocks areas(m.exemplars, made.columns, kAreaGrid.azimuths, made.area_rows, 4);
-    for (int e = 0; e < m.exemplars; ++e) {
-        put_fours(tables, e, m.grid, m.table(e));
-        put_fours(areas, e, kAreaGrid, ndf_areas(m.grid, m.table(e)).data());
-        const TabulatedDraws draws = tabulated_draws(m.grid, m.table(e));
-        for (int r = 0; r < m.grid.rings; ++r) {
-            *areas.at(e, r % kAreaGrid.azimuths, kAreaGrid.rings + r / kAreaGrid.azimuths) =
-                draws.rings[index_of(r)];
-        }
-    }
-    upload(made.tables.get(), tables);
-    upload(made.areas.get(), areas);
+TabulatedMaps::TabulatedMaps(std::shared_ptr<const TabulatedMaterial> material)
+    : material_(std::move(material)) {
+    const TabulatedMaterial& m = *material_;
+    const TabulatedImages images = tabulated_images(m, largest_side());
+    columns_ = images.columns;
+    area_rows_ = images.area_rows;
+    upload(tables_.get(), images.tables);
+    upload(areas_.get(), images.areas);
     const Format words = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-    upload(made.texels.get(), words, m.width, m.height, texels_of(m).data());
-    upload(made.colors.get(), words, m.width, m.height, colors_of(m).data());
+    upload(texels_.get(), words, m.width, m.height, images.texels.data());
+    upload(colors_.get(), words, m.width, m.height, images.colors.data());
     check_gl("uploading a tabulated material");
 }
 
-void TabulatedMaps::make_draws(Made& made) {
-    const TabulatedMaterial& m = *made.material;
-    Blocks blocks(m.exemplars, made.columns, m.grid.azimuths, m.grid.rings, 2);
-    for (int e = 0; e < m.exemplars; ++e) {
-        const TabulatedDraws draws = tabulated_draws(m.grid, m.table(e));
-        for (int r = 0; r < m.grid.rings; ++r) {
-            for (int a = 0; a < m.grid.azimuths; ++a) {
-                float* to = blocks.at(e, a, r);
-                to[0] = draws.cells[index_of(r * m.grid.azimuths + a)];
-                to[1] = draws.density[index_of(r * m.grid.azimuths + a)];
-            }
-        }
-    }
-    made.draws = std::make_unique<GlTexture>();
-    upload(made.draws->get(), blocks);
+void TabulatedMaps::require_draws() {
+    if (draws_) return;
+    GlTexture draws;
+    upload(draws.get(), tabulated_draw_blocks(*material_, columns_));
     check_gl("uploading a tabulated material");
+    draws_ = std::move(draws);
 }
 
-void TabulatedMaps::bind(Program& program, const Material& material, bool draws) {
-    const std::shared_ptr<const TabulatedMaterial>& table = tabulated_of(material)->material;
-    std::unique_ptr<Made>& made = made_[table.get()];
-    if (!made) {
-        auto fresh = std::make_unique<Made>();
-        make(*fresh, table);
-        made = std::move(fresh);
-    }
-    if (draws && !made->draws) make_draws(*made);
-    const TabulatedMaterial& m = *made->material;
-    bind_texture(program, "u_tabulated_tables", 0, made->tables.get());
-    bind_texture(program, "u_tabulated_areas", 1, made->areas.get());
-    bind_texture(program, "u_tabulated_texels", 2, made->texels.get());
-    bind_texture(program, "u_tabulated_colors", 3, made->colors.get());
-    if (made->draws) bind_texture(program, "u_tabulated_draws", 4, made->draws->get());
+void TabulatedMaps::bind(Program& program) const {
+    const TabulatedMaterial& m = *material_;
+    bind_texture(program, "u_tabulated_tables", 0, tables_.get());
+    bind_texture(program, "u_tabulated_areas", 1, areas_.get());
+    bind_texture(program, "u_tabulated_texels", 2, texels_.get());
+    bind_texture(program, "u_tabulated_colors", 3, colors_.get());
+    if (draws_) bind_texture(program, "u_tabulated_draws", 4, draws_->get());
     program.set("u_tabulated_grid", glm::ivec2(m.grid.azimuths, m.grid.rings));
-    program.set("u_tabulated_columns", made->columns);
-    program.set("u_tabulated_area_rows", made->area_rows);
+    program.set("u_tabulated_columns", columns_);
+    program.set("u_tabulated_area_rows", area_rows_);
     program.set("u_tabulated_one", m.texels() == 1 ? 1 : 0);
     const auto eta = static_cast<float>(m.eta);
     program.set("u_tabulated_fresnel", glm::vec2(eta, f32::fresnel_inverse_at_normal(eta)));

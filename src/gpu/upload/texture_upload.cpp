@@ -53,7 +53,8 @@ T opaque() {
     return std::is_floating_point_v<T> ? T(1) : std::numeric_limits<T>::max();
 }
 
-// One value of four channels a texel: grey is spread, alpha filled in. `convert`: T to U.
+// Four channels a texel: gray is repeated, alpha filled in. WebGL 2 cannot swizzle. `convert`: T to
+// U.
 template <typename T, typename U, typename Convert>
 std::vector<std::byte> to_four_channels(const Texture& texture, Convert convert) {
     const std::size_t count =
@@ -73,20 +74,12 @@ std::vector<std::byte> to_four_channels(const Texture& texture, Convert convert)
 }
 
 Pixels u8_pixels(const Texture& texture) {
-    const auto keep = [](std::uint8_t v, bool) { return v; };
     const bool srgb = texture.color_space == ColorSpace::srgb;
     Pixels p;
-    if (srgb || texture.channels == 3) {
-        p.format = {static_cast<GLenum>(srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8), GL_RGBA,
-                    GL_UNSIGNED_BYTE};
-        if (texture.channels != 4) {
-            p.converted = to_four_channels<std::uint8_t, std::uint8_t>(texture, keep);
-        }
-    } else if (texture.channels == 4) {
-        p.format = {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
-    } else {
-        p.format = texture.channels == 1 ? Format{GL_R8, GL_RED, GL_UNSIGNED_BYTE}
-                                         : Format{GL_RG8, GL_RG, GL_UNSIGNED_BYTE};
+    p.format = {static_cast<GLenum>(srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8), GL_RGBA, GL_UNSIGNED_BYTE};
+    if (texture.channels != 4) {
+        p.converted = to_four_channels<std::uint8_t, std::uint8_t>(
+            texture, [](std::uint8_t v, bool) { return v; });
     }
     return p;
 }
@@ -106,27 +99,22 @@ Pixels half_of_u16(const Texture& texture) {
 Pixels u16_pixels(const Texture& texture, bool es) {
     if (es || texture.color_space == ColorSpace::srgb) return half_of_u16(texture);
     Pixels p;
-    if (texture.channels >= 3) {
-        p.format = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
-        if (texture.channels == 3) {
-            p.converted = to_four_channels<std::uint16_t, std::uint16_t>(
-                texture, [](std::uint16_t v, bool) { return v; });
-        }
-    } else {
-        p.format = texture.channels == 1 ? Format{GL_R16, GL_RED, GL_UNSIGNED_SHORT}
-                                         : Format{GL_RG16, GL_RG, GL_UNSIGNED_SHORT};
+    p.format = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
+    if (texture.channels != 4) {
+        p.converted = to_four_channels<std::uint16_t, std::uint16_t>(
+            texture, [](std::uint16_t v, bool) { return v; });
     }
     return p;
 }
 
-Pixels f32_pixels(const Texture& texture, bool es, TexelRepair repair) {
+Pixels f32_pixels(const Texture& texture, bool es, TextureForm form) {
     Pixels p;
     // ES filters half floats, not floats, the largest of which is 65504. It is the brightest that a
     // pixel can be, and sums of such texels (filters, mips) stay far from infinity, whose
     // differences would be NaN. Normals lie in [0, 1]: within 16 their squares stay far from
     // overflow, whatever scale is put on them.
     p.format = {static_cast<GLenum>(es ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT};
-    const bool normals = repair == TexelRepair::flat_normal;
+    const bool normals = form == TextureForm::normal;
     const float limit = normals ? 16.0f : 65504.0f;
     p.converted = to_four_channels<float, float>(texture, [limit](float v, bool) {
         return std::isfinite(v) ? std::clamp(v, -limit, limit) : std::nanf("");
@@ -142,10 +130,10 @@ Pixels f32_pixels(const Texture& texture, bool es, TexelRepair repair) {
     return p;
 }
 
-Pixels pixels_of(const Texture& texture, bool es, TexelRepair repair) {
+Pixels pixels_of(const Texture& texture, bool es, TextureForm form) {
     Pixels p = texture.type == TexelType::u8    ? u8_pixels(texture)
                : texture.type == TexelType::u16 ? u16_pixels(texture, es)
-                                                : f32_pixels(texture, es, repair);
+                                                : f32_pixels(texture, es, form);
     p.data = p.converted.empty() ? texture.texels.data() : p.converted.data();
     return p;
 }
@@ -157,12 +145,6 @@ GlTexture upload(const Texture& texture, const Pixels& pixels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(pixels.format.internal), texture.width,
                  texture.height, 0, pixels.format.layout, pixels.format.type, pixels.data);
-    if (pixels.format.layout == GL_RED || pixels.format.layout == GL_RG) {
-        const GLint alpha = pixels.format.layout == GL_RED ? GL_ONE : GL_GREEN;
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_G, GL_RED);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_B, GL_RED);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, alpha);
-    }
     glGenerateMipmap(GL_TEXTURE_2D);
     glBindTexture(GL_TEXTURE_2D, 0);
     check_gl(("uploading " + texture.name).c_str());
@@ -196,6 +178,34 @@ GLint wrap_of(Wrap wrap) {
                                   : GL_CLAMP_TO_EDGE;
 }
 
+// Only floats may hold what is no normal, and only two channels mean something else in a normal map
+// (x and y, not gray and alpha): other textures have one form for both uses.
+TextureForm form_of(const Texture& texture, TextureForm wished) {
+    const bool apart = texture.type == TexelType::f32 || texture.channels == 2;
+    return wished == TextureForm::normal && !apart ? TextureForm::plain : wished;
+}
+
+// x and y of a normal map in red and green; blue, which is not read, 0.
+Texture with_third_channel(const Texture& xy) {
+    Texture xyz = xy;
+    xyz.channels = 3;
+    const std::size_t each = bytes_of(xy.type);
+    const std::size_t count = xy.texels.size() / (2 * each);
+    xyz.texels.assign(3 * each * count, std::byte{0});
+    for (std::size_t i = 0; i < count; ++i)
+        std::memcpy(xyz.texels.data() + 3 * each * i, xy.texels.data() + 2 * each * i, 2 * each);
+    return xyz;
+}
+
+GlTexture upload_as(TextureForm form, const Texture& texture, bool es) {
+    if (form == TextureForm::slopes) return upload_slopes(texture, es);
+    if (form == TextureForm::normal && texture.channels == 2) {
+        const Texture xyz = with_third_channel(texture);
+        return upload(xyz, pixels_of(xyz, es, form));
+    }
+    return upload(texture, pixels_of(texture, es, form));
+}
+
 }  // namespace
 
 bool wants_slopes(const Material& material) {
@@ -204,47 +214,53 @@ bool wants_slopes(const Material& material) {
            material.normal_filter == NormalFilter::moments;
 }
 
-TextureStore::TextureStore(const Context& context, const Scene& scene) {
+TextureStore::TextureStore(const Context& context)
+    : es_(context.is_es()), max_size_(context.max_texture_size()) {
     // The software renderer pays for every probe of an anisotropic fetch; jittered samples do the
     // same work there for nothing.
     if (!context.is_software() && context.has_extension("GL_EXT_texture_filter_anisotropic")) {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy_);
         anisotropy_ = std::clamp(anisotropy_, 1.0f, 8.0f);
     }
-    const std::vector<Material> drawn = drawn_materials(scene.materials);
-    const auto checked = [&](const TextureUse& use) -> const Texture& {
-        if (static_cast<std::size_t>(use.texture) >= scene.textures.size()) {
-            throw Error("material", "texture", "one of " + std::to_string(scene.textures.size()),
+}
+
+std::vector<TextureStore::Need> TextureStore::needs_of(const Material& m,
+                                                       const Slots& slots) const {
+    std::vector<Need> needs;
+    const auto add = [&](const TextureUse& use, TextureForm form) {
+        if (!use) return;
+        if (static_cast<std::size_t>(use.texture) >= slots.size()) {
+            throw Error("material", "texture", "one of " + std::to_string(slots.size()),
                         "number " + std::to_string(use.texture));
         }
-        const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
-        require_sound(texture, context.max_texture_size());
-        return texture;
+        const auto index = static_cast<std::size_t>(use.texture);
+        needs.push_back({index, form_of(*slots[index].source, form)});
     };
-    const auto require = [&](const TextureUse& use, TexelRepair repair) {
-        if (!use || textures_.contains(use.texture)) return;
-        const Texture& texture = checked(use);
-        const Pixels pixels = pixels_of(texture, context.is_es(), repair);
-        textures_.emplace(use.texture, Uploaded{upload(texture, pixels), texture.channels,
-                                                log2_longer_side(texture)});
-    };
-    for (const Material& m : drawn) {
-        const TextureUse& use = m.normal_texture;
-        if (!wants_slopes(m)) {
-            require(use, TexelRepair::flat_normal);
-        } else if (!slopes_.contains(use.texture)) {
-            const Texture& texture = checked(use);
-            slopes_.emplace(use.texture, Uploaded{upload_slopes(texture, context.is_es()),
-                                                  texture.channels, log2_longer_side(texture)});
-        }
+    add(m.normal_texture, wants_slopes(m) ? TextureForm::slopes : TextureForm::normal);
+    for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
+                                  &m.occlusion_texture, &m.emissive_texture, &m.anisotropy_texture})
+        add(*use, TextureForm::plain);
+    return needs;
+}
+
+void TextureStore::require(Slots& slots, const Material& material, const Progress& progress) {
+    for (const Need& need : needs_of(material, slots)) {
+        Slot& slot = slots[need.texture];
+        std::shared_ptr<const GlTexture>& uploaded =
+            slot.forms[static_cast<std::size_t>(need.form)];
+        if (uploaded) continue;
+        progress.step("textures", 0.0);
+        const Texture& texture = *slot.source;
+        require_sound(texture, max_size_);
+        uploaded = std::make_shared<GlTexture>(upload_as(need.form, texture, es_));
+        ++uploads_;
     }
-    for (const Material& m : drawn) {
-        for (const TextureUse* use :
-             {&m.base_color_texture, &m.metallic_roughness_texture, &m.occlusion_texture,
-              &m.emissive_texture, &m.anisotropy_texture}) {
-            require(*use, TexelRepair::zero);
-        }
-    }
+}
+
+bool TextureStore::uses(const Material& material, int texture) const {
+    for (const Need& need : needs_of(material, slots_))
+        if (need.texture == static_cast<std::size_t>(texture)) return true;
+    return false;
 }
 
 GLuint TextureStore::sampler_for(const TextureUse& use) {
@@ -262,26 +278,29 @@ GLuint TextureStore::sampler_for(const TextureUse& use) {
     return sampler;
 }
 
-const TextureStore::Uploaded& TextureStore::uploaded(const TextureUse& use, bool slopes) const {
-    const auto& all = slopes ? slopes_ : textures_;
-    const auto found = all.find(use.texture);
-    if (found != all.end()) return found->second;
-    throw Error("material", "normal_filter", "the one it was uploaded with",
-                slopes ? "moments" : "mips");
+const GlTexture& TextureStore::uploaded(const Slots& slots, const TextureUse& use,
+                                        TextureForm form) {
+    const Slot& slot = slots[static_cast<std::size_t>(use.texture)];
+    return *slot.forms[static_cast<std::size_t>(form_of(*slot.source, form))];
 }
 
-void TextureStore::bind(GLuint unit, const TextureUse& use, bool slopes) {
+void TextureStore::bind(GLuint unit, const TextureUse& use, TextureForm form) {
     glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, uploaded(use, slopes).texture.get());
+    glBindTexture(GL_TEXTURE_2D, uploaded(slots_, use, form).get());
     glBindSampler(unit, sampler_for(use));
 }
 
-int TextureStore::channels(const TextureUse& use) const {
-    return uploaded(use, false).channels;
+int TextureStore::channels(const Slots& slots, const TextureUse& use) {
+    return slots[static_cast<std::size_t>(use.texture)].source->channels;
 }
 
-float TextureStore::log2_side(const TextureUse& use, bool slopes) const {
-    return uploaded(use, slopes).log2_side;
+float TextureStore::log2_side(const TextureUse& use) const {
+    return log2_longer_side(*slots_[static_cast<std::size_t>(use.texture)].source);
+}
+
+bool same_texels(const Texture& a, const Texture& b) {
+    return a.width == b.width && a.height == b.height && a.channels == b.channels &&
+           a.type == b.type && a.color_space == b.color_space && a.texels == b.texels;
 }
 
 }  // namespace burnish::gpu

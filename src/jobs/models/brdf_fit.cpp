@@ -200,7 +200,7 @@ MeasuredFit fit_measured(const std::filesystem::path& path, std::span<const std:
     parallel_for(chosen.size(), 1, [&](std::size_t begin, std::size_t) {
         // The last of the list, he, takes the longest: it goes first.
         const std::size_t i = chosen.size() - 1 - begin;
-        result.fits[i] = fit_brdf(*chosen[i], samples, settings);
+        result.fits[i] = fit_brdf(*chosen[i], samples, settings, progress);
         const std::lock_guard lock(one_at_a_time);
         progress.step(stage, static_cast<double>(++done) / static_cast<double>(chosen.size()));
     });

@@ -159,7 +159,7 @@ std::string fit_measured_files(const MeasuredFitRequest& request, const Progress
     std::vector<MeasuredFit> fits;
     std::string text;
     for (std::size_t i = 0; i < request.inputs.size(); ++i) {
-        const Progress part([&](std::string_view stage, double done) {
+        const Progress part = progress.with_report([&](std::string_view stage, double done) {
             progress.step(stage, (static_cast<double>(i) + done) /
                                      static_cast<double>(request.inputs.size()));
         });

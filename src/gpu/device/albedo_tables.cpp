@@ -1,25 +1,34 @@
-#include "gpu/upload/albedo_textures.hpp"
-
-#include <epoxy/gl.h>
+#include "gpu/device/albedo_tables.hpp"
 
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "burnish/f32.hpp"
+#include "gpu/device/gl.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "models/albedo_table.hpp"
 
 namespace burnish::gpu {
+namespace {
 
-void AlbedoTables::bind(Brdf brdf, Mdf mdf) {
+int key_of(Brdf brdf, Mdf mdf) {
     const int model = static_cast<int>(brdf);
-    const int key = model * 16 + f32::brdf_mdf(model, static_cast<int>(mdf));
-    const bool known = tables_.contains(key);
-    const GLuint texture = tables_[key].get();
-    glActiveTexture(GL_TEXTURE0 + kAlbedoUnit);
-    glBindTexture(GL_TEXTURE_3D, texture);
-    if (known) return;
+    return model * 16 + f32::brdf_mdf(model, static_cast<int>(mdf));
+}
+
+}  // namespace
+
+bool AlbedoTables::has(Brdf brdf, Mdf mdf) const {
+    return tables_.contains(key_of(brdf, mdf));
+}
+
+void AlbedoTables::require(Brdf brdf, Mdf mdf) {
+    if (has(brdf, mdf)) return;
     const std::vector<float> table = albedo_table(brdf, mdf);
+    GlTexture texture;
+    glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+    glBindTexture(GL_TEXTURE_3D, texture.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, kAlbedoAlphas, kAlbedoAlphas, kAlbedoCosines, 0, GL_RED,
                  GL_FLOAT, table.data());
@@ -32,7 +41,14 @@ void AlbedoTables::bind(Brdf brdf, Mdf mdf) {
         glTexParameteri(GL_TEXTURE_3D, name, GL_CLAMP_TO_EDGE);
     }
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindTexture(GL_TEXTURE_3D, 0);
     check_gl("uploading an albedo table");
+    tables_.emplace(key_of(brdf, mdf), std::move(texture));
+}
+
+void AlbedoTables::bind(Brdf brdf, Mdf mdf) const {
+    glActiveTexture(GL_TEXTURE0 + kAlbedoUnit);
+    glBindTexture(GL_TEXTURE_3D, tables_.at(key_of(brdf, mdf)).get());
 }
 
 }  // namespace burnish::gpu

@@ -1,0 +1,25 @@
+// Albedo tables on the device, which hold the energy of --image-light prefiltered.
+#pragma once
+
+#include <map>
+
+#include "burnish/shading_names.hpp"
+#include "gpu/device/handles.hpp"
+
+namespace burnish::gpu {
+
+// One texture a model and distribution. Part of a context (context.hpp): a table serves all
+// renderers.
+class AlbedoTables {
+  public:
+    // Makes the table unless it is there: 6.3 million samples of the model.
+    void require(Brdf brdf, Mdf mdf);
+    bool has(Brdf brdf, Mdf mdf) const;
+    // Binds a table that was required to kAlbedoUnit.
+    void bind(Brdf brdf, Mdf mdf) const;
+
+  private:
+    std::map<int, GlTexture> tables_;
+};
+
+}  // namespace burnish::gpu

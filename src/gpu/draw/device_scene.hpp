@@ -1,0 +1,123 @@
+// A scene on the device that can be edited: slots whose numbers stay, and what is worked out from
+// them.
+//
+// Every edit is done as a whole or, when it throws, not at all. What an edit does not touch stays
+// on the device. The context must be current.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "burnish/progress.hpp"
+#include "burnish/scene.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/device/program.hpp"
+#include "gpu/draw/ground.hpp"
+#include "gpu/draw/shadow_maps.hpp"
+#include "gpu/draw/surface_variant.hpp"
+#include "gpu/draw/upload_counts.hpp"
+#include "gpu/upload/cloth_maps.hpp"
+#include "gpu/upload/environment.hpp"
+#include "gpu/upload/geometry.hpp"
+#include "gpu/upload/lights.hpp"
+#include "gpu/upload/tabulated_maps.hpp"
+#include "gpu/upload/texture_upload.hpp"
+
+namespace burnish::gpu {
+
+// A program that a material was drawn with.
+struct PreparedProgram {
+    SurfaceVariant variant;
+    bool resolve = false;  // resolve.frag, else surface.frag
+    Program* program = nullptr;
+};
+
+struct MaterialSlot {
+    Material material;
+    std::uint64_t version = 0;  // of its uniforms
+    SurfaceVariant full, flat;  // without light and mesh; flat: as if it had no normal map
+    std::shared_ptr<const ClothMaps> cloth;
+    std::shared_ptr<TabulatedMaps> tabulated;
+    std::vector<PreparedProgram> programs;  // filled as they are asked for
+
+    bool blended() const { return material.alpha_mode == AlphaMode::blend; }
+};
+
+struct MeshSlot {
+    std::shared_ptr<const MeshBuffers> buffers;
+    Bounds bounds;
+};
+
+class DeviceScene {
+  public:
+    explicit DeviceScene(const Context& context);
+
+    // Edits, as Renderer has them.
+    void set_scene(const Scene& scene, const Progress& progress);
+    void set_environment(const Environment* environment, const Progress& progress);
+    void set_lights(std::span<const Light> lights);
+    void update_materials(std::span<const Material> materials, const Progress& progress);  // all
+    void update_material(int id, const Material& material, const Progress& progress);
+    int add_material(const Material& material, const Progress& progress);
+    int add_texture(Texture texture);
+    void update_texture(int id, Texture texture, const Progress& progress);
+    int add_mesh(const Mesh& mesh);
+    void update_mesh(int id, const Mesh& mesh);
+    int add_instance(const Instance& instance);
+    void update_instance(int id, const Instance& instance);
+    void remove_instance(int id);
+
+    // What is drawn.
+    MaterialSlot& material(int id) { return materials_[static_cast<std::size_t>(id)]; }
+    const MaterialSlot& material(int id) const { return materials_[static_cast<std::size_t>(id)]; }
+    std::span<MaterialSlot> materials() { return materials_; }
+    const MeshBuffers& mesh(int id) const { return *meshes_[static_cast<std::size_t>(id)].buffers; }
+    const std::vector<DrawItem>& items() const { return items_; }
+    const Bounds& bounds() const { return bounds_; }
+    std::size_t triangles() const { return triangles_; }
+    bool any_tabulated() const;
+    TextureStore& textures() { return textures_; }
+    const LightUniforms& lights() const { return lights_; }
+    ShadowMaps& shadows() { return shadows_; }
+    const ShadowMaps& shadows() const { return shadows_; }
+    Ground& ground() { return ground_; }
+    EnvironmentMaps* environment() const { return environment_.get(); }
+
+    UploadCounts uploads() const;
+
+  private:
+    using Instances = std::vector<std::optional<Instance>>;
+    struct Placement;
+    MaterialSlot make_slot(const Material& material, TextureStore::Slots& textures,
+                           const Progress& progress);
+    MeshSlot make_mesh(const Mesh& mesh);
+    Placement placement(const Instances& instances, const std::vector<MeshSlot>& meshes,
+                        std::size_t materials) const;
+    void place(Placement placement) noexcept;
+    void set_instances(Instances instances);
+    std::size_t checked(int id, std::size_t count, const char* what) const;
+
+    const Context& context_;
+    std::string name_ = "scene";
+    TextureStore textures_;
+    std::vector<MaterialSlot> materials_;
+    std::vector<MeshSlot> meshes_;
+    Instances instances_;
+    std::vector<Light> light_list_;
+    std::shared_ptr<const Environment> environment_source_;  // the ground's sky is found in it
+    std::unique_ptr<EnvironmentMaps> environment_;
+
+    std::vector<DrawItem> items_;  // of the instances that are there
+    Bounds bounds_;
+    std::size_t triangles_ = 0;
+    LightUniforms lights_;
+    ShadowMaps shadows_;
+    Ground ground_;
+    UploadCounts uploads_;
+};
+
+}  // namespace burnish::gpu

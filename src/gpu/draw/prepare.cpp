@@ -1,0 +1,205 @@
+// What frames need before they are drawn, and the programs they are drawn with.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "gpu/device/albedo_tables.hpp"
+#include "gpu/draw/passes.hpp"
+
+namespace burnish::gpu {
+namespace {
+
+// Deferred shading pays below this average size of a triangle, in pixels of the picture. Measured
+// on llvmpipe, which shades blocks of 4 x 4 pixels: a triangle of 40 pixels costs forward shading
+// about twice its pixels. Tabulated materials cost more a pixel.
+constexpr double kSoftwarePixels = 40.0;
+constexpr double kSoftwareTabulatedPixels = 400.0;
+// Hardware shades blocks of 2 x 2 pixels: a triangle of 8 pixels costs about twice its pixels,
+// counted from its outline (8 pixels inside touch 4 to 5 blocks). Not measured.
+constexpr double kHardwarePixels = 8.0;
+
+Program& of(ProgramCache& programs, bool wait, const char* vertex, const char* fragment,
+            const std::string& defines) {
+    return wait ? programs.get(vertex, fragment, defines)
+                : programs.start(vertex, fragment, defines);
+}
+
+}  // namespace
+
+bool Painter::shows_environment(const Frame& frame) const {
+    return scene_.environment() != nullptr &&
+           frame.options->background == BackgroundKind::environment;
+}
+
+bool Painter::sees_ground(const Frame& frame) {
+    return frame.options->ground && frame.variant != ShadingVariant::gouraud &&
+           scene_.ground().faces(frame.view.eye);
+}
+
+bool Painter::defers(const Frame& frame, bool shape) const {
+    if (frame.variant == ShadingVariant::gouraud) return false;
+    if (frame.options->surface_pass != SurfacePass::automatic) {
+        return frame.options->surface_pass == SurfacePass::deferred;
+    }
+    const double pixels =
+        static_cast<double>(frame.options->width) * static_cast<double>(frame.options->height);
+    const double per_triangle = !context_.is_software() ? kHardwarePixels
+                                : shape                 ? kSoftwareTabulatedPixels
+                                                        : kSoftwarePixels;
+    return static_cast<double>(scene_.triangles()) * per_triangle > pixels;
+}
+
+Painter::Needs Painter::needs_of(const Frame& frame) {
+    Needs needs;
+    needs.shape = scene_.any_tabulated();
+    needs.defers = defers(frame, needs.shape);
+    needs.shadows = frame.options->shadows && scene_.shadows().count() > 0 &&
+                    frame.variant != ShadingVariant::gouraud;
+    needs.position = scene_.lights().any_positional() || needs.shadows;
+    needs.ground = sees_ground(frame);
+    needs.frame = new_uniform_version();
+    const std::pair<int, bool> settings{frame.options->samples, frame.options->filter_cloth};
+    if (settings_version_ == 0 || settings != material_settings_) {
+        material_settings_ = settings;
+        settings_version_ = new_uniform_version();
+    }
+    needs.settings = settings_version_;
+    return needs;
+}
+
+SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot, bool color) const {
+    SurfaceVariant v = frame.variant == ShadingVariant::full ? slot.full : slot.flat;
+    v.vertex_color = color;
+    v.lights = scene_.lights().count();
+    v.position = needs_.position;
+    v.shadow_maps = needs_.shadows ? scene_.shadows().count() : 0;
+    if (frame.light_count == LightCount::at_run_time && v.lights > 0) {
+        v.light_count_at_run_time = true;
+        v.lights = static_cast<int>(kMostLights);
+        if (v.shadow_maps > 0) v.shadow_maps = kMostShadowMaps;
+    }
+    const bool lit = scene_.environment() != nullptr && frame.options->environment_intensity > 0.0f;
+    v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
+    return v;
+}
+
+bool Painter::can_defer(const Frame& frame, const DrawItem& item) const {
+    // 254: the stencil has one number a material.
+    return item.material < 254 &&
+           variant_of(frame, scene_.material(item.material), scene_.mesh(item.mesh).has_color())
+               .can_resolve();
+}
+
+Program& Painter::plain_program(const char* vertex, const char* fragment, bool wait) {
+    return of(context_.programs(), wait, vertex, fragment, "");
+}
+
+Program& Painter::surface_program(MaterialSlot& slot, const SurfaceVariant& variant, bool resolve,
+                                  bool wait) {
+    const auto found = std::ranges::find_if(slot.programs, [&](const PreparedProgram& p) {
+        return p.resolve == resolve && p.variant == variant;
+    });
+    if (found != slot.programs.end()) {
+        if (wait) found->program->finish();
+        return *found->program;
+    }
+    Program& program = of(context_.programs(), wait, resolve ? "fullscreen.vert" : "surface.vert",
+                          resolve ? "resolve.frag" : "surface.frag", variant.defines());
+    slot.programs.push_back({variant, resolve, &program});
+    return program;
+}
+
+Program& Painter::gbuffer_program(const MaterialSlot& slot, bool wait) {
+    std::string defines = needs_.position ? "#define POSITION\n" : "";
+    if (needs_.shape) defines += "#define SHAPE\n";
+    if (slot.material.double_sided) defines += "#define DOUBLE_SIDED\n";
+    return of(context_.programs(), wait, "surface.vert", "gbuffer.frag", defines);
+}
+
+Program& Painter::gouraud_program(bool wait) {
+    std::string defines = "#define LIGHTS " + std::to_string(scene_.lights().count()) + "\n";
+    if (scene_.lights().any_positional()) defines += "#define POSITION\n";
+    return of(context_.programs(), wait, "gouraud.vert", "gouraud.frag", defines);
+}
+
+// Everything that paint() will ask for, sent to the compiler.
+void Painter::start_programs(const Frame& frame, std::vector<Program*>& programs) {
+    programs.push_back(&plain_program("fullscreen.vert", "accumulate.frag", false));
+    if (needs_.shadows || frame.options->ground)
+        programs.push_back(&plain_program("surface.vert", "shadow.frag", false));
+    if (shows_environment(frame))
+        programs.push_back(&plain_program("fullscreen.vert", "background.frag", false));
+    if (frame.variant == ShadingVariant::gouraud) {
+        programs.push_back(&gouraud_program(false));
+        return;
+    }
+    std::set<std::pair<int, bool>> done;  // material, and whether its mesh has colors
+    for (const DrawItem& item : scene_.items()) {
+        const bool color = scene_.mesh(item.mesh).has_color();
+        if (!done.emplace(item.material, color).second) continue;
+        MaterialSlot& slot = scene_.material(item.material);
+        const bool resolve = needs_.defers && can_defer(frame, item);
+        programs.push_back(&surface_program(slot, variant_of(frame, slot, color), resolve, false));
+        if (resolve) programs.push_back(&gbuffer_program(slot, false));
+    }
+}
+
+void Painter::prepare_programs(const Frame& frame, const Progress& progress) {
+    std::vector<Program*> programs;
+    start_programs(frame, programs);
+    std::erase_if(programs, [](const Program* program) { return program->is_finished(); });
+    const std::size_t count = programs.size();
+    while (!programs.empty()) {
+        progress.step("shaders",
+                      1.0 - static_cast<double>(programs.size()) / static_cast<double>(count));
+        // Those first that the compiler's threads are done with; without such threads the last.
+        auto next = programs.end();
+        if (context_.programs().parallel())
+            next =
+                std::ranges::find_if(programs, [](const Program* p) { return p->is_compiled(); });
+        if (next == programs.end()) --next;
+        (*next)->finish();
+        programs.erase(next);
+    }
+}
+
+void Painter::prepare_tables(const Frame& frame, const Progress& progress) {
+    const ImageLight light = frame.options->image_light;
+    EnvironmentMaps* environment = scene_.environment();
+    const bool blurred = light == ImageLight::prefiltered || light == ImageLight::bent_normal;
+    if (environment != nullptr && blurred && !environment->has_lobes()) {
+        progress.step("blurred environment", 0.0);
+        environment->require_lobes(context_.programs(), empty_.get());
+    }
+    for (const MaterialSlot& slot : scene_.materials()) {
+        const Material& m = slot.material;
+        if (slot.tabulated && environment != nullptr && light == ImageLight::importance) {
+            slot.tabulated->require_draws();
+        }
+        if (slot.tabulated || light != ImageLight::prefiltered || !has_half_vectors(m.brdf))
+            continue;
+        if (context_.albedos().has(m.brdf, m.mdf)) continue;
+        progress.step("albedo tables", 0.0);
+        context_.albedos().require(m.brdf, m.mdf);
+    }
+}
+
+void Painter::prepare_ground(const Frame& frame, const Progress& progress) {
+    const RenderSettings& o = *frame.options;
+    Ground::require_programs(context_.programs(), scene_.lights());
+    // An environment that is shown but lights nothing casts no shadow either.
+    const bool lit = o.image_light != ImageLight::off;
+    scene_.ground().require(
+        context_.programs(), empty_.get(), scene_.lights(),
+        {lit ? o.environment_intensity : 0.0f, o.environment_rotation},
+        [&](const glm::mat4& clip) { draw_casters(clip); }, progress);
+}
+
+void Painter::prepare(const Frame& frame, bool ground, const Progress& progress) {
+    needs_ = needs_of(frame);
+    prepare_programs(frame, progress);
+    prepare_tables(frame, progress);
+    if (ground) prepare_ground(frame, progress);
+}
+
+}  // namespace burnish::gpu

@@ -1,0 +1,178 @@
+// Long preparations: done off the frame, cancelled at any step, failed; the renderer then draws
+// what it drew.
+#include <functional>
+#include <set>
+#include <string>
+
+#include "edited_scenes.hpp"
+#include "gpu/device/albedo_tables.hpp"
+#include "gpu/device/program.hpp"
+#include "gpu_fixture.hpp"
+#include "maps/weave/draft.hpp"
+
+namespace burnish::test {
+namespace {
+
+using gpu::Renderer;
+
+class Prepare : public GpuTest {
+  protected:
+    // Everything that is prepared: blurred environment, albedo tables, shadow on the ground.
+    static RenderSettings costly() {
+        RenderSettings o = small_picture(40, 30, 1);
+        o.image_light = ImageLight::prefiltered;
+        o.ground = true;
+        o.shadows = true;
+        return o;
+    }
+    static Camera camera() {
+        Camera above = camera_on_z(4.0f, 1.1f);
+        above.position = {0.0f, 2.0f, 4.0f};
+        return above;
+    }
+    static Image sample(Renderer& renderer) {
+        renderer.add_sample();
+        return renderer.picture();
+    }
+
+    // Calls `work` with a progress that is cancelled at its first step, then at its second, and so
+    // on until it is done; `check` after each. Returns the stages.
+    static std::set<std::string> cancel_everywhere(const std::function<void(const Progress&)>& work,
+                                                   const std::function<void()>& check) {
+        std::set<std::string> stages;
+        for (int at = 1;; ++at) {
+            const CancelToken token;
+            int steps = 0;
+            const Progress progress(
+                [&](std::string_view stage, double) {
+                    stages.emplace(stage);
+                    if (++steps == at) token.cancel();
+                },
+                token);
+            try {
+                work(progress);
+                if (!token.cancelled()) return stages;
+            } catch (const Interrupted&) {
+            }
+            check();
+        }
+    }
+
+    Environment sky_ = sky_environment();
+};
+
+TEST_F(Prepare, CancelledAnywhereLeavesTheSeriesInProgress) {
+    Scene scene = busy_scene();
+    Renderer renderer(*context, scene, &sky_);
+    RenderSettings plain = small_picture(40, 30, 64);
+    plain.image_light_samples = 4;
+    renderer.begin(camera(), plain);
+    Renderer beside(*context, scene, &sky_);
+    beside.begin(camera(), plain);
+    const auto stages =
+        cancel_everywhere([&](const Progress& p) { renderer.prepare(costly(), p); },
+                          [&] { EXPECT_TRUE(equal_pictures(sample(renderer), sample(beside))); });
+    EXPECT_TRUE(stages.contains("shaders"));
+    EXPECT_TRUE(stages.contains("blurred environment"));
+    EXPECT_TRUE(stages.contains("shadow on the ground"));
+    // Once prepared, no frame compiles or makes anything.
+    const std::size_t compiled = context->programs().size();
+    renderer.begin(camera(), costly());
+    const Image found = sample(renderer);
+    EXPECT_EQ(context->programs().size(), compiled);
+    Renderer fresh(*context, scene, &sky_);
+    fresh.begin(camera(), costly());
+    EXPECT_TRUE(equal_pictures(found, sample(fresh)));
+}
+
+TEST_F(Prepare, CancelledKeepsTheShadowOfTheSkyThatWasThere) {
+    const Scene scene = busy_scene();
+    Renderer renderer(*context, scene, &sky_);
+    renderer.begin(camera(), costly());
+    Renderer beside(*context, scene, &sky_);
+    beside.begin(camera(), costly());
+    RenderSettings rotated = costly();
+    rotated.environment_rotation = 1.0f;
+    cancel_everywhere([&](const Progress& p) { renderer.prepare(rotated, p); },
+                      [&] { EXPECT_TRUE(equal_pictures(sample(renderer), sample(beside))); });
+}
+
+TEST_F(Prepare, EditsCancelledAnywhereChangeNothing) {
+    Scene scene = busy_scene();
+    Renderer renderer(*context, scene, &sky_);
+    RenderSettings o = small_picture(40, 30, 2);
+    o.image_light_samples = 4;
+    const Image before = renderer.render(camera(), o);
+    const auto unchanged = [&] {
+        EXPECT_TRUE(equal_pictures(renderer.render(camera(), o), before));
+    };
+    Scene other = busy_scene();
+    other.textures[0] = bump_texture(64, 3, 0.4f);
+    other.textures[1] = constant_texture({1, 0, 1});
+    other.materials[0].normal_filter = NormalFilter::mips;
+    Cloth plain;
+    plain.alpha = {0.5f, 0.2f};
+    plain.draft = std::make_shared<Draft>(builtin_draft("plain"));
+    other.materials[1].lobe = plain;
+    const Environment dim = constant_environment({0.2f, 0.1f, 0.3f});
+
+    const auto environment = cancel_everywhere(
+        [&](const Progress& p) { renderer.set_environment(&dim, p); }, [&] { unchanged(); });
+    EXPECT_TRUE(environment.contains("environment"));
+    renderer.set_environment(&sky_);
+    unchanged();
+    const auto material = cancel_everywhere(
+        [&](const Progress& p) { renderer.update_material(1, other.materials[1], p); },
+        [&] { unchanged(); });
+    EXPECT_TRUE(material.contains("weaves"));
+    renderer.update_material(1, scene.materials[1]);
+    unchanged();
+    const auto whole = cancel_everywhere([&](const Progress& p) { renderer.set_scene(other, p); },
+                                         [&] { unchanged(); });
+    EXPECT_TRUE(whole.contains("textures") && whole.contains("meshes"));
+    Renderer fresh(*context, other, &sky_);
+    EXPECT_TRUE(equal_pictures(renderer.render(camera(), o), fresh.render(camera(), o)));
+}
+
+TEST_F(Prepare, FailedLeavesTheRendererDrawing) {
+    Scene scene = busy_scene();
+    Renderer renderer(*context, scene, &sky_);
+    RenderSettings o = small_picture(40, 30, 1);
+    renderer.begin(camera(), o);
+    const Image before = sample(renderer);
+    const Progress failing([](std::string_view, double) { throw Error("the device has gone"); });
+    EXPECT_THROW(renderer.prepare(costly(), failing), Error);
+    EXPECT_THROW(renderer.set_environment(&sky_, failing), Error);
+    EXPECT_THROW(renderer.set_scene(scene, failing), Error);
+    renderer.begin(camera(), o);
+    EXPECT_TRUE(equal_pictures(sample(renderer), before));
+}
+
+TEST_F(Prepare, OneRenderCanBeCancelledAndAnotherNot) {
+    const Scene scene = busy_scene();
+    Renderer renderer(*context, scene, nullptr);
+    const CancelToken first, second;
+    first.cancel();
+    const RenderSettings o = small_picture(16, 16, 2);
+    EXPECT_THROW(renderer.render(camera(), o, Progress(first)), Interrupted);
+    EXPECT_NO_THROW(renderer.render(camera(), o, Progress(second)));
+}
+
+TEST_F(Prepare, AlbedoTablesAreOfTheContext) {
+    const Scene scene = busy_scene();
+    RenderSettings o = small_picture(16, 16, 1);
+    o.image_light = ImageLight::prefiltered;
+    {
+        Renderer first(*context, scene, &sky_);
+        first.prepare(o);
+    }
+    EXPECT_TRUE(context->albedos().has(Brdf::microfacet, Mdf::ggx));
+    EXPECT_FALSE(context->albedos().has(Brdf::microfacet, Mdf::beckmann));
+    std::set<std::string> stages;
+    Renderer second(*context, scene, &sky_);
+    second.prepare(o, Progress([&](std::string_view stage, double) { stages.emplace(stage); }));
+    EXPECT_EQ(stages, (std::set<std::string>{"blurred environment"}));
+}
+
+}  // namespace
+}  // namespace burnish::test

@@ -1,0 +1,23 @@
+// Comparison of pictures in tests. One that fails leaves both pictures and their difference in the
+// folder failed_pictures of the build, and the message says where.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "burnish/image.hpp"
+
+namespace burnish::test {
+
+// Largest difference of two linear pictures of one size, relative to the larger of the value and
+// `floor`.
+double largest_difference(const Image& a, const Image& b, double floor);
+
+// Passes when largest_difference is below `tolerance`.
+testing::AssertionResult close_pictures(const Image& found, const Image& wanted, double floor,
+                                        double tolerance);
+
+// Passes when no value differs by more than `tolerance`.
+testing::AssertionResult equal_pictures(const Image& found, const Image& wanted,
+                                        double tolerance = 0.0);
+
+}  // namespace burnish::test
