@@ -5,12 +5,12 @@
 #include <string>
 
 #include "bench/frame/interleave.hpp"
+#include "burnish/render_settings.hpp"
 #include "formats/load_model.hpp"
 #include "gpu/device/context.hpp"
 #include "gpu/draw/renderer.hpp"
 #include "report.hpp"
 #include "stage/material_parameters.hpp"
-#include "burnish/render_settings.hpp"
 
 namespace burnish::bench {
 
