@@ -8,31 +8,31 @@
 namespace burnish {
 namespace {
 
-// All that was written before the loop happens before its ranges, and the ranges before the return.
-// oneTBB sees to that by atomics that the thread sanitizer does not see, because the library is not
-// compiled with it. Under the sanitizer these say the same.
+// The writes before a loop happen before its ranges, and the ranges happen before its return. oneTBB
+// orders them by atomics that the thread sanitizer does not see, because the library is not compiled
+// with it. Under the sanitizer, two counters of our own say the same: callers publish `begun`, which
+// ranges observe, and ranges publish `ended`, which callers observe. They are global, so that a range
+// observes the first before it reads anything of its caller.
 #if defined(__SANITIZE_THREAD__)
-class VisibleOrder {
-  public:
-    void observe() { static_cast<void>(count_.load(std::memory_order_acquire)); }
-    void publish() { count_.fetch_add(1, std::memory_order_acq_rel); }
-
-  private:
-    std::atomic<std::size_t> count_{0};
-};
+std::atomic<std::size_t> begun{0}, ended{0};
+void publish(std::atomic<std::size_t>& counter) {
+    counter.fetch_add(1, std::memory_order_acq_rel);
+}
+void observe(const std::atomic<std::size_t>& counter) {
+    static_cast<void>(counter.load(std::memory_order_acquire));
+}
 #else
-struct VisibleOrder {
-    void observe() {}
-    void publish() {}
-};
+constexpr int begun = 0, ended = 0;  // NOLINT(readability-identifier-naming)
+void publish(int) {}
+void observe(int) {}
 #endif
 
-struct Range {
-    explicit Range(VisibleOrder& order_) : order(order_) { order.observe(); }
-    Range(const Range&) = delete;
-    Range& operator=(const Range&) = delete;
-    ~Range() { order.publish(); }  // when the body throws as well
-    VisibleOrder& order;
+// The time in which a range runs; it ends when the body throws, too.
+struct RangeOrder {
+    RangeOrder() { observe(begun); }
+    RangeOrder(const RangeOrder&) = delete;
+    RangeOrder& operator=(const RangeOrder&) = delete;
+    ~RangeOrder() { publish(ended); }
 };
 
 }  // namespace
@@ -42,14 +42,14 @@ void parallel_for(std::size_t count, std::size_t grain,
     if (count == 0) return;
     grain = std::clamp<std::size_t>(grain, 1, count);
     const std::size_t ranges = (count - 1) / grain + 1;
-    VisibleOrder order;
-    order.publish();
-    oneapi::tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t range) {
-        const Range ordered(order);
+    const auto run = [&](std::size_t range) {
+        const RangeOrder order;
         const std::size_t begin = range * grain;
         body(begin, begin + std::min(grain, count - begin));
-    });
-    order.observe();
+    };
+    publish(begun);
+    oneapi::tbb::parallel_for(std::size_t{0}, ranges, run);
+    observe(ended);
 }
 
 }  // namespace burnish
