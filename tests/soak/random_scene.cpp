@@ -9,11 +9,11 @@
 #include <limits>
 
 #include "burnish/parameters.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/stage.hpp"
 #include "formats/environments.hpp"
 #include "maps/weave/draft.hpp"
 #include "scene/geometry/builtin_meshes.hpp"
-#include "burnish/render_settings.hpp"
-#include "burnish/stage.hpp"
 
 namespace burnish::soak {
 namespace {
