@@ -5,9 +5,9 @@
 #include <array>
 
 #include "bench/frame/frame_bench.hpp"
-#include "report.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "report.hpp"
 
 namespace burnish::bench {
 

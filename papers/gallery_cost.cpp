@@ -56,6 +56,7 @@ Estimate relative(const FrameCost& cost, const FrameCaseCost& in, std::string_vi
 
 plot::Panel bars_of(const FrameCost& cost, const FrameCaseCost& in) {
     std::vector<plot::Bar> bars;
+    bars.reserve(std::size(kTechniques));
     for (const char* name : kTechniques) {
         const Estimate e = relative(cost, in, name);
         bars.push_back({name, e.median, e.spread, fmt::format("{:.2f}", e.median)});
@@ -143,11 +144,12 @@ std::optional<GalleryPage> k12_table1(GalleryTools& tools) {
     GalleryPage page;
     page.drawn = true;
     page.figure.title = "K12 Table I: cost against Gouraud shading";
-    std::vector<plot::Bar> printed;
+    std::vector<plot::Bar> printed, here;
+    printed.reserve(kK12Table1.size());
+    here.reserve(kK12Table1.size());
     for (const PaperCost& paper : kK12Table1)
         printed.push_back({std::string(paper.label), paper.printed, 0,
                            fmt::format("{:.2f} ({:.0f} frames/s)", paper.printed, paper.fps)});
-    std::vector<plot::Bar> here;
     const FrameCaseCost& in = cost.cases.front();
     for (const PaperCost& paper : kK12Table1) {
         const Estimate e = relative(cost, in, paper.technique);

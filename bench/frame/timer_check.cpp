@@ -1,9 +1,10 @@
 #include "bench/frame/timer_check.hpp"
-#include "gpu/draw/renderer.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+
+#include "gpu/draw/renderer.hpp"
 
 namespace burnish {
 

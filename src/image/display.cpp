@@ -14,9 +14,9 @@ static_assert(static_cast<int>(ToneMap::linear) == f32::kToneMapLinear &&
               static_cast<int>(ToneMap::khronos_neutral) == f32::kToneMapKhronosNeutral);
 
 std::span<const std::string_view> tone_map_names() {
-    static constexpr std::array<std::string_view, 4> names = {"linear", "reinhard", "aces",
-                                                              "khronos-neutral"};
-    return names;
+    static constexpr std::array<std::string_view, 4> kNames = {"linear", "reinhard", "aces",
+                                                               "khronos-neutral"};
+    return kNames;
 }
 
 Image to_display(const Image& linear, double exposure_ev, ToneMap tone_map) {

@@ -207,6 +207,7 @@ void encode(const std::vector<ImagePart>& parts, const std::string& target,
         full_height = std::max(full_height, part.height);
     }
     std::vector<OIIO::ImageSpec> specs;
+    specs.reserve(parts.size());
     for (const ImagePart& part : parts) specs.push_back(spec_of(part, full_width, full_height));
     errno = 0;
     if (!output->open(target, static_cast<int>(specs.size()), specs.data())) unwritable();

@@ -72,7 +72,7 @@ class Reader {
     const std::string& name() const { return name_; }
 
     // The leading `channels` channels as texels of `type`.
-    std::vector<std::byte> read_pixels(int channels, OIIO::TypeDesc type) {
+    std::vector<std::byte> read_pixels(int channels, const OIIO::TypeDesc& type) {
         const auto row_bytes = static_cast<std::uint64_t>(spec_.width) *
                                static_cast<std::uint64_t>(channels) * type.size();
         const int tile = spec_.tile_width > 0 ? std::max(spec_.tile_height, 1) : 1;
@@ -98,7 +98,7 @@ class Reader {
     }
 
   private:
-    bool read_rows(int begin, int end, int channels, OIIO::TypeDesc type, std::byte* to) {
+    bool read_rows(int begin, int end, int channels, const OIIO::TypeDesc& type, std::byte* to) {
         if (spec_.tile_width > 0) {
             return input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
                                       spec_.z + 1, 0, channels, type, to);
@@ -257,7 +257,7 @@ Texture decode(const CheckedFile& file, ColorSpace color_space) {
         Reader reader(file);
         return decode(reader, color_space, true);
     }
-    const Texture texture = decode_subsampled_exr(file.bytes, file.name);
+    Texture texture = decode_subsampled_exr(file.bytes, file.name);
     require_finite(texture);
     return texture;
 }

@@ -41,8 +41,11 @@ struct Maths;
         static constexpr auto cosine_sample = ns::cosine_sample;                                 \
         static constexpr auto cosine_pdf = ns::cosine_pdf;                                       \
     };
+// The members stand for functions.
+// NOLINTBEGIN(readability-identifier-naming)
 BURNISH_MATHS_OF(f32, float)
 BURNISH_MATHS_OF(f64, double)
+// NOLINTEND(readability-identifier-naming)
 #undef BURNISH_MATHS_OF
 
 template <typename Float>

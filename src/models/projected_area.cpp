@@ -38,7 +38,7 @@ double beta_series(double a, double y) {
 // Continued fraction of the incomplete beta function B_x(a, 1/2) (Abramowitz & Stegun 26.5.8), by
 // Lentz's recurrence. Where it is used, 60 steps are twice what 1e-11 takes.
 double beta_fraction(double a, double x) {
-    constexpr double b = 0.5;
+    const double b = 0.5;
     double c = 1;
     double d = 1 / (1 - (a + b) * x / (a + 1));
     double value = d;

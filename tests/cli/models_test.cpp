@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <vector>
 
+#include "gpu/draw/renderer.hpp"
 #include "image/image_io.hpp"
 #include "pictures.hpp"
 #include "support/test_folder.hpp"
-#include "gpu/draw/renderer.hpp"
 
 namespace burnish::test {
 namespace {

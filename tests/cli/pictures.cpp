@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "burnish/error.hpp"
-#include "support/test_folder.hpp"
 #include "burnish/stage.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
+#include "support/test_folder.hpp"
 
 namespace burnish::test {
 namespace {

@@ -13,7 +13,7 @@
 namespace burnish::test {
 namespace {
 
-constexpr int kWidth = 37, kHeight = 22;  // odd: the last chroma sample stands for one column
+constexpr int kWidth = 38, kHeight = 22;  // even, as OpenEXR wants of subsampled pictures
 
 // Linear color that changes slowly, so that chroma at half the resolution loses little.
 Imf::Rgba color_at(int x, int y) {

@@ -16,10 +16,10 @@
 #include <string>
 
 #include "burnish/error.hpp"
+#include "gpu/device/context.hpp"
+#include "gpu/draw/renderer.hpp"
 #include "memory_use.hpp"
 #include "random_scene.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish::soak {
 namespace {

@@ -23,7 +23,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kBenchFooter = R"(
 Techniques: gouraud, aniso (the anisotropic lobe without the normal map), the methods of `burnish
 render --method` (normal-map, gram-schmidt, rotate-exact, rotate-approx, rotate-arc, follow-grain,
 deform-linear, deform-smooth), follow-grain under image light (image-importance, image-prefiltered,
@@ -45,7 +45,7 @@ Examples:
   burnish bench frame --size 1280x720,3840x2160 --triangles 4k,1M \
       --methods rotate-exact,rotate-approx --pairs 31 -o rotations.json)";
 
-struct Flags {
+struct BenchFlags {
     std::optional<std::string> sizes, triangles, methods, output;
     int pairs = 0;  // 0: not given
     int gl_device = -1;
@@ -104,7 +104,7 @@ int parse_triangles(const std::string& text) {
 }
 
 // Every mesh at every size where either is given; the other's default is the quick one.
-std::vector<FrameCase> cases_of(const Flags& flags) {
+std::vector<FrameCase> cases_of(const BenchFlags& flags) {
     if (!flags.sizes && !flags.triangles) return default_frame_cases(flags.quick);
     std::vector<Size> sizes;
     std::vector<int> meshes;
@@ -121,7 +121,7 @@ std::vector<FrameCase> cases_of(const Flags& flags) {
     return cases;
 }
 
-std::vector<Technique> techniques_of(const Flags& flags) {
+std::vector<Technique> techniques_of(const BenchFlags& flags) {
     if (!flags.methods) return {techniques().begin(), techniques().end()};
     std::vector<Technique> list;
     for (const std::string& name : split(*flags.methods))
@@ -129,7 +129,7 @@ std::vector<Technique> techniques_of(const Flags& flags) {
     return list;
 }
 
-void run(const Flags& flags, const Session& session) {
+void run_bench(const BenchFlags& flags, const Session& session) {
     FrameCostRequest request = default_frame_request(flags.quick);
     request.cases = cases_of(flags);
     request.techniques = techniques_of(flags);
@@ -152,7 +152,7 @@ void run(const Flags& flags, const Session& session) {
 void add_frame_command(CLI::App& bench, Session& session) {
     CLI::App* command = bench.add_subcommand(
         "frame", "Time a frame by technique, mesh and picture size, beside the papers' figures");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<BenchFlags>();
     command->add_option("-o,--output", flags->output, "OUT.json; OUT.md and OUT.svg lie beside it")
         ->type_name("FILE");
     command
@@ -173,8 +173,8 @@ void add_frame_command(CLI::App& bench, Session& session) {
     command->add_flag("--quick", flags->quick,
                       "4,096 and 102,400 triangles at 1280x720, short samples");
     add_gl_device(*command, flags->gl_device);
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kBenchFooter);
+    command->callback([flags, &session] { run_bench(*flags, session); });
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kColumns = R"(
+constexpr const char* kBrdfColumns = R"(
 Reads the columns
   brdf          the model, one of            p0       p1       p2       p3    p4
                   ashikhmin-shirley (2000)   e_x      e_y      F0
@@ -47,7 +47,7 @@ with directions in tangent space: x tangent, y bitangent, z normal. Adds
 void add_brdf_command(CLI::App& parent, Session& session) {
     CLI::App* brdf = parent.add_subcommand("brdf", "Reflection models");
     require_command(*brdf);
-    add_eval_command(*brdf, session, "Evaluate a model for every row of a table", kColumns,
+    add_eval_command(*brdf, session, "Evaluate a model for every row of a table", kBrdfColumns,
                      eval_brdf_table);
     add_brdf_fit_command(*brdf, session);
     add_brdf_plot_command(*brdf, session);

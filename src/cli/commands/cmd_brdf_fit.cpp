@@ -13,7 +13,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kBrdfFitFooter = R"(
 FILE is a measured material of the RGL database (.bsdf, colour or spectral). Each model is fitted
 with a Lambertian term by non-linear least squares: f = kd/pi + ks lobe, kd and ks for each colour,
 one lobe for all. What is made small is the root mean square over solid angle and colours of the
@@ -28,7 +28,7 @@ Examples:
   burnish brdf fit paper_white_rgb.bsdf
   burnish brdf fit satin.bsdf vinyl.bsdf --model ggx,cook-torrance,ward --metric log -o fits.json)";
 
-struct Flags {
+struct BrdfFitFlags {
     MeasuredFitRequest request;
     std::string models = "all", metric = "rms";
 };
@@ -37,7 +37,7 @@ struct Flags {
 
 void add_brdf_fit_command(CLI::App& brdf, Session& session) {
     CLI::App* command = brdf.add_subcommand("fit", "Fit measured materials by the models");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<BrdfFitFlags>();
     MeasuredFitRequest& request = flags->request;
     command->add_option("input", request.inputs, "measured materials")
         ->required()
@@ -60,7 +60,7 @@ void add_brdf_fit_command(CLI::App& brdf, Session& session) {
         ->type_name("DEG");
     command->add_option("-o,--output", request.output, "table to write, .csv or .json")
         ->type_name("FILE");
-    command->footer(kFooter);
+    command->footer(kBrdfFitFooter);
     command->callback([flags, &session] {
         MeasuredFitRequest& asked = flags->request;
         asked.models = parse_fit_models(flags->models, "--model");

@@ -12,7 +12,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kBrdfPlotFooter = R"(
 Lists are separated by commas. One roughness pair drives every model: what a model has no flag for
 comes from it, m = sqrt(alpha_x alpha_y), exponents 2/m^2 - 2, tau = 2 sigma/m; ks is 1, or
 (n + 2)/(2 pi) where it scales a power of a cosine, F0 is 1 unless --f0 says otherwise. A model can
@@ -31,14 +31,14 @@ Examples:
   burnish brdf plot --kind albedo --brdf ward,ward-duer,ward-gmd,ggx --alpha-x 0.15 --alpha-y 0.4 \
       -o albedo.svg)";
 
-struct Flags {
+struct BrdfPlotFlags {
     ParameterValues values;
     std::string brdf, kind = "polar", scale = "linear", incidence = "45", azimuth = "0", cut, high;
     std::string view_azimuth, view_elevation;
     OutputFlags output;
 };
 
-BrdfPlotRequest request_of(const Flags& flags, const Session& session) {
+BrdfPlotRequest request_of_brdf_plot(const BrdfPlotFlags& flags, const Session& session) {
     BrdfPlotRequest request;
     request.values = flags.values;
     request.brdfs = words_of(flags.brdf);
@@ -63,7 +63,7 @@ BrdfPlotRequest request_of(const Flags& flags, const Session& session) {
 
 void add_brdf_plot_command(CLI::App& brdf, Session& session) {
     CLI::App* command = brdf.add_subcommand("plot", "Draw reflection models, as .png or .svg");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<BrdfPlotFlags>();
     add_output_flags(*command, flags->output);
     const auto add = [&](const char* flag, std::string& target, const std::string& help,
                          const char* type) {
@@ -84,9 +84,9 @@ void add_brdf_plot_command(CLI::App& brdf, Session& session) {
         "NUMBER");
     add("--view-elevation", flags->view_elevation,
         "of the viewer above the surface [deg] (0 to 90; default 25)", "NUMBER");
-    command->footer(kFooter);
+    command->footer(kBrdfPlotFooter);
     command->callback([flags, &session] {
-        plot_brdf(request_of(*flags, session), session.progress());
+        plot_brdf(request_of_brdf_plot(*flags, session), session.progress());
         print_report({}, {flags->output.path});
     });
 }

@@ -18,7 +18,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kCaptureDirectionsFooter = R"(
 PICTUREs show one or more mirror balls under one light each, all from the same camera. --ball is a ball's
 outline: its middle and radius in pixels, counted from the top left corner of the picture. Several balls
 give the mean of their directions. Printed for each light: the direction, its angle theta from the normal
@@ -30,7 +30,7 @@ Examples:
   burnish capture directions ball/*.jpg --ball 412.5,388,160 --pictures sample/*.tif --width-mm 60 -o rig.json
   burnish capture directions p*.png --ball 200,190,90 --ball 1800,1210,92 -o rig.lp)";
 
-struct Flags {
+struct CaptureDirectionsFlags {
     std::vector<std::string> balls, circles, pictures;
     std::string output;
     RigFlags rig;
@@ -60,7 +60,7 @@ std::string describe(const FoundDirection& light, bool several) {
                        several ? fmt::format(", balls {:.1f} deg apart", light.apart_deg) : "");
 }
 
-void run(const Flags& flags, const Session& session) {
+void run_capture_directions(const CaptureDirectionsFlags& flags, const Session& session) {
     CaptureDirectionsRequest request;
     request.balls.assign(flags.balls.begin(), flags.balls.end());
     request.pictures.assign(flags.pictures.begin(), flags.pictures.end());
@@ -80,7 +80,7 @@ void run(const Flags& flags, const Session& session) {
 void add_capture_directions_command(CLI::App& capture, Session& session) {
     CLI::App* command = capture.add_subcommand(
         "directions", "Find where lights stood from pictures of mirror balls");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<CaptureDirectionsFlags>();
     command->add_option("balls", flags->balls, "pictures of the balls, one a light, in order")
         ->required()
         ->type_name("PICTURE");
@@ -96,8 +96,8 @@ void add_capture_directions_command(CLI::App& capture, Session& session) {
         ->required()
         ->type_name("RIG");
     flags->rig.add_to_new(*command);
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kCaptureDirectionsFooter);
+    command->callback([flags, &session] { run_capture_directions(*flags, session); });
 }
 
 }  // namespace burnish::cli

@@ -17,7 +17,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kCaptureFitFooter = R"(
 STACK is a rig file (JSON of ours, .lp or .dome) whose lights name pictures of one flat sample from one
 camera: docs/reference/rig-file.md. MATERIAL (.exr) is a tabulated material: distributions of microfacet normals, and
 for each texel which it has, turned by how much, with diffuse and specular colour. It renders with
@@ -29,7 +29,7 @@ Examples:
   burnish capture fit sample/rig.json -o sample.exr --eta 1.5
   burnish capture fit dome/lights.lp -o coin.exr --camera 0,-1,1 --width-mm 40 --hold-out 10)";
 
-struct Flags {
+struct CaptureFitFlags {
     CaptureFitRequest request;
     RigFlags rig;
     std::string grid, until, output;
@@ -38,7 +38,7 @@ struct Flags {
     bool no_models = false;
 };
 
-void set_grid(Flags& flags) {
+void set_grid(CaptureFitFlags& flags) {
     if (flags.grid.empty()) return;
     const std::size_t at = flags.grid.find('x');
     NdfGrid& grid = flags.request.settings.grid;
@@ -50,7 +50,7 @@ void set_grid(Flags& flags) {
         throw UsageError("--grid", "azimuths", "a multiple of 24", fmt::to_string(grid.azimuths));
 }
 
-void set_fresnel(Flags& flags) {
+void set_fresnel(CaptureFitFlags& flags) {
     if (flags.eta >= 0.0 && flags.f0 >= 0.0)
         throw UsageError("--eta and --f0 say the same thing in two ways: give one of them");
     auto& eta = flags.request.settings.eta;
@@ -98,7 +98,7 @@ std::string describe(const CaptureFitResult& r, const CaptureFitRequest& request
     return text;
 }
 
-void run(Flags& flags, const Session& session) {
+void run_capture_fit(CaptureFitFlags& flags, const Session& session) {
     CaptureFitRequest& request = flags.request;
     request.overrides = flags.rig.overrides();
     set_grid(flags);
@@ -123,7 +123,7 @@ void run(Flags& flags, const Session& session) {
 
 void add_capture_fit_command(CLI::App& capture, Session& session) {
     CLI::App* command = capture.add_subcommand("fit", "Fit a material to a stack of pictures");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<CaptureFitFlags>();
     CaptureFitRequest& request = flags->request;
     CaptureFitSettings& settings = request.settings;
     command->add_option("stack", request.stack, "a rig file whose lights name pictures")
@@ -157,8 +157,8 @@ void add_capture_fit_command(CLI::App& capture, Session& session) {
                      "stop after this stage: pictures, exemplars or texels")
         ->type_name("STAGE");
     command->add_flag("--keep-stages", request.keep_stages, "leave MATERIAL.stages for later runs");
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kCaptureFitFooter);
+    command->callback([flags, &session] { run_capture_fit(*flags, session); });
 }
 
 }  // namespace burnish::cli

@@ -13,7 +13,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kCaptureRelightFooter = R"(
 Writes into DIR: 0000.exr, 0001.exr ... (linear, in the units of the rig's intensities), rig.json, which
 names them; with --compare also compare.csv. A light of the rig that has a camera is seen from there.
 PSNR is relative to the brightest sample of the stack that is not clipped. --response, --camera, --flip-y
@@ -23,7 +23,7 @@ Examples:
   burnish capture relight brass.exr --rig dome.json -o relit
   burnish capture relight brass.exr --rig capture/rig.json --compare capture/rig.json -o relit)";
 
-struct Flags {
+struct CaptureRelightFlags {
     CaptureRelightRequest request;
     std::string material, rig, compare, output;
     RigFlags rig_flags;
@@ -48,7 +48,7 @@ std::string describe(const StackError& error, bool each_light) {
     return out;
 }
 
-void run(Flags& flags, const Session& session) {
+void run_capture_relight(CaptureRelightFlags& flags, const Session& session) {
     CaptureRelightRequest& request = flags.request;
     request.material = flags.material;
     request.rig = flags.rig;
@@ -68,7 +68,7 @@ void run(Flags& flags, const Session& session) {
 void add_capture_relight_command(CLI::App& capture, Session& session) {
     CLI::App* command =
         capture.add_subcommand("relight", "Render a fitted material under the lights of a rig");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<CaptureRelightFlags>();
     command->add_option("material", flags->material, "of burnish capture fit")
         ->required()
         ->type_name("MATERIAL");
@@ -85,8 +85,8 @@ void add_capture_relight_command(CLI::App& capture, Session& session) {
     command->add_flag("--each-light", flags->each_light, "print the error of every light, too")
         ->needs(compare);
     flags->rig_flags.add_to(*command);
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kCaptureRelightFooter);
+    command->callback([flags, &session] { run_capture_relight(*flags, session); });
 }
 
 }  // namespace burnish::cli

@@ -12,7 +12,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kCaptureReportFooter = R"(
 Writes into DIR: index.html, which opens from disk and needs no scripts and no network, and its pictures:
 what the lights cover, the exemplars before and after completion, maps, three pictures of lights beside
 what the material and Ward's models make of them, and renderings. STACK is the rig that the material was
@@ -24,14 +24,14 @@ Examples:
   burnish capture fit sample/rig.json -o sample.exr --hold-out 10
   burnish capture report sample.exr --stack sample/rig.json -o report)";
 
-struct Flags {
+struct CaptureReportFlags {
     CaptureReportRequest request;
     std::string material, stack, output;
     RigFlags rig;
     int hold_out = 0;
 };
 
-void run(Flags& flags, bool hold_out, const Session& session) {
+void run_capture_report(CaptureReportFlags& flags, bool hold_out, const Session& session) {
     CaptureReportRequest& request = flags.request;
     request.material = flags.material;
     request.stack = flags.stack;
@@ -49,7 +49,7 @@ void run(Flags& flags, bool hold_out, const Session& session) {
 
 void add_capture_report_command(CLI::App& capture, Session& session) {
     CLI::App* command = capture.add_subcommand("report", "Show a capture and its fit as a page");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<CaptureReportFlags>();
     command->add_option("material", flags->material, "of burnish capture fit")
         ->required()
         ->type_name("MATERIAL");
@@ -67,8 +67,10 @@ void add_capture_report_command(CLI::App& capture, Session& session) {
         ->type_name("MODEL");
     flags->rig.add_to(*command);
     add_gl_device(*command, flags->request.gl_device);
-    command->footer(kFooter);
-    command->callback([flags, hold_out, &session] { run(*flags, hold_out->count() > 0, session); });
+    command->footer(kCaptureReportFooter);
+    command->callback([flags, hold_out, &session] {
+        run_capture_report(*flags, hold_out->count() > 0, session);
+    });
 }
 
 }  // namespace burnish::cli

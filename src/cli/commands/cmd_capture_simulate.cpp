@@ -16,7 +16,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kCaptureSimulateFooter = R"(
 Writes DIR/images, DIR/rig.json (the stack, for `burnish capture fit`) and DIR/truth. The pictures are
 made from the analytic distributions in double precision, never from tables. Noise has a standard
 deviation of PERCENT of a pixel plus 2 % of a white diffuser. docs/guide/capture.md has more.
@@ -28,7 +28,7 @@ Examples:
 
 constexpr std::array<std::string_view, 3> kFormats = {"exr", "png16", "png8"};
 
-struct Flags {
+struct CaptureSimulateFlags {
     CaptureSimulateRequest request;
     std::string size = "64", lights, format = "exr", output;
     double noise_percent = 0.0;
@@ -40,7 +40,7 @@ void require_range(double value, double low, double high, const char* flag) {
     throw UsageError(flag, "", fmt::format("{} to {}", low, high), fmt::format("{}", value));
 }
 
-void set_lights(Flags& flags) {
+void set_lights(CaptureSimulateFlags& flags) {
     if (flags.lights.empty()) return;
     CaptureSimulateRequest& request = flags.request;
     const std::size_t at = flags.lights.find('x');
@@ -54,7 +54,7 @@ void set_lights(Flags& flags) {
                         : whole_number(flags.lights.substr(at + 1), {1, 1000}, "--lights");
 }
 
-void run(Flags& flags, const Session& session) {
+void run_capture_simulate(CaptureSimulateFlags& flags, const Session& session) {
     CaptureSimulateRequest& request = flags.request;
     const std::size_t at = flags.size.find('x');
     constexpr IntegerRange kPixels = {1, 8192};
@@ -87,7 +87,7 @@ void run(Flags& flags, const Session& session) {
 void add_capture_simulate_command(CLI::App& capture, Session& session) {
     CLI::App* command =
         capture.add_subcommand("simulate", "Make pictures of a sample that is known");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<CaptureSimulateFlags>();
     CaptureSimulateRequest& request = flags->request;
     std::string names;
     for (const VirtualPreset& preset : virtual_presets())
@@ -131,8 +131,8 @@ void add_capture_simulate_command(CLI::App& capture, Session& session) {
     command->add_option("--format", flags->format, "exr, png16 (linear) or png8 (sRGB)")
         ->capture_default_str()
         ->type_name("NAME");
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kCaptureSimulateFooter);
+    command->callback([flags, &session] { run_capture_simulate(*flags, session); });
 }
 
 }  // namespace burnish::cli

@@ -13,7 +13,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kGalleryFooter = R"(
 Writes into DIR a picture for every figure (and an SVG, where it is a plot), gallery.json with all that
 was measured, and index.html, which opens from disk.
 
@@ -23,7 +23,7 @@ Examples:
   burnish gallery k11-fig9 k12-fig10 -o gallery
   burnish gallery b12-measured --measured folder/of/bsdf -o gallery)";
 
-struct Flags {
+struct GalleryFlags {
     GalleryRequest request;
     std::string output, measured;
     bool list = false;
@@ -36,7 +36,7 @@ void list_figures() {
     print(text);
 }
 
-void run(Flags& flags, const Session& session) {
+void run_gallery(GalleryFlags& flags, const Session& session) {
     if (flags.list) return list_figures();
     if (flags.output.empty()) throw UsageError("-o", "", "a folder to write into", "none");
     GalleryRequest& request = flags.request;
@@ -51,7 +51,7 @@ void run(Flags& flags, const Session& session) {
 
 void add_gallery_command(CLI::App& parent, Session& session) {
     CLI::App* command = parent.add_subcommand("gallery", "Make the figures of the papers again");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<GalleryFlags>();
     command->add_option("ids", flags->request.ids, "figures, by the ids of --list; none: all")
         ->type_name("ID");
     command->add_option("-o,--output", flags->output, "folder to write into; made when needed")
@@ -63,8 +63,8 @@ void add_gallery_command(CLI::App& parent, Session& session) {
                      "folder of RGL materials (.bsdf) for b12-measured")
         ->type_name("DIR");
     add_gl_device(*command, flags->request.gl_device);
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kGalleryFooter);
+    command->callback([flags, &session] { run_gallery(*flags, session); });
 }
 
 }  // namespace burnish::cli

@@ -9,7 +9,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kColumns = R"(
+constexpr const char* kMdfColumns = R"(
 Reads the columns
   mdf           ashikhmin-shirley, ward, beckmann or ggx
   p0, p1        e_x, e_y (0 to 1000000) for ashikhmin-shirley;
@@ -30,7 +30,7 @@ both in the unperturbed tangent space: x tangent, y bitangent, z normal. Adds
 void add_mdf_command(CLI::App& parent, Session& session) {
     CLI::App* mdf = parent.add_subcommand("mdf", "Microfacet distributions under a bent normal");
     require_command(*mdf);
-    add_eval_command(*mdf, session, "Evaluate a distribution for every row of a table", kColumns,
+    add_eval_command(*mdf, session, "Evaluate a distribution for every row of a table", kMdfColumns,
                      eval_mdf_table);
     add_mdf_plot_command(*mdf, session);
 }

@@ -11,7 +11,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kMdfPlotFooter = R"(
 Lists are separated by commas. --tilt and --azimuth give a normal for every pair of their values;
 with neither and no --normal the normal is tilted by 30 degrees at azimuth 40.
 
@@ -27,7 +27,7 @@ Examples:
   burnish mdf plot --mdf ward --alpha-x 0.1 --alpha-y 0.5 --method rotate-exact --tilt 15,30,45,60 \
       -o ward.png)";
 
-struct Flags {
+struct MdfPlotFlags {
     ParameterValues values;
     std::string mdf = "ashikhmin-shirley", method = "none,normal-map,deform-smooth,follow-grain";
     std::string tilt, azimuth, kind = "disk", normalisation = "paper", scale = "linear", high,
@@ -36,7 +36,7 @@ struct Flags {
     OutputFlags output;
 };
 
-std::vector<Direction<double>> normals_of(const Flags& flags) {
+std::vector<Direction<double>> normals_of(const MdfPlotFlags& flags) {
     std::vector<Direction<double>> normals;
     for (const std::string& text : flags.normals) {
         const std::vector<double> v = numbers_of(text, "--normal", -1e6, 1e6);
@@ -63,7 +63,7 @@ Name name_in(const std::string& text, std::span<const std::string_view> names,
     return static_cast<Name>(index_of_name(names, text, kind, flag));
 }
 
-MdfPlotRequest request_of(const Flags& flags, const Session& session) {
+MdfPlotRequest request_of_mdf_plot(const MdfPlotFlags& flags, const Session& session) {
     MdfPlotRequest request;
     request.values = flags.values;
     for (const int i : indices_of(flags.mdf, mdf_names(), "distribution", "--mdf"))
@@ -89,7 +89,7 @@ MdfPlotRequest request_of(const Flags& flags, const Session& session) {
 
 void add_mdf_plot_command(CLI::App& mdf, Session& session) {
     CLI::App* command = mdf.add_subcommand("plot", "Draw distributions, as .png or .svg");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<MdfPlotFlags>();
     add_output_flags(*command, flags->output);
     const auto add = [&](const char* flag, std::string& target, const std::string& help,
                          const char* type) {
@@ -113,9 +113,9 @@ void add_mdf_plot_command(CLI::App& mdf, Session& session) {
     add("--scale", flags->scale, listed(plot::scale_names()) + " (default linear)", "NAME");
     add("--max", flags->high, "top of the scale (default: the largest peak)", "NUMBER");
     add("--point", flags->point, "of grid: p on the unit disk (default -0.25,0.45)", "X,Y");
-    command->footer(kFooter);
+    command->footer(kMdfPlotFooter);
     command->callback([flags, &session] {
-        plot_mdf(request_of(*flags, session), session.progress());
+        plot_mdf(request_of_mdf_plot(*flags, session), session.progress());
         print_report({}, {flags->output.path});
     });
 }

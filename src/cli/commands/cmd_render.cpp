@@ -31,7 +31,7 @@ Examples:
 Without a GPU a picture of the default size and samples takes about a minute on two cores;
 --samples 8 is a preview.)";
 
-struct Flags {
+struct RenderFlags {
     RenderRequest request;
     std::string output;
     std::string size;
@@ -55,7 +55,7 @@ std::string_view heading(ParameterGroup group) {
 }
 
 // One flag a row of the parameter table.
-void add_parameter_flags(CLI::App& command, const std::shared_ptr<Flags>& flags) {
+void add_parameter_flags(CLI::App& command, const std::shared_ptr<RenderFlags>& flags) {
     for (const Parameter& parameter : parameter_table())
         add_parameter_flag(command, parameter.name, flags->request.stage.values)
             ->group(std::string(heading(parameter.group)));
@@ -83,7 +83,7 @@ std::vector<Method> parse_methods(const std::string& list) {
     return methods;
 }
 
-void run(Flags& flags, const Session& session) {
+void run_render(RenderFlags& flags, const Session& session) {
     RenderRequest& request = flags.request;
     if (!flags.size.empty()) set_size(request.stage.values, flags.size);
     if (flags.compare) request.compare = parse_methods(*flags.compare);
@@ -97,7 +97,7 @@ void run(Flags& flags, const Session& session) {
 
 void add_render_command(CLI::App& parent, Session& session) {
     CLI::App* command = parent.add_subcommand("render", "Render a model or a scene file");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<RenderFlags>();
     RenderRequest& request = flags->request;
     command
         ->add_option("input", request.stage.input,
@@ -139,7 +139,7 @@ void add_render_command(CLI::App& parent, Session& session) {
     add_gl_device(*command, request.gl_device);
     add_parameter_flags(*command, flags);
     command->footer(kExamples);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->callback([flags, &session] { run_render(*flags, session); });
 }
 
 }  // namespace burnish::cli

@@ -21,7 +21,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kScratchFooter = R"(
 Lengths are millimetres on the surface, angles degrees, counter-clockwise. LENGTH, WIDTH, DEPTH and
 CURVATURE are a number, uniform:FROM:TO, normal:MEAN:SD or lognormal:MEDIAN:SIGMA. The flags of one
 layer change the first layer of the preset or file; --add-layer takes the same words without dashes.
@@ -114,7 +114,7 @@ const std::vector<LayerWord>& layer_words() {
     return words;
 }
 
-struct Flags {
+struct ScratchFlags {
     std::string output, preset, settings, wear_mask, direction_image;
     bool double_angle = false;
     std::optional<int> size;
@@ -154,7 +154,7 @@ ScratchLayer parse_layer(const std::string& text) {
     return layer;
 }
 
-ScratchRecipe base_recipe(const Flags& flags) {
+ScratchRecipe base_recipe(const ScratchFlags& flags) {
     if (!flags.preset.empty() && !flags.settings.empty())
         throw UsageError("--preset", "", "a preset or --settings, not both", "both");
     if (!flags.settings.empty()) return load_scratch_recipe(flags.settings);
@@ -169,7 +169,7 @@ ScratchRecipe base_recipe(const Flags& flags) {
     return recipe;
 }
 
-void change_first_layer(const Flags& flags, ScratchLayer& layer) {
+void change_first_layer(const ScratchFlags& flags, ScratchLayer& layer) {
     if (flags.words.contains("count") && flags.words.contains("density"))
         throw UsageError("--count", "", "a count or a --density, not both", "both");
     for (const LayerWord& word : layer_words()) {
@@ -187,7 +187,7 @@ void change_first_layer(const Flags& flags, ScratchLayer& layer) {
     }
 }
 
-ScratchRecipe recipe_of(const Flags& flags) {
+ScratchRecipe recipe_of(const ScratchFlags& flags) {
     ScratchRecipe recipe = base_recipe(flags);
     ScratchSettings& settings = recipe.settings;
     if (flags.size) settings.size = *flags.size;
@@ -210,13 +210,13 @@ ScratchRecipe recipe_of(const Flags& flags) {
     return recipe;
 }
 
-void run(const Flags& flags, const Session& session) {
+void run_scratch(const ScratchFlags& flags, const Session& session) {
     const ScratchRequest request{recipe_of(flags), flags.output, session.command_line()};
     const ScratchReport report = make_scratch_maps(request, session.progress());
     print_report(report.warnings, report.written);
 }
 
-void add_layer_flags(CLI::App& command, const std::shared_ptr<Flags>& flags) {
+void add_layer_flags(CLI::App& command, const std::shared_ptr<ScratchFlags>& flags) {
     for (const LayerWord& word : layer_words()) {
         const std::string name = word.name;
         command
@@ -237,7 +237,7 @@ void add_layer_flags(CLI::App& command, const std::shared_ptr<Flags>& flags) {
 
 void add_scratch_command(CLI::App& parent, Session& session) {
     CLI::App* command = parent.add_subcommand("scratch", "Make maps of scratched metal");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<ScratchFlags>();
     command->add_option("-o,--output", flags->output, "folder to write into; made when needed")
         ->required()
         ->type_name("DIR");
@@ -285,8 +285,8 @@ void add_scratch_command(CLI::App& parent, Session& session) {
     command->add_flag("--double-angle", flags->double_angle,
                       "the direction image holds cos 2a, sin 2a, as direction.png does");
     add_layer_flags(*command, flags);
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kScratchFooter);
+    command->callback([flags, &session] { run_scratch(*flags, session); });
 }
 
 }  // namespace burnish::cli

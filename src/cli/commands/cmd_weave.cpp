@@ -16,7 +16,7 @@
 namespace burnish::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kWeaveFooter = R"(
 Writes into DIR: height.exr (millimetres), height.png, normal.png (+y up), direction.png (fibres, double
 angle), color.png (sRGB), id.png (warp or weft, number of the yarn), draft.wif, preview.png, weave.json.
 The tile repeats without a seam. docs/reference/map-folders.md says what each holds.
@@ -28,7 +28,7 @@ Examples:
 constexpr IntegerRange kTexels = {16, 16384};
 constexpr IntegerRange kRepeats = {1, 4096};
 
-struct Flags {
+struct WeaveFlags {
     WeaveRequest request;
     std::string size, repeats, output;
 };
@@ -44,7 +44,7 @@ Pair parted(const std::string& text, char between) {
     return {text.substr(0, at), text.substr(at + 1)};
 }
 
-void run(Flags& flags, const Session& session) {
+void run_weave(WeaveFlags& flags, const Session& session) {
     WeaveRequest& request = flags.request;
     if (!flags.size.empty()) {
         const Pair size = parted(flags.size, 'x');
@@ -69,7 +69,7 @@ void run(Flags& flags, const Session& session) {
 
 void add_weave_command(CLI::App& parent, Session& session) {
     CLI::App* command = parent.add_subcommand("weave", "Make maps of woven cloth");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<WeaveFlags>();
     command
         ->add_option("weave", flags->request.weave,
                      fmt::format("{}, or a weaving draft (.wif)", fmt::join(draft_names(), ", ")))
@@ -93,8 +93,8 @@ void add_weave_command(CLI::App& parent, Session& session) {
         ->type_name("MM");
     for (const std::string_view name : weave_map_parameters())
         add_parameter_flag(*command, name, flags->request.values)->group("Yarns");
-    command->footer(kFooter);
-    command->callback([flags, &session] { run(*flags, session); });
+    command->footer(kWeaveFooter);
+    command->callback([flags, &session] { run_weave(*flags, session); });
 }
 
 }  // namespace burnish::cli

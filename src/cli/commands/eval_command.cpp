@@ -17,7 +17,7 @@ are written with the fewest digits that read back as the same number (at most 17
 f32). A row that cannot be evaluated is an error that names its line and column, and leaves an
 older output file untouched.)";
 
-struct Flags {
+struct EvalCommandFlags {
     EvalRequest request;
     std::string precision = "f64";
 };
@@ -28,7 +28,7 @@ void add_eval_command(CLI::App& parent, Session& session, const std::string& des
                       const std::string& columns,
                       std::function<void(const EvalRequest&, const Progress&)> evaluate) {
     CLI::App* command = parent.add_subcommand("eval", description);
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<EvalCommandFlags>();
     command->add_option("--in", flags->request.input, "table to read, CSV; - is standard input")
         ->required()
         ->type_name("FILE");

@@ -228,7 +228,6 @@ constexpr std::array kPresets = {
 double Spread::lowest() const {
     switch (shape) {
         case Shape::constant:
-            return a;
         case Shape::uniform:
             return a;
         case Shape::normal:

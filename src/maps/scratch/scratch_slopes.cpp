@@ -104,6 +104,7 @@ MomentLevel halved(int size, const Source& source) {
     const auto side = static_cast<std::size_t>(level.size);
     level.texels = zeros_on_large_pages<SlopeMoments>(side * side);
     std::vector<Taps> taps;
+    taps.reserve(side);
     for (int i = 0; i < level.size; ++i) taps.push_back(taps_of(i, size, level.size));
     parallel_for(side, 16, [&](std::size_t begin, std::size_t end) {
         auto reader = source();

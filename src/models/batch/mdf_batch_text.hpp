@@ -52,19 +52,19 @@ BURNISH_INLINE void evaluate(const RowLobe& lobe_of_row, bool conserve,
 // closed forms are compiled once less.
 inline void evaluate_rest(const MdfKernelCall<Scalar>& call, std::size_t first,
                           void (*evaluate_all)(const MdfKernelCall<Scalar>&)) {
-    constexpr std::size_t lanes = Float::size;
-    Scalar in[8][lanes], out[3][lanes];
+    constexpr std::size_t kLanes = Float::size;
+    Scalar in[8][kLanes], out[3][kLanes];
     const MdfKernelColumns<Scalar>& at = call.columns;
     const Scalar* columns[8] = {at.nx, at.ny, at.nz, at.hx, at.hy, at.hz, at.p0, at.p1};
     const std::size_t rest = call.count - first;
     for (std::size_t c = 0; c < 8; ++c) {
         const bool single = c >= 6 && call.one_lobe;
-        for (std::size_t i = 0; i < lanes; ++i) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
             in[c][i] = columns[c][single ? 0 : first + (i < rest ? i : rest - 1)];
         }
     }
     MdfKernelCall<Scalar> copy = call;
-    copy.count = lanes;
+    copy.count = kLanes;
     copy.columns = {in[6], in[7], in[0], in[1], in[2], in[3], in[4], in[5], out[0], out[1], out[2]};
     if (at.D == nullptr) copy.columns.D = copy.columns.D_proj = nullptr;
     evaluate_all(copy);
@@ -78,16 +78,16 @@ inline void evaluate_rest(const MdfKernelCall<Scalar>& call, std::size_t first,
 
 template <int mdf, int method>
 inline void evaluate_all(const MdfKernelCall<Scalar>& call) {
-    constexpr std::size_t lanes = Float::size;
+    constexpr std::size_t kLanes = Float::size;
     const MdfKernelColumns<Scalar> at = call.columns;
-    const std::size_t whole = call.count - call.count % lanes;
+    const std::size_t whole = call.count - call.count % kLanes;
     if (call.one_lobe && whole > 0) {
         const RowLobe lobe = row_lobe(mdf, Float(*at.p0), Float(*at.p1));
-        for (std::size_t row = 0; row < whole; row += lanes) {
+        for (std::size_t row = 0; row < whole; row += kLanes) {
             evaluate<mdf, method>(lobe, call.conserving, at, row);
         }
     } else {
-        for (std::size_t row = 0; row < whole; row += lanes) {
+        for (std::size_t row = 0; row < whole; row += kLanes) {
             const RowLobe lobe = row_lobe(mdf, Float::load_unaligned(at.p0 + row),
                                           Float::load_unaligned(at.p1 + row));
             evaluate<mdf, method>(lobe, call.conserving, at, row);

@@ -29,17 +29,17 @@ BURNISH_INLINE vec3 choose(Bool condition, vec3 a, vec3 b) {
 
 // IEEE numbers as integers.
 struct Layout {
-    static constexpr bool is_double = sizeof(Scalar) == sizeof(double);
-    using Integer = std::conditional_t<is_double, std::uint64_t, std::uint32_t>;
-    static constexpr int fraction_bits = is_double ? 52 : 23;
-    static constexpr Integer fraction = (Integer{1} << fraction_bits) - 1;
-    static constexpr Integer one = static_cast<Integer>(is_double ? 1023 : 127) << fraction_bits;
+    static constexpr bool kIsDouble = sizeof(Scalar) == sizeof(double);
+    using Integer = std::conditional_t<kIsDouble, std::uint64_t, std::uint32_t>;
+    static constexpr int kFractionBits = kIsDouble ? 52 : 23;
+    static constexpr Integer kFraction = (Integer{1} << kFractionBits) - 1;
+    static constexpr Integer kOne = static_cast<Integer>(kIsDouble ? 1023 : 127) << kFractionBits;
     // sqrt(1/2): where the series of the logarithm reaches equally far from 1, to both sides.
-    static constexpr Integer root_half =
-        static_cast<Integer>(is_double ? 0x3fe6a09e667f3bcd : 0x3f3504f3);
-    // 2^fraction_bits: an integer in its last bits is the number above it.
-    static constexpr Integer above_integers = static_cast<Integer>(is_double ? 1023 + 52 : 127 + 23)
-                                              << fraction_bits;
+    static constexpr Integer kRootHalf =
+        static_cast<Integer>(kIsDouble ? 0x3fe6a09e667f3bcd : 0x3f3504f3);
+    // 2^kFractionBits: an integer in its last bits is the number above it.
+    static constexpr Integer kAboveIntegers = static_cast<Integer>(kIsDouble ? 1023 + 52 : 127 + 23)
+                                              << kFractionBits;
 };
 using Integers = xsimd::batch<Layout::Integer>;
 
@@ -53,7 +53,7 @@ BURNISH_INLINE Float float_of(Integers bits) {
 // (2 atanh(s)/s - 2) / s^2 in w = s^2 <= 1/9, least maximum error: 3e-7 in float, 9e-17 in double,
 // of which a logarithm sees w/2.
 BURNISH_INLINE Float atanh_series(Float w) {
-    if constexpr (Layout::is_double) {
+    if constexpr (Layout::kIsDouble) {
         Float q = Float(0.16164938169471337);
         q = xsimd::fma(q, w, Float(0.08800317650868774));
         q = xsimd::fma(q, w, Float(0.12001155182857778));
@@ -76,12 +76,12 @@ BURNISH_INLINE Float atanh_series(Float w) {
 // with f from sqrt(1/2) - 1 to sqrt(2) - 1, and 1 - x is taken as it is, without a rounding of it.
 // y is normal and positive.
 BURNISH_INLINE Float log1m_or_log(Bool near, Float x, Float y) {
-    const Integers above = bits_of(y) + Integers(Layout::one - Layout::root_half);
+    const Integers above = bits_of(y) + Integers(Layout::kOne - Layout::kRootHalf);
     const Float mantissa =
-        float_of((above & Integers(Layout::fraction)) + Integers(Layout::root_half));
+        float_of((above & Integers(Layout::kFraction)) + Integers(Layout::kRootHalf));
     const Float exponent =
-        float_of((above >> Layout::fraction_bits) | Integers(Layout::above_integers)) -
-        float_of(Integers(Layout::above_integers | (Layout::one >> Layout::fraction_bits)));
+        float_of((above >> Layout::kFractionBits) | Integers(Layout::kAboveIntegers)) -
+        float_of(Integers(Layout::kAboveIntegers | (Layout::kOne >> Layout::kFractionBits)));
     const Float k = choose(near, Float(0), exponent);
     const Float f = choose(near, -x, mantissa - Float(1));
     const Float s = f / (Float(2) + f);
@@ -93,7 +93,7 @@ BURNISH_INLINE Float log1m_or_log(Bool near, Float x, Float y) {
 // e^x = 2^n 2^r, |r| <= 1/2. n is read off the last bits of 1.5 2^23 + n, and 2^n made from them:
 // its exponent is 0, and so is the value, for n = -127, and that of infinity for n = 128.
 BURNISH_INLINE Float exp(Float x) {
-    if constexpr (Layout::is_double) {
+    if constexpr (Layout::kIsDouble) {
         return xsimd::exp(x);
     } else {
         const Float log2_e = Float(1.44269504f), shift = Float(12582912.0f);
@@ -108,6 +108,6 @@ BURNISH_INLINE Float exp(Float x) {
         p = xsimd::fma(p, r, Float(0.24022651f));
         p = xsimd::fma(p, r, Float(0.69314719f));
         p = xsimd::fma(p, r, Float(1));
-        return p * float_of((bits_of(shifted) << Layout::fraction_bits) + Integers(Layout::one));
+        return p * float_of((bits_of(shifted) << Layout::kFractionBits) + Integers(Layout::kOne));
     }
 }
