@@ -69,17 +69,16 @@ TEST(HeldOut, APerfectFitIsInfinitelyManyDecibels) {
     }
 }
 
-// Samples are kept as 16-bit roots: a step is 2 / 65534 of the largest value at most, its rounding
-// 1/2 of that at worst and 1/sqrt(12) of it in the mean: more than 20 log10(65534 / 2 * sqrt(12)) =
-// 101 dB of the peak of each picture, and of the brightest of all no less.
-TEST(HeldOut, ItsOwnPicturesAreRightButForTheirCodes) {
+// The pictures' files hold half floats: a sample is off by up to 2^-12 of itself, 72 dB of the peak
+// if all samples were as bright. 86.9 dB were measured, as most samples are dimmer.
+TEST(HeldOut, ItsOwnPicturesAreRightButForTheirRounding) {
     Judged judged;
     const auto errors = judged.errors(judged.material, 1.0f);
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_EQ(errors[0].model, "tabulated");
     EXPECT_GT(errors[0].peak, 0.0);
-    EXPECT_GT(errors[0].psnr, 95.0);
-    EXPECT_LT(errors[0].psnr, 160.0) << "codes of 16 bits have no such precision";
+    EXPECT_GT(errors[0].psnr, 80.0);
+    EXPECT_LT(errors[0].psnr, 120.0) << "half floats have no such precision";
 }
 
 // Pictures a tenth brighter than predicted: the error is 1/11 of every sample, so that the RMSE is
@@ -89,14 +88,14 @@ TEST(HeldOut, AKnownErrorIsFound) {
     const auto same = judged.errors(judged.material, 1.0f);
     const auto brighter = judged.errors(judged.material, 1.1f);
     EXPECT_EQ(brighter[0].samples, same[0].samples);
-    EXPECT_NEAR(brighter[0].peak / same[0].peak, 1.1, 1e-4);
+    EXPECT_NEAR(brighter[0].peak / same[0].peak, 1.1, 6e-4);  // two half floats: 2^-11
     EXPECT_NEAR(brighter[0].psnr, 20.0 * std::log10(brighter[0].peak / brighter[0].rmse), 1e-9);
     TabulatedMaterial black = judged.material;
     make_black(black);
     Judged dark;
     dark.material = black;
     const auto all = dark.errors(judged.material, 1.1f);  // the error is the whole sample
-    EXPECT_NEAR(brighter[0].rmse / all[0].rmse, 1.0 / 11.0, 1e-4);
+    EXPECT_NEAR(brighter[0].rmse / all[0].rmse, 1.0 / 11.0, 1e-3);
 }
 
 TEST(HeldOut, WithoutHeldOutLightsThereIsNothingToSay) {
