@@ -18,7 +18,7 @@ const Parameter* find_parameter(std::string_view name) {
 }
 
 std::string flag_of(std::string_view name) {
-    std::string flag = "--" + std::string(name);
+    std::string flag = fmt::format("--{}", name);
     std::replace(flag.begin(), flag.end(), '_', '-');
     return flag;
 }
