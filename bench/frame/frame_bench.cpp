@@ -93,7 +93,6 @@ RenderSettings options_for(const FrameCase& frame_case) {
     options.image_light = ImageLight::off;
     options.background = BackgroundKind::color;
     options.shadows = false;
-    options.shadows = false;
     return options;
 }
 
