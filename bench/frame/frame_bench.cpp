@@ -9,6 +9,7 @@
 #include "burnish/error.hpp"
 #include "burnish/render_settings.hpp"
 #include "core/memory.hpp"
+#include "core/text.hpp"
 #include "formats/environments.hpp"
 #include "formats/load_model.hpp"
 #include "gpu/device/context.hpp"

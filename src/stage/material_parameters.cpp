@@ -1,5 +1,7 @@
 #include "stage/material_parameters.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <numbers>
@@ -203,8 +205,9 @@ void require_drawable(const Material& material, Method method) {
     const Brdf brdf = drawn_material(material).brdf;
     if (f32::brdf_takes_method(static_cast<int>(brdf), static_cast<int>(method))) return;
     throw UsageError("method", "",
-                     "a rotation such as follow-grain for brdf " + std::string(name_of(brdf)) +
-                         ", which has no half vectors to deform",
+                     fmt::format("a rotation such as follow-grain for brdf {}, which has no half "
+                                 "vectors to deform",
+                                 name_of(brdf)),
                      std::string(name_of(method)));
 }
 

@@ -18,7 +18,7 @@ const Parameter* find_parameter(std::string_view name) {
 }
 
 std::string flag_of(std::string_view name) {
-    std::string flag = "--" + std::string(name);
+    std::string flag = fmt::format("--{}", name);
     std::replace(flag.begin(), flag.end(), '_', '-');
     return flag;
 }
@@ -192,7 +192,8 @@ void require_one_roughness(const ParameterValues& values, bool as_flags) {
         std::string list;
         for (const std::string_view name : names) {
             if (!values.is_set(name)) continue;
-            list += (list.empty() ? "" : " ") + (as_flags ? flag_of(name) : std::string(name));
+            if (!list.empty()) list += ' ';
+            list += as_flags ? flag_of(name) : std::string(name);
         }
         return list;
     };
