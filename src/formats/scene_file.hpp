@@ -1,4 +1,4 @@
-// Scene files (JSON): docs/scene-file.md is the schema in words. Throws Error with one line naming
+// Scene files (JSON): docs/reference/scene-file.md is the schema in words. Throws Error with one line naming
 // the file, the key, what was expected and what was found, for any broken, hostile or unsupported
 // input; never crashes, hangs, or allocates by a count that it has not checked.
 #pragma once
