@@ -11,10 +11,10 @@
 #include <random>
 #include <vector>
 
-#include "capture/simulate/virtual_sample.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/virtual_sample.hpp"
 #include "capture/solve/capture_fit.hpp"
 #include "capture/solve/rotation_match.hpp"
-#include "image/image_io.hpp"
 #include "report.hpp"
 
 namespace burnish::bench {

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "bench/frame/interleave.hpp"
+#include "burnish/context.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/load_model.hpp"
 #include "burnish/render_settings.hpp"
-#include "formats/load_model.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "report.hpp"
-#include "stage/layered_materials.hpp"
 
 namespace burnish::bench {
 

@@ -6,13 +6,13 @@
 #include <functional>
 #include <glm/vec4.hpp>
 
+#include "burnish/builtin_meshes.hpp"
+#include "burnish/context.hpp"
+#include "burnish/environments.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/render_settings.hpp"
-#include "formats/environments.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "image/image_io.hpp"
+#include "burnish/renderer.hpp"
 #include "report.hpp"
-#include "scene/geometry/builtin_meshes.hpp"
 #include "support/glb_writer.hpp"
 
 namespace burnish::bench {

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "bench/frame/frame_bench.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/context.hpp"
+#include "burnish/renderer.hpp"
 #include "report.hpp"
 
 namespace burnish::bench {

@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <glm/trigonometric.hpp>
 
+#include "burnish/context.hpp"
+#include "burnish/environments.hpp"
 #include "burnish/render_settings.hpp"
-#include "formats/environments.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu/test_scene.hpp"
 #include "report.hpp"
 

@@ -4,8 +4,8 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "burnish/context.hpp"
 #include "burnish/scene.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish::bench {
 

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <limits>
 
-#include "maps/scratch/scratch.hpp"
+#include "burnish/scratch_maps.hpp"
 #include "report.hpp"
 
 namespace burnish::bench {

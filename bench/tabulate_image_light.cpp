@@ -8,8 +8,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "burnish/context.hpp"
 #include "burnish/error.hpp"
-#include "gpu/device/context.hpp"
 #include "image_light.hpp"
 
 namespace burnish::bench {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "maps/weave/weave_maps.hpp"
+#include "burnish/weave_maps.hpp"
 #include "report.hpp"
 
 namespace burnish::bench {

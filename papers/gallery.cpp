@@ -7,10 +7,10 @@
 #include <map>
 
 #include "burnish/error.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
 #include "core/memory.hpp"
 #include "core/text.hpp"
-#include "core/version.hpp"
 #include "papers/gallery_figures.hpp"
 
 namespace burnish {

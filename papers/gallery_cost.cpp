@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bench/frame/frame_papers.hpp"
+#include "burnish/plot/panels.hpp"
 #include "papers/gallery_figures.hpp"
-#include "plot/panels.hpp"
 
 namespace burnish {
 namespace {

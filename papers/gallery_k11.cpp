@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "burnish/plot/panels.hpp"
+#include "burnish/scratch_maps.hpp"
 #include "core/memory.hpp"
-#include "maps/scratch/scratch.hpp"
 #include "papers/gallery_figures.hpp"
 #include "papers/gallery_measures.hpp"
-#include "plot/panels.hpp"
 
 namespace burnish {
 namespace {

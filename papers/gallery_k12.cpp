@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "burnish/plot/panels.hpp"
 #include "papers/gallery_figures.hpp"
 #include "papers/gallery_measures.hpp"
-#include "plot/panels.hpp"
 #include "plot/sheet.hpp"
 
 namespace burnish {

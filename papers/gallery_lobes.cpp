@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/plot/mdf_plot.hpp"
 #include "papers/gallery_figures.hpp"
 #include "papers/gallery_measures.hpp"
-#include "plot/mdf_plot.hpp"
 
 namespace burnish {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "burnish/image.hpp"
-#include "plot/mdf_plot.hpp"
+#include "burnish/plot/mdf_plot.hpp"
 
 namespace burnish {
 

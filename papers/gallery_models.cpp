@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "burnish/error.hpp"
+#include "burnish/plot/brdf_plot.hpp"
 #include "jobs/models/brdf_fit.hpp"
 #include "papers/gallery_figures.hpp"
 #include "papers/gallery_measures.hpp"
-#include "plot/brdf_plot.hpp"
 
 namespace burnish {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/version.hpp"
+#include "burnish/version.hpp"
 #include "plot/html.hpp"
 
 namespace burnish {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "burnish/plot/figure.hpp"
 #include "papers/gallery.hpp"
-#include "plot/figure.hpp"
 
 namespace burnish {
 

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 
+#include "burnish/context.hpp"
 #include "burnish/render_settings.hpp"
+#include "burnish/renderer.hpp"
 #include "burnish/shading_names.hpp"
 #include "burnish/stage.hpp"
 #include "core/text.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "stage/stage.hpp"
 
 namespace burnish {
 namespace {

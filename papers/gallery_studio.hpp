@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "burnish/context.hpp"
 #include "burnish/image.hpp"
 #include "burnish/progress.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 
 namespace burnish {
 

@@ -6,15 +6,15 @@
 #include <map>
 
 #include "bench/frame/frame_tabulated.hpp"
+#include "burnish/context.hpp"
+#include "burnish/environments.hpp"
 #include "burnish/error.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/load_model.hpp"
 #include "burnish/render_settings.hpp"
+#include "burnish/renderer.hpp"
 #include "core/memory.hpp"
 #include "core/text.hpp"
-#include "formats/environments.hpp"
-#include "formats/load_model.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "stage/layered_materials.hpp"
 
 namespace burnish {
 

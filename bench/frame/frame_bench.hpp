@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "bench/frame/interleave.hpp"
+#include "burnish/context.hpp"
 #include "burnish/render_settings.hpp"
+#include "burnish/renderer.hpp"
 #include "burnish/shading_names.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
 
 namespace burnish {
 

@@ -8,9 +8,9 @@
 
 #include "bench/frame/frame_cost.hpp"
 #include "bench/frame/frame_papers.hpp"
-#include "core/version.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "plot/panels.hpp"
+#include "burnish/plot/panels.hpp"
+#include "burnish/renderer.hpp"
+#include "burnish/version.hpp"
 
 namespace burnish {
 namespace {

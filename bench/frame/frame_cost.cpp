@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <thread>
 
+#include "burnish/context.hpp"
 #include "burnish/error.hpp"
 #include "core/files.hpp"
 #include "core/machine.hpp"
-#include "gpu/device/context.hpp"
 
 namespace burnish {
 

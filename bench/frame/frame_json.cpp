@@ -3,7 +3,7 @@
 
 #include "bench/frame/frame_cost.hpp"
 #include "bench/frame/frame_papers.hpp"
-#include "core/version.hpp"
+#include "burnish/version.hpp"
 
 namespace burnish {
 

@@ -2,7 +2,7 @@
 // draw, without a file.
 #pragma once
 
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_material.hpp"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/renderer.hpp"
 #include "core/statistics.hpp"
-#include "gpu/draw/renderer.hpp"
 
 namespace burnish {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 
 namespace burnish {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 
 namespace burnish {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 
 namespace burnish {
 

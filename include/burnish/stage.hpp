@@ -1,12 +1,22 @@
-// What a picture shows, said by names of files and parameters.
+// Setting the stage: from names of files and values of parameters to a scene, an environment, a
+// camera and render settings.
+//
+// Threads: functions may be called from any thread. Lifetime: what they return refers to nothing
+// else.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "burnish/api.hpp"
+#include "burnish/display.hpp"
+#include "burnish/layered_materials.hpp"
 #include "burnish/parameters.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/scene.hpp"
 
-namespace burnish {
+namespace BURNISH_API burnish {
 
 // What is to be seen, and in which light.
 struct StageRequest {
@@ -15,5 +25,37 @@ struct StageRequest {
     std::vector<std::string> lights;  // --light words (see parse_light); empty: the file's lights
     ParameterValues values;           // they win over the scene file's parameters
 };
+
+inline constexpr std::string_view kDefaultEnvironment = "builtin:studio";
+
+// A plain value, but for `materials`, which knows the textures that it has appended to `scene`.
+struct Stage {
+    Scene scene;
+    LayeredMaterials materials;  // materials.apply(scene, values): the scene under other values
+    Environment environment;     // empty radiance: none
+    ParameterValues values;      // everything that was set, for metadata
+    Camera camera;
+    RenderSettings settings;
+    double exposure_ev = 0;
+    ToneMap tone_map = ToneMap::khronos_neutral;
+};
+
+// `all_around`: a framed camera keeps its distance for a full turn. Throws UsageError for values
+// that contradict each other, Error for files that cannot be read or drawn.
+Stage set_stage(const StageRequest& request, bool all_around = false);
+
+// What the values of the groups render and environment ask for.
+RenderSettings render_settings(const ParameterValues& values);
+
+// A light in one word: "AZIMUTH,ELEVATION[,INTENSITY]" (degrees, as the camera's; a directional
+// light of that many lux) or "point:X,Y,Z[,INTENSITY]" (metres, candela). Throws UsageError.
+Light parse_light(std::string_view word);
+
+// The camera that the parameters ask for, or one that frames the scene.
+Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect,
+                    bool all_around = false);
+
+// `camera` turned about the vertical axis through its target.
+Camera turned(const Camera& camera, double angle_rad);
 
 }  // namespace burnish

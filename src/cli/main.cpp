@@ -12,10 +12,10 @@
 
 #include "burnish/error.hpp"
 #include "burnish/progress.hpp"
+#include "burnish/version.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/session.hpp"
 #include "cli/usage.hpp"
-#include "core/version.hpp"
 
 namespace burnish::cli {
 namespace {

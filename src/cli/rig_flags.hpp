@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 namespace CLI {
 class App;

@@ -1,4 +1,4 @@
-#include "core/version.hpp"
+#include "burnish/version.hpp"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "export/material_textures.hpp"
+#include "burnish/material_textures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "burnish/f32.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "core/version.hpp"
+#include "burnish/version.hpp"
 
 namespace burnish {
 

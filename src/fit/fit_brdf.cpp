@@ -1,4 +1,4 @@
-#include "fit/fit_brdf.hpp"
+#include "burnish/fit_brdf.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "fit/fit_models.hpp"
+#include "burnish/fit_models.hpp"
 
 #include <algorithm>
 #include <cmath>

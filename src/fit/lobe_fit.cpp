@@ -1,13 +1,13 @@
-#include "fit/lobe_fit.hpp"
+#include "burnish/lobe_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "burnish/f64.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "core/parallel.hpp"
 #include "fit/least_squares.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 

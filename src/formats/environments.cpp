@@ -1,4 +1,4 @@
-#include "formats/environments.hpp"
+#include "burnish/environments.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "burnish/builtin_meshes.hpp"
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/text.hpp"
-#include "image/image_io.hpp"
-#include "scene/geometry/builtin_meshes.hpp"
 #include "scene/light/studio.hpp"
 
 namespace burnish {

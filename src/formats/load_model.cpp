@@ -1,4 +1,4 @@
-#include "formats/load_model.hpp"
+#include "burnish/load_model.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,11 +7,11 @@
 #include <fstream>
 #include <string_view>
 
+#include "burnish/builtin_meshes.hpp"
 #include "burnish/error.hpp"
 #include "core/files.hpp"
 #include "formats/gltf/gltf.hpp"
 #include "formats/obj/obj.hpp"
-#include "scene/geometry/builtin_meshes.hpp"
 
 namespace burnish {
 namespace {

@@ -1,9 +1,9 @@
-#include "formats/load_tabulated.hpp"
+#include "burnish/load_tabulated.hpp"
 
 #include "burnish/error.hpp"
-#include "formats/bsdf/rgl_material.hpp"
+#include "burnish/rgl_material.hpp"
+#include "burnish/tabulated_file.hpp"
 #include "formats/bsdf/tensor_file.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
 
 namespace burnish {
 

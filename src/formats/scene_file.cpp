@@ -1,5 +1,5 @@
 // Scene files: docs/reference/scene-file.md is the schema in words.
-#include "formats/scene_file.hpp"
+#include "burnish/scene_file.hpp"
 
 #include <fmt/format.h>
 
@@ -15,14 +15,14 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
+#include "burnish/load_model.hpp"
+#include "burnish/scratch_settings.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
 #include "formats/json_text.hpp"
-#include "formats/load_model.hpp"
-#include "maps/scratch/scratch_settings.hpp"
-#include "maps/weave/draft.hpp"
 
 namespace burnish {
 

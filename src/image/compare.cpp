@@ -1,4 +1,4 @@
-#include "image/compare.hpp"
+#include "burnish/compare.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "image/display.hpp"
+#include "burnish/display.hpp"
 
 #include <array>
 #include <cmath>

@@ -11,10 +11,10 @@
 #include <type_traits>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
 #include "image/guard/format.hpp"
 #include "image/guard/png_chunks.hpp"
-#include "image/image_io.hpp"
 #include "image/image_metadata.hpp"
 #include "image/memory_proxy.hpp"
 #include "image/subsampled_exr.hpp"

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
 #include "image/guard/format.hpp"
-#include "image/image_io.hpp"
 #include "image/image_metadata.hpp"
 
 namespace burnish {

@@ -1,5 +1,5 @@
 #include "burnish/f32.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish {
 

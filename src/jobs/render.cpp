@@ -6,17 +6,17 @@
 #include <glm/gtc/constants.hpp>
 #include <map>
 
+#include "burnish/context.hpp"
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/render.hpp"
 #include "burnish/render_settings.hpp"
+#include "burnish/renderer.hpp"
+#include "burnish/stage.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
-#include "core/version.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "image/image_io.hpp"
 #include "plot/sheet.hpp"
 #include "stage/material_parameters.hpp"
-#include "stage/stage.hpp"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "models/brdf_models.hpp"
+#include "burnish/brdf_models.hpp"
 
 namespace burnish {
 

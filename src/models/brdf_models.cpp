@@ -1,4 +1,4 @@
-#include "models/brdf_models.hpp"
+#include "burnish/brdf_models.hpp"
 
 #include <array>
 #include <cstddef>

@@ -3,9 +3,9 @@
 
 #include <array>
 
+#include "burnish/brdf_models.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
-#include "models/brdf_models.hpp"
 #include "models/he.hpp"
 #include "models/projected_area.hpp"
 

@@ -1,4 +1,4 @@
-#include "models/conductors.hpp"
+#include "burnish/conductors.hpp"
 
 #include <array>
 #include <cstddef>

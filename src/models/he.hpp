@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "models/mdf.hpp"
+#include "burnish/mdf.hpp"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "models/mdf.hpp"
+#include "burnish/mdf.hpp"
 
 #include <array>
 #include <cmath>

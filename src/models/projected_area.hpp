@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "models/mdf.hpp"
+#include "burnish/mdf.hpp"
 
 namespace burnish {
 

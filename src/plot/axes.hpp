@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "plot/canvas.hpp"
-#include "plot/scale.hpp"
+#include "burnish/plot/canvas.hpp"
+#include "burnish/plot/scale.hpp"
 
 namespace burnish::plot {
 

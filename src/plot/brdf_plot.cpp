@@ -1,4 +1,4 @@
-#include "plot/brdf_plot.hpp"
+#include "burnish/plot/brdf_plot.hpp"
 
 #include <fmt/format.h>
 

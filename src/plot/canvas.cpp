@@ -1,4 +1,4 @@
-#include "plot/canvas.hpp"
+#include "burnish/plot/canvas.hpp"
 
 #include <cairo-svg.h>
 #include <cairo.h>

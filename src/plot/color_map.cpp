@@ -1,4 +1,4 @@
-#include "plot/color_map.hpp"
+#include "burnish/plot/color_map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "plot/canvas.hpp"
+#include "burnish/plot/canvas.hpp"
 
 namespace burnish::plot {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "burnish/image.hpp"
-#include "plot/color_map.hpp"
+#include "burnish/plot/color_map.hpp"
 
 namespace burnish::plot {
 

@@ -1,4 +1,4 @@
-#include "plot/figure.hpp"
+#include "burnish/plot/figure.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "burnish/f64.hpp"
-#include "plot/mdf_plot.hpp"
+#include "burnish/plot/mdf_plot.hpp"
 
 namespace burnish::plot {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "burnish/plot/mdf_plot.hpp"
 #include "plot/axes.hpp"
 #include "plot/mdf_evaluator.hpp"
-#include "plot/mdf_plot.hpp"
 
 namespace burnish::plot {
 namespace {

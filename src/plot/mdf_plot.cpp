@@ -1,4 +1,4 @@
-#include "plot/mdf_plot.hpp"
+#include "burnish/plot/mdf_plot.hpp"
 
 #include <fmt/format.h>
 

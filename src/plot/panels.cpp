@@ -1,4 +1,4 @@
-#include "plot/panels.hpp"
+#include "burnish/plot/panels.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "burnish/plot/brdf_plot.hpp"
 #include "plot/axes.hpp"
-#include "plot/brdf_plot.hpp"
 
 namespace burnish::plot {
 namespace {

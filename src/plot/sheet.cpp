@@ -8,8 +8,8 @@
 #include <cstddef>
 
 #include "burnish/error.hpp"
+#include "burnish/plot/canvas.hpp"
 #include "image/guard/format.hpp"
-#include "plot/canvas.hpp"
 
 namespace burnish {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "plot/brdf_plot.hpp"
+#include "burnish/plot/brdf_plot.hpp"
 
 namespace burnish::plot {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "burnish/plot/brdf_plot.hpp"
 #include "plot/axes.hpp"
-#include "plot/brdf_plot.hpp"
 #include "plot/depth_picture.hpp"
 #include "plot/surface_mesh.hpp"
 

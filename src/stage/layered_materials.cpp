@@ -1,4 +1,4 @@
-#include "stage/layered_materials.hpp"
+#include "burnish/layered_materials.hpp"
 
 #include <algorithm>
 #include <array>

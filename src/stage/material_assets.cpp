@@ -1,4 +1,4 @@
-#include "stage/material_assets.hpp"
+#include "burnish/material_assets.hpp"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include "burnish/builtin_meshes.hpp"
+#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
-#include "formats/load_tabulated.hpp"
-#include "formats/wif/wif.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/load_tabulated.hpp"
+#include "burnish/wif.hpp"
 #include "maps/normal/bumps.hpp"
-#include "maps/weave/draft.hpp"
-#include "scene/geometry/builtin_meshes.hpp"
 #include "stage/scratch_material.hpp"
 
 namespace burnish {

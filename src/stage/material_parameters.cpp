@@ -7,10 +7,10 @@
 #include <numbers>
 #include <utility>
 
+#include "burnish/conductors.hpp"
 #include "burnish/error.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
-#include "models/conductors.hpp"
 
 namespace burnish {
 namespace {

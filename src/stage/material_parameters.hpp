@@ -1,9 +1,9 @@
 // Material parameters laid over one material.
 #pragma once
 
+#include "burnish/material_assets.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/scene.hpp"
-#include "stage/material_assets.hpp"
 
 namespace burnish {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "burnish/error.hpp"
-#include "stage/material_assets.hpp"
+#include "burnish/material_assets.hpp"
 #include "stage/material_parameters.hpp"
 
 namespace burnish {

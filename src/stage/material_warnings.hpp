@@ -6,7 +6,7 @@
 
 #include "burnish/parameters.hpp"
 #include "burnish/scene.hpp"
-#include "formats/scene_file.hpp"
+#include "burnish/scene_file.hpp"
 
 namespace burnish {
 

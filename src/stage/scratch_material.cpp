@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/scratch_maps.hpp"
 #include "core/memory.hpp"
-#include "image/image_io.hpp"
-#include "maps/scratch/scratch.hpp"
 
 namespace burnish {
 

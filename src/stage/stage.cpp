@@ -1,4 +1,4 @@
-#include "stage/stage.hpp"
+#include "burnish/stage.hpp"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,12 @@
 #include <glm/trigonometric.hpp>
 #include <iterator>
 
+#include "burnish/builtin_meshes.hpp"
+#include "burnish/environments.hpp"
 #include "burnish/error.hpp"
+#include "burnish/load_model.hpp"
 #include "burnish/render_settings.hpp"
-#include "burnish/stage.hpp"
-#include "formats/environments.hpp"
-#include "formats/load_model.hpp"
-#include "formats/scene_file.hpp"
-#include "scene/geometry/builtin_meshes.hpp"
+#include "burnish/scene_file.hpp"
 #include "stage/normal_map_check.hpp"
 
 namespace burnish {

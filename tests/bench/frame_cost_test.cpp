@@ -13,10 +13,10 @@
 
 #include "bench/frame/frame_papers.hpp"
 #include "bench/frame/frame_tabulated.hpp"
+#include "burnish/context.hpp"
+#include "burnish/renderer.hpp"
 #include "core/statistics.hpp"
 #include "formats/tabulated/tabulated_check.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "support/program.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bench/frame/frame_cost.hpp"
-#include "plot/figure.hpp"
+#include "burnish/plot/figure.hpp"
 
 namespace burnish {
 namespace {

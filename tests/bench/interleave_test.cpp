@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "burnish/renderer.hpp"
 #include "core/statistics.hpp"
-#include "gpu/draw/renderer.hpp"
 
 namespace burnish {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 
 namespace burnish {
 namespace {

@@ -1,5 +1,5 @@
 // What a rig sees, against closed forms, quadrature and sums over lattices.
-#include "capture/rig/coverage.hpp"
+#include "burnish/coverage.hpp"
 
 #include <gtest/gtest.h>
 

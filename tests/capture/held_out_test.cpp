@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-#include "capture/judge/relight.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/relight.hpp"
 #include "capture/solve/capture_fit.hpp"
-#include "image/image_io.hpp"
 #include "support/program.hpp"
 #include "tabulate_sample.hpp"
 

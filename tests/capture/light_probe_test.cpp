@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "ball_support.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {

@@ -1,5 +1,5 @@
 // Relighting against the closed forms of simulated samples, and errors against known noise.
-#include "capture/judge/relight.hpp"
+#include "burnish/relight.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "burnish/image_io.hpp"
 #include "capture/judge/relight_compare.hpp"
-#include "image/image_io.hpp"
 #include "support/program.hpp"
 #include "tabulate_sample.hpp"
 #include "truth_metrics.hpp"

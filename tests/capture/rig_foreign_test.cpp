@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "capture/rig/rig.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/rig.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {

@@ -1,12 +1,12 @@
 // Our rig JSON, the checks that all formats share, and the geometry of arriving light.
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/paths.hpp"
 #include "support/test_folder.hpp"
 

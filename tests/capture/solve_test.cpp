@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "capture/simulate/virtual_ndf.hpp"
+#include "burnish/virtual_ndf.hpp"
 #include "capture/solve/exemplar_solve.hpp"
 #include "capture/solve/partial_ndf.hpp"
 #include "capture/solve/point_fit.hpp"

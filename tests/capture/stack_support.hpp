@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "burnish/image_io.hpp"
 #include "capture/stack/image_stack.hpp"
-#include "image/image_io.hpp"
 #include "support/test_folder.hpp"
 #include "table_support.hpp"
 

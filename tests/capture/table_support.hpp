@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "scene/material/ndf_grid.hpp"
+#include "burnish/ndf_grid.hpp"
 
 namespace burnish::test {
 

@@ -1,8 +1,8 @@
 // A simulated sample as the material that a perfect fit would find.
 #pragma once
 
-#include "capture/simulate/virtual_sample.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_material.hpp"
+#include "burnish/virtual_sample.hpp"
 
 namespace burnish::test {
 

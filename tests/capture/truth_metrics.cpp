@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "burnish/f64.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish::test {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "capture/simulate/virtual_sample.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_material.hpp"
+#include "burnish/virtual_sample.hpp"
 
 namespace burnish::test {
 

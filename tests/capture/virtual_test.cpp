@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "capture/simulate/virtual_sample.hpp"
+#include "burnish/virtual_sample.hpp"
 #include "table_support.hpp"
 
 namespace burnish {

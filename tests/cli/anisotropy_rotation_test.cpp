@@ -15,7 +15,7 @@
 #include <map>
 #include <vector>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "pictures.hpp"
 
 namespace burnish::test {

@@ -14,7 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "pictures.hpp"
 
 namespace burnish::test {

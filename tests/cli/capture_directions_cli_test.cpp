@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <regex>
 
+#include "burnish/image_io.hpp"
+#include "burnish/rig.hpp"
 #include "capture/ball_support.hpp"
-#include "capture/rig/rig.hpp"
-#include "image/image_io.hpp"
 #include "jobs/capture/capture_directions.hpp"
 #include "support/program.hpp"
 

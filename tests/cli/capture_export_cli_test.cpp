@@ -9,10 +9,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "capture/judge/relight.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/relight.hpp"
+#include "burnish/tabulated_file.hpp"
 #include "capture/tabulate_sample.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
-#include "image/image_io.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {

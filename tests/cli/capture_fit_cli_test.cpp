@@ -9,10 +9,10 @@
 #include <fstream>
 #include <thread>
 
+#include "burnish/image_io.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "core/files.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
-#include "image/image_io.hpp"
-#include "scene/material/tabulated_material.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "formats/tabulated/tabulated_file.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {

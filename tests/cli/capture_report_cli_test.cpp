@@ -8,9 +8,9 @@
 #include <memory>
 #include <set>
 
-#include "formats/tabulated/tabulated_file.hpp"
-#include "image/image_io.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {

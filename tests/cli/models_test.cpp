@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "gpu/draw/renderer.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/renderer.hpp"
 #include "pictures.hpp"
 #include "support/test_folder.hpp"
 

@@ -8,10 +8,10 @@
 #include <glm/trigonometric.hpp>
 #include <memory>
 
+#include "burnish/context.hpp"
 #include "burnish/error.hpp"
+#include "burnish/renderer.hpp"
 #include "burnish/stage.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish::test {

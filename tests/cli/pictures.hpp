@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
-#include "stage/stage.hpp"
+#include "burnish/context.hpp"
+#include "burnish/renderer.hpp"
+#include "burnish/stage.hpp"
 
 namespace burnish::test {
 

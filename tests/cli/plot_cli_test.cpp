@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {

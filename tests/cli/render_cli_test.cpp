@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/paths.hpp"
 #include "support/program.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "jobs/maps/scratch.hpp"
 #include "support/program.hpp"
 

@@ -1,9 +1,9 @@
 // burnish render --tabulated and burnish info of a tabulated material as a person runs them.
 #include <gtest/gtest.h>
 
-#include "formats/tabulated/tabulated_file.hpp"
-#include "image/image_io.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {

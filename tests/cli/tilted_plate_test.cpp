@@ -11,7 +11,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "pictures.hpp"
 #include "support/glb_writer.hpp"
 

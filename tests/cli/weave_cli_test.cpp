@@ -8,8 +8,8 @@
 #include <csignal>
 #include <thread>
 
-#include "formats/wif/wif.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/wif.hpp"
 #include "support/paths.hpp"
 #include "support/program.hpp"
 

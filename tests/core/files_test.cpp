@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "burnish/error.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/samples.hpp"
 
 namespace burnish::test {

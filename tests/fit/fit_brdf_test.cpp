@@ -1,5 +1,5 @@
 // Fits of samples that a model made itself, and properties that every fit has.
-#include "fit/fit_brdf.hpp"
+#include "burnish/fit_brdf.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

@@ -1,12 +1,12 @@
 // Lobes fitted to tables of known ones.
-#include "fit/lobe_fit.hpp"
+#include "burnish/lobe_fit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "capture/simulate/virtual_ndf.hpp"
+#include "burnish/virtual_ndf.hpp"
 
 namespace burnish::test {
 namespace {

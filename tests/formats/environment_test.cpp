@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "formats/environments.hpp"
-#include "image/image_io.hpp"
+#include "burnish/environments.hpp"
+#include "burnish/image_io.hpp"
 #include "scene/light/studio.hpp"
 #include "support/test_folder.hpp"
 

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "burnish/error.hpp"
+#include "burnish/load_model.hpp"
 #include "formats/gltf/gltf.hpp"
-#include "formats/load_model.hpp"
 #include "support/glb_writer.hpp"
 #include "support/test_folder.hpp"
 
@@ -49,8 +49,9 @@ void expect_sound(const Scene& scene) {
     for (const Material& material : scene.materials) {
         ASSERT_LT(material.normal_texture.texture, static_cast<int>(scene.textures.size()));
         ASSERT_LT(material.base_color_texture.texture, static_cast<int>(scene.textures.size()));
-        ASSERT_TRUE(std::isfinite(gltf_lobe_of(material)->roughness + material.metallic + material.emissive.r +
-                                  material.anisotropy_rotation + material.dielectric_f0));
+        ASSERT_TRUE(std::isfinite(gltf_lobe_of(material)->roughness + material.metallic +
+                                  material.emissive.r + material.anisotropy_rotation +
+                                  material.dielectric_f0));
     }
     for (const Texture& texture : scene.textures) {
         const std::size_t bytes = texture.type == TexelType::u8    ? 1

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "burnish/error.hpp"
-#include "formats/load_model.hpp"
+#include "burnish/load_model.hpp"
 #include "gltf_support.hpp"
 
 namespace burnish {

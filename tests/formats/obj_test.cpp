@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "formats/load_model.hpp"
+#include "burnish/load_model.hpp"
 #include "gltf_support.hpp"
 #include "scene/geometry/polygon.hpp"
 

@@ -1,5 +1,5 @@
 // Scene files as data: what they say, and what is refused.
-#include "formats/scene_file.hpp"
+#include "burnish/scene_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <iterator>
 #include <random>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/paths.hpp"
 #include "support/test_folder.hpp"
 

@@ -1,5 +1,5 @@
 // Files of tabulated materials: what is written comes back, and nothing broken or hostile gets in.
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_material.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <random>
 
 #include "burnish/f64.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/rgl_material.hpp"
+#include "burnish/tabulated_file.hpp"
 #include "core/files.hpp"
-#include "formats/bsdf/rgl_material.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
-#include "image/image_io.hpp"
 #include "image/image_parts.hpp"
 #include "support/bsdf_writer.hpp"
 #include "support/test_folder.hpp"

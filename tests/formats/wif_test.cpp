@@ -1,5 +1,5 @@
 // WIF files against drafts worked out by hand, back and forth, and what is refused.
-#include "formats/wif/wif.hpp"
+#include "burnish/wif.hpp"
 
 #include <gtest/gtest.h>
 

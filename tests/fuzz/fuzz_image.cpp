@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "burnish/image_io.hpp"
 #include "harness.hpp"
-#include "image/image_io.hpp"
 #include "scene_check.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 // it is written.
 #include <cmath>
 
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 #include "harness.hpp"
 
 namespace {

@@ -2,10 +2,10 @@
 // 2048 texels a side) is left out: it is bounded, not cheap.
 #include <string_view>
 
-#include "formats/scene_file.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/scene_file.hpp"
 #include "harness.hpp"
 #include "scene_check.hpp"
-#include "stage/layered_materials.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -1,9 +1,9 @@
 // Tabulated materials: what is read must be what the header promises.
 #include <cmath>
 
-#include "formats/tabulated/tabulated_file.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "harness.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Weaving drafts: what is read must hold, and come back the same when it is written.
-#include "formats/wif/wif.hpp"
+#include "burnish/wif.hpp"
 #include "harness.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

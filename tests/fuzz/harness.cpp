@@ -10,7 +10,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/image.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish::fuzz {
 namespace {

@@ -10,11 +10,11 @@
 #include <filesystem>
 #include <span>
 
+#include "burnish/brdf_models.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
 #include "jobs/models/eval.hpp"
-#include "models/brdf_models.hpp"
 #include "support/bsdf_writer.hpp"
 
 namespace burnish::fuzz {

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "core/files.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
-#include "scene/material/tabulated_material.hpp"
 #include "seeds.hpp"
 
 namespace burnish::fuzz {

@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
-#include "image/image_io.hpp"
 #include "seeds.hpp"
 #include "support/glb_writer.hpp"
 

@@ -8,12 +8,12 @@
 #include <numbers>
 #include <sstream>
 
+#include "burnish/draft.hpp"
 #include "burnish/f64.hpp"
 #include "burnish/render_settings.hpp"
+#include "burnish/renderer.hpp"
 #include "flicker.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "gpu_fixture.hpp"
-#include "maps/weave/draft.hpp"
 #include "test_scene.hpp"
 
 namespace burnish::test {

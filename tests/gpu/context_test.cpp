@@ -1,4 +1,4 @@
-#include "gpu/device/context.hpp"
+#include "burnish/context.hpp"
 
 #include <dirent.h>
 

@@ -2,10 +2,10 @@
 // uploads what it brings alone.
 #include <functional>
 
+#include "burnish/draft.hpp"
 #include "edited_scenes.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu_fixture.hpp"
-#include "maps/weave/draft.hpp"
 
 namespace burnish::test {
 namespace {

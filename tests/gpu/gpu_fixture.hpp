@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
+#include "burnish/context.hpp"
 #include "burnish/error.hpp"
 #include "burnish/render_settings.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "support/picture_checks.hpp"
 
 namespace burnish::test {

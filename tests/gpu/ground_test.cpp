@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
 

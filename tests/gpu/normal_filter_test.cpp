@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "burnish/renderer.hpp"
 #include "flicker.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "maps/normal/bumps.hpp"
 #include "test_scene.hpp"

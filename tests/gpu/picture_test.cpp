@@ -3,9 +3,9 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "burnish/context.hpp"
 #include "burnish/render_settings.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
 

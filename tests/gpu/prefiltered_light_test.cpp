@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "burnish/environments.hpp"
 #include "burnish/render_settings.hpp"
-#include "formats/environments.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "models/albedo_table.hpp"
 #include "support/paths.hpp"

@@ -4,11 +4,11 @@
 #include <set>
 #include <string>
 
+#include "burnish/draft.hpp"
 #include "edited_scenes.hpp"
 #include "gpu/device/albedo_tables.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu_fixture.hpp"
-#include "maps/weave/draft.hpp"
 
 namespace burnish::test {
 namespace {

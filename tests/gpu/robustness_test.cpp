@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
 

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "burnish/display.hpp"
 #include "edited_scenes.hpp"
 #include "gpu/device/gl.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu_fixture.hpp"
-#include "image/display.hpp"
 
 namespace burnish::test {
 namespace {

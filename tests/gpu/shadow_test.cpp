@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
 

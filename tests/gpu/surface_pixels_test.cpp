@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "burnish/draft.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/render_settings.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu_fixture.hpp"
-#include "maps/weave/draft.hpp"
 #include "maps/weave/weave_cells.hpp"
 #include "scene/material/material_lobe.hpp"
 #include "tabulated_scenes.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "burnish/f64.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_material.hpp"
 
 namespace burnish::test {
 

@@ -1,9 +1,9 @@
 // From radiance to display: fixed points and orders that the tone maps promise.
-#include "image/display.hpp"
+#include "burnish/display.hpp"
 
 #include <gtest/gtest.h>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "burnish/error.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/samples.hpp"
 
 namespace burnish::test {

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "image/guard/format.hpp"
-#include "image/image_io.hpp"
 #include "support/paths.hpp"
 #include "support/samples.hpp"
 

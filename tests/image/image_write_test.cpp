@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "burnish/error.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "plot/sheet.hpp"
 #include "support/samples.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "burnish/error.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "support/samples.hpp"
 
 namespace burnish::test {

@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "jobs/info/info.hpp"
 #include "support/test_folder.hpp"
 

@@ -1,5 +1,5 @@
 // Each weave by the property that defines it in a weaver's textbook, not by its own formula.
-#include "maps/weave/draft.hpp"
+#include "burnish/draft.hpp"
 
 #include <gtest/gtest.h>
 

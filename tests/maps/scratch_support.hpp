@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "maps/scratch/scratch.hpp"
+#include "burnish/scratch_maps.hpp"
 
 namespace burnish {
 

@@ -1,5 +1,5 @@
 // Baked cloth: repeats without a seam, one surface in all maps, the yarns where the draft has them.
-#include "maps/weave/weave_maps.hpp"
+#include "burnish/weave_maps.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "burnish/error.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "maps/weave/weave_cells.hpp"
 
 namespace burnish {

@@ -1,5 +1,5 @@
 // Measured metals.
-#include "models/conductors.hpp"
+#include "burnish/conductors.hpp"
 
 #include <gtest/gtest.h>
 

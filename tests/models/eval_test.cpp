@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "models/brdf_models.hpp"
-#include "models/mdf.hpp"
+#include "burnish/brdf_models.hpp"
+#include "burnish/mdf.hpp"
 #include "shading/brdf_cases.hpp"
 
 namespace burnish {

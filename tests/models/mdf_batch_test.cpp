@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "burnish/mdf.hpp"
 #include "models/batch/mdf_batch_kernels.hpp"
-#include "models/mdf.hpp"
 
 namespace burnish {
 namespace {

@@ -1,5 +1,5 @@
 // Plots of reflection models against the models, and albedo against docs/evidence/correctness.md.
-#include "plot/brdf_plot.hpp"
+#include "burnish/plot/brdf_plot.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The colour maps: even steps, rising lightness, for colour-blind eyes too.
-#include "plot/color_map.hpp"
+#include "burnish/plot/color_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -1,5 +1,5 @@
 // Figures: what lies where, what does not fit, what cannot be written.
-#include "plot/figure.hpp"
+#include "burnish/plot/figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "burnish/error.hpp"
-#include "image/image_io.hpp"
-#include "plot/panels.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/plot/panels.hpp"
 
 namespace burnish::plot {
 namespace {

@@ -1,6 +1,6 @@
 // Plots of distributions against what they are said to show: pixels against colours of D, grids
 // against the maps as K11 prints them, spikes that must not be lost.
-#include "plot/mdf_plot.hpp"
+#include "burnish/plot/mdf_plot.hpp"
 
 #include <gtest/gtest.h>
 

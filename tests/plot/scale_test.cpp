@@ -1,4 +1,4 @@
-#include "plot/scale.hpp"
+#include "burnish/plot/scale.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "plot/brdf_plot.hpp"
-#include "plot/figure.hpp"
-#include "plot/mdf_plot.hpp"
+#include "burnish/plot/brdf_plot.hpp"
+#include "burnish/plot/figure.hpp"
+#include "burnish/plot/mdf_plot.hpp"
 #include "xml_check.hpp"
 
 namespace burnish::plot {

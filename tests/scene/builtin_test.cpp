@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-#include "scene/geometry/builtin_meshes.hpp"
+#include "burnish/builtin_meshes.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {

@@ -1,5 +1,5 @@
 // Tables of distributions against the analytic lobes they are made of, and quadrature of our own.
-#include "scene/material/ndf_grid.hpp"
+#include "burnish/ndf_grid.hpp"
 
 #include <gtest/gtest.h>
 

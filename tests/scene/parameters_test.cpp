@@ -8,11 +8,11 @@
 #include <limits>
 #include <set>
 
+#include "burnish/conductors.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/text.hpp"
-#include "models/conductors.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "burnish/brdf_models.hpp"
 #include "core/text.hpp"
 #include "lobes_under_test.hpp"
 #include "models/albedo.hpp"
-#include "models/brdf_models.hpp"
 
 namespace burnish::test {
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <vector>
 
+#include "burnish/image_io.hpp"
 #include "core/parallel.hpp"
 #include "horizon_strategies.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish::test {
 namespace {

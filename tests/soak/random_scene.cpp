@@ -8,12 +8,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "burnish/builtin_meshes.hpp"
+#include "burnish/draft.hpp"
+#include "burnish/environments.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/stage.hpp"
-#include "formats/environments.hpp"
-#include "maps/weave/draft.hpp"
-#include "scene/geometry/builtin_meshes.hpp"
 
 namespace burnish::soak {
 namespace {

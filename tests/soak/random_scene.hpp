@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "stage/stage.hpp"
+#include "burnish/stage.hpp"
 
 namespace burnish::soak {
 

@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "burnish/context.hpp"
 #include "burnish/error.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 #include "memory_use.hpp"
 #include "random_scene.hpp"
 

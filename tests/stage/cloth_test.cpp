@@ -4,10 +4,10 @@
 #include <glm/trigonometric.hpp>
 #include <string>
 
+#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
-#include "formats/load_model.hpp"
-#include "maps/weave/draft.hpp"
-#include "stage/layered_materials.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/load_model.hpp"
 
 namespace burnish {
 namespace {

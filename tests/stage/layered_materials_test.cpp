@@ -1,6 +1,6 @@
 // Parameters are a pure function of the models' materials and the values: properties over the whole
 // table.
-#include "stage/layered_materials.hpp"
+#include "burnish/layered_materials.hpp"
 
 #include <gtest/gtest.h>
 

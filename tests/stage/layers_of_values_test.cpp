@@ -3,9 +3,9 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "formats/scene_file.hpp"
-#include "image/image_io.hpp"
-#include "stage/layered_materials.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/scene_file.hpp"
 #include "support/paths.hpp"
 #include "support/test_folder.hpp"
 

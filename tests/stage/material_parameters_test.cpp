@@ -1,9 +1,9 @@
 // Material parameters put onto the materials of a scene.
 #include <gtest/gtest.h>
 
+#include "burnish/image_io.hpp"
+#include "burnish/layered_materials.hpp"
 #include "burnish/shading_names.hpp"
-#include "image/image_io.hpp"
-#include "stage/layered_materials.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {

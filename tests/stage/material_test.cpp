@@ -2,8 +2,8 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "formats/load_model.hpp"
-#include "stage/layered_materials.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/load_model.hpp"
 #include "stage/normal_map_check.hpp"
 #include "support/test_folder.hpp"
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "burnish/stage.hpp"
-#include "stage/stage.hpp"
 #include "support/glb_writer.hpp"
 #include "support/test_folder.hpp"
 

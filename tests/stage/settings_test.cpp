@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "stage/stage.hpp"
+#include "burnish/stage.hpp"
 
 namespace burnish {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "formats/load_model.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
-#include "scene/material/tabulated_material.hpp"
-#include "stage/layered_materials.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/load_model.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "support/bsdf_writer.hpp"
 #include "support/test_folder.hpp"
 

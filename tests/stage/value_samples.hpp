@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "burnish/draft.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/scene.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
-#include "image/image_io.hpp"
-#include "maps/weave/draft.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish::test {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <random>
 
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 namespace {

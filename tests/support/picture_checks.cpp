@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "image/display.hpp"
-#include "image/image_io.hpp"
+#include "burnish/display.hpp"
+#include "burnish/image_io.hpp"
 #include "support/paths.hpp"
 
 namespace burnish::test {

@@ -5,13 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "burnish/compare.hpp"
 #include "burnish/f64.hpp"
-#include "capture/judge/relight.hpp"
+#include "burnish/relight.hpp"
 #include "capture/model/parametric_fit.hpp"
 #include "capture/model/parametric_maps.hpp"
 #include "capture/stack/light_geometry.hpp"
 #include "core/parallel.hpp"
-#include "image/compare.hpp"
 
 namespace burnish {
 

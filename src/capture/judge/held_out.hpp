@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "capture/stack/image_stack.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 

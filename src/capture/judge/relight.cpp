@@ -1,4 +1,4 @@
-#include "capture/judge/relight.hpp"
+#include "burnish/relight.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "burnish/compare.hpp"
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "capture/stack/image_stack.hpp"
 #include "core/statistics.hpp"
-#include "image/compare.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 

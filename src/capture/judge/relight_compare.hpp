@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "burnish/compare.hpp"
 #include "burnish/image.hpp"
-#include "capture/rig/rig.hpp"
-#include "image/compare.hpp"
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/rig.hpp"
+#include "burnish/tabulated_material.hpp"
 
 namespace burnish {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "burnish/image.hpp"
+#include "burnish/rig.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "capture/model/parametric_fit.hpp"
-#include "capture/rig/rig.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "capture/rig/coverage.hpp"
+#include "burnish/coverage.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "burnish/image.hpp"
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 namespace burnish {
 

@@ -1,5 +1,5 @@
 // What is the same for rigs of all formats: checks, what the caller overrides, the geometry.
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "capture/rig/rig_reading.hpp"
 #include "core/files.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 namespace burnish::rig_reading {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "burnish/error.hpp"
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 #include "capture/rig/rig_reading.hpp"
 #include "core/files.hpp"
 

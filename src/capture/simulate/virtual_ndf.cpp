@@ -1,4 +1,4 @@
-#include "capture/simulate/virtual_ndf.hpp"
+#include "burnish/virtual_ndf.hpp"
 
 #include <algorithm>
 #include <cmath>

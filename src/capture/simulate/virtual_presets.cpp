@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "burnish/error.hpp"
-#include "capture/simulate/virtual_sample.hpp"
+#include "burnish/virtual_sample.hpp"
 #include "core/text.hpp"
 
 namespace burnish {

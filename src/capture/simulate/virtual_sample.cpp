@@ -1,4 +1,4 @@
-#include "capture/simulate/virtual_sample.hpp"
+#include "burnish/virtual_sample.hpp"
 
 #include <algorithm>
 #include <cmath>

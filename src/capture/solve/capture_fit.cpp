@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "burnish/coverage.hpp"
 #include "burnish/error.hpp"
-#include "capture/rig/coverage.hpp"
 #include "capture/solve/texel_fit.hpp"
 #include "capture/solve/training_points.hpp"
 #include "capture/stack/stage_file.hpp"
@@ -273,6 +273,28 @@ std::size_t CaptureFit::load_texels() {
     if (!reader.good() || bands > stack_->bands() || !found.whole(settings_.models)) return 0;
     texels_ = std::move(found);
     return bands;
+}
+
+// ---- the library's
+
+namespace {
+
+TabulatedMaterial fitted(CaptureFit&& fit) {
+    fit.find_exemplars();
+    fit.fit_texels();
+    return fit.material();
+}
+
+}  // namespace
+
+TabulatedMaterial fit_capture(const Rig& rig, std::span<const Image> pictures, const Image& mask,
+                              const CaptureFitSettings& settings, const Progress& progress) {
+    return fitted(CaptureFit(rig, pictures, mask, settings, progress));
+}
+
+TabulatedMaterial fit_capture(const Rig& rig, const std::filesystem::path& stages,
+                              const CaptureFitSettings& settings, const Progress& progress) {
+    return fitted(CaptureFit(rig, settings, stages, progress));
 }
 
 }  // namespace burnish

@@ -13,29 +13,17 @@
 #include <span>
 #include <vector>
 
+#include "burnish/capture_fit.hpp"
+#include "burnish/lobe_fit.hpp"
 #include "burnish/progress.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "capture/solve/exemplar_search.hpp"
 #include "capture/solve/texels.hpp"
 #include "capture/stack/image_stack.hpp"
-#include "fit/lobe_fit.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 
 class TexelFitter;
-
-struct CaptureFitSettings {
-    NdfGrid grid;               // of the exemplars
-    int exemplars = 64;         // at most
-    std::optional<double> eta;  // none: estimated; 0: no Fresnel
-    std::uint64_t seed = 1;
-    int hold_out = 0;         // every n-th light takes no part and judges; 0: none
-    int training_points = 0;  // at most; 0: 8192, and no more than have 4 million samples
-    bool normals = false;     // normals of texels may tilt; else the sample is flat
-    bool models = true;       // analytic models of every texel too (parametric_fit.hpp)
-    // Memory of the pictures' bands, in bytes; results do not depend on it.
-    std::size_t band_bytes = ImageStack::kUsualBandBytes;
-};
 
 struct CaptureFitReport {
     StackCensus census;

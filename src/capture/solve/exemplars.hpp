@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "capture/solve/rotation_match.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 

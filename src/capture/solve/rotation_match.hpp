@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/material/ndf_grid.hpp"
+#include "burnish/ndf_grid.hpp"
 
 namespace burnish {
 

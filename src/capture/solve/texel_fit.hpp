@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "burnish/lobe_fit.hpp"
 #include "burnish/progress.hpp"
 #include "capture/solve/exemplars.hpp"
 #include "capture/solve/point_fit.hpp"
 #include "capture/solve/sample_context.hpp"
 #include "capture/solve/texels.hpp"
 #include "capture/stack/image_stack.hpp"
-#include "fit/lobe_fit.hpp"
 
 namespace burnish {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "burnish/tabulated_material.hpp"
 #include "capture/model/parametric_fit.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 

@@ -14,10 +14,10 @@
 #include <span>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "capture/stack/stack_layout.hpp"
 #include "capture/stack/stage_file.hpp"
 #include "core/files.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 

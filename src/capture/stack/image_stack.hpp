@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "burnish/capture_fit.hpp"
 #include "burnish/image.hpp"
 #include "burnish/progress.hpp"
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 namespace burnish {
 
@@ -68,10 +69,6 @@ StackSource images_of(const Rig& rig, std::span<const Image> pictures, const Ima
 
 class ImageStack {
   public:
-    // Memory of one band: large enough that reads from a disk are sequential, small beside other
-    // memory.
-    static constexpr std::size_t kUsualBandBytes = std::size_t{48} << 20;
-
     // Reads every picture once and writes `cache`, unless it holds them already (same rig, same
     // files by size and time of change). `band_bytes`: size of a band of a cache that is written,
     // one of at least 16 pixels. Throws Error.

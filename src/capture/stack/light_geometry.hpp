@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "capture/rig/rig.hpp"
-#include "scene/material/ndf_grid.hpp"
+#include "burnish/ndf_grid.hpp"
+#include "burnish/rig.hpp"
 
 namespace burnish {
 

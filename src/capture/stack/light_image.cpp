@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "capture/stack/image_stack.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 

@@ -5,13 +5,13 @@
 #include <memory>
 #include <string>
 
+#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/integer_flag.hpp"
 #include "cli/parameter_flags.hpp"
 #include "cli/session.hpp"
 #include "jobs/maps/weave.hpp"
-#include "maps/weave/draft.hpp"
 
 namespace burnish::cli {
 namespace {

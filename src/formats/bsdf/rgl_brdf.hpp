@@ -21,9 +21,9 @@
 #include <span>
 #include <string>
 
+#include "burnish/mdf.hpp"
 #include "formats/bsdf/bilinear_warp.hpp"
 #include "formats/bsdf/tensor_file.hpp"
-#include "models/mdf.hpp"
 
 namespace burnish {
 

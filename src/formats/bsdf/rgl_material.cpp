@@ -1,4 +1,4 @@
-#include "formats/bsdf/rgl_material.hpp"
+#include "burnish/rgl_material.hpp"
 
 #include <fmt/format.h>
 

@@ -7,9 +7,9 @@
 #include <exception>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 namespace {

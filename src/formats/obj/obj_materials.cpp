@@ -10,11 +10,11 @@
 #include <sstream>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "formats/model_limits.hpp"
 #include "formats/obj/obj_text.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 namespace {

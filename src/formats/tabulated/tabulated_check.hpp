@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_material.hpp"
 
 namespace burnish {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "burnish/error.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
+#include "burnish/tabulated_file.hpp"
 #include "image/image_parts.hpp"
 
 namespace burnish {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/material/ndf_grid.hpp"
+#include "burnish/ndf_grid.hpp"
 
 namespace burnish {
 

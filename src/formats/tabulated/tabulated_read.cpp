@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "formats/tabulated/tabulated_check.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
 #include "formats/tabulated/tabulated_parts.hpp"
 #include "image/image_parts.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 namespace {

@@ -1,5 +1,5 @@
 // WIF: text -> tables of shafts -> which yarn is on top.
-#include "formats/wif/wif.hpp"
+#include "burnish/wif.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
 #include "formats/wif/wif_text.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "burnish/error.hpp"
-#include "formats/wif/wif.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/wif.hpp"
 
 namespace burnish {
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "gpu/device/context.hpp"
+#include "burnish/context.hpp"
 #include "gpu/device/handles.hpp"
 
 namespace burnish::gpu {

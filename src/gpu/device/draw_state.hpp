@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "gpu/device/context.hpp"
+#include "burnish/context.hpp"
 #include "gpu/device/gl.hpp"
 
 namespace burnish::gpu {

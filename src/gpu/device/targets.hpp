@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "gpu/device/context.hpp"
+#include "burnish/context.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
 

@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "burnish/context.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/scene.hpp"
-#include "gpu/device/context.hpp"
+#include "burnish/upload_counts.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu/draw/ground.hpp"
 #include "gpu/draw/shadow_maps.hpp"
 #include "gpu/draw/surface_variant.hpp"
-#include "gpu/draw/upload_counts.hpp"
 #include "gpu/upload/cloth_maps.hpp"
 #include "gpu/upload/environment.hpp"
 #include "gpu/upload/geometry.hpp"

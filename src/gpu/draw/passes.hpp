@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "burnish/context.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/render_settings.hpp"
-#include "gpu/device/context.hpp"
+#include "burnish/renderer.hpp"
 #include "gpu/device/draw_state.hpp"
 #include "gpu/device/targets.hpp"
 #include "gpu/draw/device_scene.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "scene/camera/view.hpp"
 
 namespace burnish::gpu {

@@ -1,4 +1,4 @@
-#include "gpu/draw/renderer.hpp"
+#include "burnish/renderer.hpp"
 
 #include <algorithm>
 #include <chrono>

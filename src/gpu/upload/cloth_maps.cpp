@@ -7,10 +7,10 @@
 #include <span>
 #include <string>
 
+#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "maps/weave/cloth_levels.hpp"
-#include "maps/weave/draft.hpp"
 #include "scene/material/material_lobe.hpp"
 
 namespace burnish::gpu {

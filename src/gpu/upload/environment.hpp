@@ -4,9 +4,9 @@
 
 #include <optional>
 
+#include "burnish/context.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/scene.hpp"
-#include "gpu/device/context.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu/upload/lobe_map.hpp"

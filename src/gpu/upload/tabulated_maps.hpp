@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "burnish/tabulated_material.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::gpu {
 

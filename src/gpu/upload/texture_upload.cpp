@@ -9,8 +9,8 @@
 #include <type_traits>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "gpu/device/texture_units.hpp"
-#include "image/image_io.hpp"
 #include "maps/normal/slope_mips.hpp"
 
 namespace burnish::gpu {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "burnish/context.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/scene.hpp"
-#include "gpu/device/context.hpp"
 #include "gpu/device/handles.hpp"
 
 namespace burnish::gpu {

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
-#include "image/image_io.hpp"
 
 namespace burnish {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
+#include "burnish/rig.hpp"
 #include "capture/rig/light_probe.hpp"
-#include "capture/rig/rig.hpp"
 
 namespace burnish {
 

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "burnish/f32.hpp"
-#include "core/version.hpp"
-#include "export/material_textures.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/load_tabulated.hpp"
+#include "burnish/lobe_fit.hpp"
+#include "burnish/material_textures.hpp"
+#include "burnish/version.hpp"
 #include "export/quad_gltf.hpp"
-#include "fit/lobe_fit.hpp"
-#include "formats/load_tabulated.hpp"
-#include "image/image_io.hpp"
 #include "jobs/map_folder.hpp"
 
 namespace burnish {

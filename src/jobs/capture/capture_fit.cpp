@@ -7,12 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "burnish/coverage.hpp"
 #include "burnish/error.hpp"
-#include "capture/rig/coverage.hpp"
+#include "burnish/lobe_fit.hpp"
+#include "burnish/tabulated_file.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
-#include "core/version.hpp"
-#include "fit/lobe_fit.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
 #include "jobs/map_folder.hpp"
 
 namespace burnish {

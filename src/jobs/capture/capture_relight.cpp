@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "burnish/error.hpp"
-#include "capture/judge/relight.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/load_tabulated.hpp"
+#include "burnish/relight.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
-#include "core/version.hpp"
-#include "formats/load_tabulated.hpp"
-#include "image/image_io.hpp"
 #include "jobs/map_folder.hpp"
 
 namespace burnish {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
+#include "burnish/rig.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "capture/judge/relight_compare.hpp"
-#include "capture/rig/rig.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 

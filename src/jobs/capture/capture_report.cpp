@@ -7,11 +7,11 @@
 #include <map>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/load_tabulated.hpp"
+#include "burnish/version.hpp"
 #include "capture/solve/capture_fit.hpp"
 #include "core/files.hpp"
-#include "core/version.hpp"
-#include "formats/load_tabulated.hpp"
-#include "image/image_io.hpp"
 #include "jobs/capture/capture_relight.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 #include "jobs/info/info_rig.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 namespace burnish {
 

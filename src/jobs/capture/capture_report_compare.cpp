@@ -5,15 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "burnish/compare.hpp"
 #include "burnish/f64.hpp"
-#include "capture/judge/relight.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/plot/color_map.hpp"
+#include "burnish/relight.hpp"
 #include "capture/model/parametric_maps.hpp"
 #include "capture/stack/light_geometry.hpp"
 #include "core/statistics.hpp"
-#include "image/compare.hpp"
-#include "image/image_io.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
-#include "plot/color_map.hpp"
 
 namespace burnish::report {
 

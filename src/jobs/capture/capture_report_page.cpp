@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "burnish/version.hpp"
 #include "core/text.hpp"
-#include "core/version.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 #include "jobs/info/info_scene.hpp"
 #include "plot/html.hpp"

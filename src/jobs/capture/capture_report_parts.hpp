@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "burnish/coverage.hpp"
+#include "burnish/lobe_fit.hpp"
+#include "burnish/plot/figure.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "capture/judge/held_out.hpp"
-#include "capture/rig/coverage.hpp"
 #include "capture/stack/image_stack.hpp"
-#include "fit/lobe_fit.hpp"
 #include "jobs/capture/capture_report.hpp"
-#include "plot/figure.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish::report {
 

@@ -7,12 +7,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "burnish/image_io.hpp"
+#include "burnish/material_textures.hpp"
+#include "burnish/plot/panels.hpp"
 #include "core/statistics.hpp"
-#include "export/material_textures.hpp"
-#include "image/image_io.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 #include "plot/axes.hpp"
-#include "plot/panels.hpp"
 
 namespace burnish::report {
 

@@ -3,12 +3,11 @@
 
 #include <memory>
 
+#include "burnish/context.hpp"
 #include "burnish/error.hpp"
+#include "burnish/renderer.hpp"
 #include "burnish/stage.hpp"
-#include "gpu/device/context.hpp"
-#include "gpu/draw/renderer.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
-#include "stage/stage.hpp"
 
 namespace burnish::report {
 

@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
-#include "core/version.hpp"
-#include "image/image_io.hpp"
 #include "jobs/map_folder.hpp"
 
 namespace burnish {

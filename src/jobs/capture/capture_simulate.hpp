@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
-#include "capture/simulate/virtual_sample.hpp"
+#include "burnish/virtual_sample.hpp"
 
 namespace burnish {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "burnish/wif.hpp"
 #include "core/text.hpp"
-#include "formats/wif/wif.hpp"
 #include "jobs/info/info_scene.hpp"
 
 namespace burnish {

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <span>
 
+#include "burnish/coverage.hpp"
 #include "burnish/error.hpp"
-#include "capture/rig/coverage.hpp"
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 #include "core/text.hpp"
 #include "jobs/info/info_scene.hpp"
 

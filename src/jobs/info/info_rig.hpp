@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "capture/rig/rig.hpp"
+#include "burnish/rig.hpp"
 
 namespace burnish {
 

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "burnish/conductors.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/scene_file.hpp"
+#include "burnish/stage.hpp"
 #include "core/text.hpp"
-#include "formats/scene_file.hpp"
-#include "models/conductors.hpp"
-#include "stage/layered_materials.hpp"
 #include "stage/normal_map_check.hpp"
-#include "stage/stage.hpp"
 
 namespace burnish {
 

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
+#include "burnish/tabulated_file.hpp"
+#include "burnish/tabulated_material.hpp"
 #include "core/text.hpp"
-#include "formats/tabulated/tabulated_file.hpp"
 #include "jobs/info/info_scene.hpp"
-#include "scene/material/tabulated_material.hpp"
 
 namespace burnish {
 namespace {

@@ -9,14 +9,14 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/scratch_maps.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
 #include "core/memory.hpp"
-#include "core/version.hpp"
-#include "image/image_io.hpp"
 #include "jobs/map_folder.hpp"
 #include "jobs/maps/scratch_preview.hpp"
 #include "jobs/maps/scratch_recipe.hpp"
-#include "maps/scratch/scratch.hpp"
 
 namespace burnish {
 

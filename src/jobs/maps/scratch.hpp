@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
-#include "maps/scratch/scratch_settings.hpp"
+#include "burnish/scratch_settings.hpp"
 
 namespace burnish {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/image.hpp"
-#include "maps/scratch/scratch.hpp"
+#include "burnish/scratch_maps.hpp"
 
 namespace burnish {
 

@@ -9,9 +9,9 @@
 
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
-#include "core/version.hpp"
 #include "formats/json_text.hpp"
 
 namespace burnish {

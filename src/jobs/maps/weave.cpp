@@ -12,14 +12,14 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/version.hpp"
+#include "burnish/weave_maps.hpp"
+#include "burnish/wif.hpp"
 #include "core/files.hpp"
 #include "core/memory.hpp"
-#include "core/version.hpp"
-#include "formats/wif/wif.hpp"
-#include "image/image_io.hpp"
 #include "jobs/map_folder.hpp"
 #include "jobs/maps/weave_preview.hpp"
-#include "maps/weave/weave_maps.hpp"
 
 namespace burnish {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 #include "jobs/maps/map_preview.hpp"
 #include "plot/sheet.hpp"
 

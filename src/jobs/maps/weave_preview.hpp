@@ -2,7 +2,7 @@
 #pragma once
 
 #include "burnish/image.hpp"
-#include "maps/weave/weave_maps.hpp"
+#include "burnish/weave_maps.hpp"
 
 namespace burnish {
 

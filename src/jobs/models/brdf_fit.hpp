@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "burnish/fit_brdf.hpp"
 #include "burnish/progress.hpp"
-#include "fit/fit_brdf.hpp"
 #include "formats/bsdf/rgl_brdf.hpp"
 
 namespace burnish {

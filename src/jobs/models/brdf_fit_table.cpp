@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "burnish/error.hpp"
+#include "burnish/version.hpp"
 #include "core/files.hpp"
-#include "core/version.hpp"
 
 namespace burnish {
 namespace {

@@ -9,11 +9,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "burnish/brdf_models.hpp"
 #include "burnish/error.hpp"
+#include "burnish/mdf.hpp"
 #include "core/csv_columns.hpp"
 #include "models/batch/mdf_batch.hpp"
-#include "models/brdf_models.hpp"
-#include "models/mdf.hpp"
 
 namespace burnish {
 namespace {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "burnish/parameters.hpp"
+#include "burnish/plot/brdf_plot.hpp"
+#include "burnish/plot/figure.hpp"
+#include "burnish/plot/mdf_plot.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/shading_names.hpp"
-#include "plot/brdf_plot.hpp"
-#include "plot/figure.hpp"
-#include "plot/mdf_plot.hpp"
 
 namespace burnish {
 

@@ -4,7 +4,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/f64.hpp"
-#include "core/version.hpp"
+#include "burnish/version.hpp"
 
 namespace burnish {
 

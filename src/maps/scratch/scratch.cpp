@@ -1,5 +1,3 @@
-#include "maps/scratch/scratch.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <cstddef>
 
 #include "burnish/error.hpp"
+#include "burnish/scratch_maps.hpp"
 #include "core/large_pages.hpp"
 #include "core/parallel.hpp"
 #include "image/large_image.hpp"

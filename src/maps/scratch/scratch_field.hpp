@@ -4,8 +4,8 @@
 #pragma once
 
 #include "burnish/image.hpp"
-#include "maps/scratch/scratch.hpp"
-#include "maps/scratch/scratch_settings.hpp"
+#include "burnish/scratch_maps.hpp"
+#include "burnish/scratch_settings.hpp"
 
 namespace burnish {
 

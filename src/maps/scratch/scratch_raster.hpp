@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "maps/scratch/scratch_settings.hpp"
+#include "burnish/scratch_settings.hpp"
 #include "maps/scratch/scratch_strokes.hpp"
 
 namespace burnish {

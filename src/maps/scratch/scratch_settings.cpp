@@ -1,4 +1,4 @@
-#include "maps/scratch/scratch_settings.hpp"
+#include "burnish/scratch_settings.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "maps/scratch/scratch.hpp"
+#include "burnish/scratch_maps.hpp"
 
 namespace burnish {
 

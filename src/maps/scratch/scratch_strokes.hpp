@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "maps/scratch/scratch.hpp"
-#include "maps/scratch/scratch_settings.hpp"
+#include "burnish/scratch_maps.hpp"
+#include "burnish/scratch_settings.hpp"
 
 namespace burnish {
 

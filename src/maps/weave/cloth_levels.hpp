@@ -6,7 +6,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "maps/weave/draft.hpp"
+#include "burnish/draft.hpp"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "maps/weave/draft.hpp"
+#include "burnish/draft.hpp"
 
 #include <fmt/format.h>
 

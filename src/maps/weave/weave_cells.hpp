@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "burnish/draft.hpp"
 #include "burnish/f32.hpp"
-#include "maps/weave/draft.hpp"
 
 namespace burnish {
 

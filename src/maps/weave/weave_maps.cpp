@@ -1,4 +1,4 @@
-#include "maps/weave/weave_maps.hpp"
+#include "burnish/weave_maps.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cstddef>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/large_pages.hpp"
 #include "core/parallel.hpp"
-#include "image/image_io.hpp"
 #include "image/large_image.hpp"
 #include "maps/weave/weave_cells.hpp"
 

@@ -1,7 +1,7 @@
 // Built-in meshes: all about a metre across, centred on the origin (the drape hangs below it), with
 // texture coordinates, normals and exact tangents. v runs down the surface as rows run down a
 // picture, so that cross(normal, tangent) points up the picture and every tangent.w is +1.
-#include "scene/geometry/builtin_meshes.hpp"
+#include "burnish/builtin_meshes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "scene/material/ndf_grid.hpp"
+#include "burnish/ndf_grid.hpp"
 
 #include <algorithm>
 #include <array>

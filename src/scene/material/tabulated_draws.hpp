@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/material/ndf_grid.hpp"
+#include "burnish/ndf_grid.hpp"
 
 namespace burnish {
 

@@ -21,7 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/material/tabulated_material.hpp"
+#include "burnish/tabulated_material.hpp"
 
 namespace burnish {
 

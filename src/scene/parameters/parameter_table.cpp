@@ -6,12 +6,12 @@
 #include <charconv>
 #include <glm/trigonometric.hpp>
 
+#include "burnish/conductors.hpp"
+#include "burnish/display.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene.hpp"
 #include "burnish/shading_names.hpp"
-#include "image/display.hpp"
-#include "models/conductors.hpp"
 
 namespace burnish {
 

@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "burnish/error.hpp"
-#include "image/image_io.hpp"
+#include "burnish/image_io.hpp"
 
 namespace burnish {
 namespace {

@@ -1,0 +1,17 @@
+// Environments: light from everywhere. Throws Error with one line naming the file, the key, what was expected and what was found, for
+// any broken, hostile or unsupported input; never crashes, hangs, or allocates by a count that it
+// has not checked.
+#pragma once
+
+#include <string>
+
+#include "burnish/api.hpp"
+#include "burnish/scene.hpp"
+
+namespace BURNISH_API burnish {
+
+// .hdr, .exr (or any allowed image) lat-long, or "builtin:studio" (soft boxes in a dark room; the
+// default), "builtin:white" (constant 1, the furnace), "builtin:black".
+Environment load_environment(const std::string& path_or_builtin);
+
+}  // namespace burnish

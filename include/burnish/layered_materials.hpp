@@ -1,0 +1,54 @@
+// Materials of a scene in three layers: as the models have them, what the scene file lays over
+// them, what flags lay over both.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/api.hpp"
+#include "burnish/material_assets.hpp"
+#include "burnish/parameters.hpp"
+#include "burnish/scene.hpp"
+#include "burnish/scene_file.hpp"
+
+namespace BURNISH_API burnish {
+
+class LayeredMaterials {
+  public:
+    LayeredMaterials() = default;
+    // `base`: the models' materials, one for each material of the scene that apply() is given.
+    // `layers`: the scene file's, one a material, or none at all.
+    explicit LayeredMaterials(std::vector<Material> base,
+                              std::vector<SceneFile::Layer> layers = {});
+
+    // Sets scene.materials to the base materials under the file's values and, over them, `flags`.
+    // The result depends on nothing else: applying twice is applying once, and applying no flags
+    // takes earlier ones back. Maps that values name are read once and appended to scene.textures,
+    // from which nobody may erase. Returns warnings. Throws UsageError for flags, Error for values
+    // of the file that cannot be applied; scene.materials are then what they were.
+    std::vector<std::string> apply(Scene& scene, const ParameterValues& flags);
+
+    const std::vector<Material>& base() const { return base_; }
+
+  private:
+    ParameterValues values_of(std::size_t index, Scene& scene, const ParameterValues& flags);
+
+    std::vector<Material> base_;
+    std::vector<SceneFile::Layer> layers_;
+    MaterialAssets assets_;
+    std::vector<std::string> file_warnings_;  // of drafts
+};
+
+// The values of a lower layer under those of an upper one, which wins. A normal map that the upper
+// layer names is not scaled by the lower layer's uv_scale; a metal that it names is metallic; a
+// weave that it names is not of the lower layer's metal. When the upper layer states half of a
+// roughness pair, the other half is that of `lower_alpha`, the pair of the lower layer, unless the
+// lower layer states the same half alone.
+ParameterValues values_over(const ParameterValues& lower, const ParameterValues& upper,
+                            const std::optional<glm::vec2>& lower_alpha);
+
+// Applies `values` to every material that the scene has now, once, and appends the warnings to the
+// scene's. To change them later, keep a LayeredMaterials.
+void apply_material_parameters(Scene& scene, const ParameterValues& values);
+
+}  // namespace burnish

@@ -1,0 +1,50 @@
+// What material parameters name: normal maps, scratch maps, weave drafts, measured materials.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "burnish/api.hpp"
+#include "burnish/parameters.hpp"
+#include "burnish/scene.hpp"
+
+namespace BURNISH_API burnish {
+
+// Loads each thing once, and keeps it, so that parameters can be applied any number of times. A
+// thing is known by the text that names it.
+class MaterialAssets {
+  public:
+    // Indices into the textures of the scene; -1: none.
+    struct ScratchMaps {
+        int normal = -1;
+        int anisotropy = -1;
+    };
+
+    // Loads what `values` name and is not here yet. Textures are appended to `textures`: the same
+    // vector in every call, to which others may append, but from which nobody erases. Warnings of
+    // drafts are appended to `warnings`. Throws UsageError for names that are neither built in nor
+    // files, Error for files that cannot be read; what was loaded before stays.
+    void load(const ParameterValues& values, std::vector<Texture>& textures,
+              std::vector<std::string>& warnings);
+
+    // What load() was given before. "none" names nothing: index -1 and null pointers.
+    int normal_map(const std::string& name) const;
+    ScratchMaps scratch(const std::string& name) const;
+    std::shared_ptr<const Draft> draft(const std::string& name) const;
+    std::shared_ptr<const TabulatedMaterial> tabulated(const std::string& name) const;
+
+  private:
+    void load_scratch_maps(const std::string& name, bool follow, std::vector<Texture>& textures);
+
+    std::map<std::string, int> normal_maps_;
+    std::map<std::string, ScratchMaps> scratch_;
+    std::map<std::string, std::shared_ptr<const Draft>> drafts_;
+    std::map<std::string, std::shared_ptr<const TabulatedMaterial>> tabulated_;
+};
+
+// Whether `values` set `name` to something other than "none".
+bool names_one(const ParameterValues& values, std::string_view name);
+
+}  // namespace burnish

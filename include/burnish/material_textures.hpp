@@ -1,0 +1,47 @@
+// Textures of a glTF material from a fitted one. Private to capture_export.cpp,
+// capture_report*.cpp and their tests.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "burnish/api.hpp"
+#include "burnish/image.hpp"
+#include "burnish/lobe_fit.hpp"
+#include "burnish/tabulated_material.hpp"
+
+namespace BURNISH_API burnish {
+
+// What glTF's metallic-roughness model says of a diffuse and a specular colour:
+//   diffuse = base (1 - metallic),  specular = 0.04 (1 - metallic) + base metallic
+// solved for luminances, then base for each channel by least squares, clamped to 0..1.
+struct MetallicColor {
+    std::array<float, 3> base{};
+    float metallic = 0.0f;
+};
+MetallicColor metallic_color(const std::array<float, 3>& diffuse,
+                             const std::array<float, 3>& specular);
+
+// KHR_materials_anisotropy: alpha along = roughness^2, alpha across = mix(alpha along, 1,
+// strength^2).
+struct AnisotropicRoughness {
+    float roughness = 0.0f, strength = 0.0f;
+};
+AnisotropicRoughness anisotropic_roughness(const LobeFit& lobe);
+
+// The groove of a texel in sample space, radians in [0, pi); the texel has an exemplar.
+double groove_at(const TabulatedMaterial& material, const std::vector<LobeFit>& lobes,
+                 std::size_t texel);
+
+// Display values: base colour, with alpha where the material has a mask.
+Image base_color_texture(const TabulatedMaterial& material, bool masked);
+// Data: roughness in green, metallic in blue.
+Image metallic_roughness_texture(const TabulatedMaterial& material,
+                                 const std::vector<LobeFit>& lobes);
+Image normal_texture(const TabulatedMaterial& material);
+// Data: the direction of the stretch, a quarter turn from the groove, in red and green, its
+// strength in blue. Of the two directions of a line that one which turns least from the texels to
+// the left and above, so that filtering finds few seams.
+Image anisotropy_texture(const TabulatedMaterial& material, const std::vector<LobeFit>& lobes);
+
+}  // namespace burnish

@@ -1,0 +1,134 @@
+// The real-time renderer: a scene and an environment in, pictures out, while both are edited.
+//
+// Choices that the literature leaves open:
+// - Pixels are filtered by a triangle of half width 1 pixel, sampled by jittering the whole view.
+// - The horizon of the perturbed normal bounds the light: a mapped bump matches a modeled one. A
+// view
+//   below that horizon sees the normal turned until it faces the view (normal_facing).
+// - The diffuse term is base (1 - metallic) / pi (1 - F(n~.wi)) (1 - F(|n~.wo|)), F Schlick's with
+// the
+//   dielectric F0; under an environment the first factor is its cosine-weighted mean.
+// - Occlusion maps darken image light only, its reflections by the rule in shade.glsl.
+// - Blended instances are sorted back to front by the centers of their boxes; their triangles are
+// not.
+// - Back faces of double-sided materials have their whole tangent frame turned over: the sheet seen
+//   from behind, where a dent is a bump.
+//
+// Threads: all calls come from the thread on which the context is current, or may be made current;
+// two renderers of one context are used one after the other. Lifetime: destroy a renderer before
+// its context. Nothing that is passed in is referred to after the call; a copy of textures and
+// environment is kept, meshes are on the device alone.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "burnish/api.hpp"
+#include "burnish/context.hpp"
+#include "burnish/display.hpp"
+#include "burnish/progress.hpp"
+#include "burnish/render_settings.hpp"
+#include "burnish/scene.hpp"
+#include "burnish/upload_counts.hpp"
+
+namespace burnish {
+namespace BURNISH_API gpu {
+
+// Frame-cost variants of the benchmark (K11 Fig 11, K12 Table I): the full shading, lighting at the
+// vertices only, and the full shading without the normal map.
+enum class ShadingVariant { full, gouraud, anisotropic };
+
+// Seconds that a number of frames took together.
+struct FrameTimes {
+    double wall_s = 0;
+    double cpu_s = 0;                // processor time of all threads of the program
+    std::optional<double> device_s;  // as the device's timer says, true or not (device_timer.hpp)
+};
+
+class Renderer {
+  public:
+    // Of an empty scene without light.
+    explicit Renderer(Context& context);
+    // Uploads everything. `environment` may be null. Throws Error when something is broken or too
+    // large for the device, Interrupted when `progress` is cancelled.
+    Renderer(Context& context, const Scene& scene, const Environment* environment,
+             const Progress& progress = {});
+    ~Renderer();
+
+    // Edits. An id is the index into the vector of the scene: it stays for the renderer's life, or
+    // until set_scene. An edit uploads what it brings and nothing else. It throws Error for an id
+    // that does not exist and for what is broken or too large for the device, Interrupted when
+    // `progress` is cancelled; the renderer then draws what it drew before. An edit ends the series
+    // of samples in progress: the next add_sample begins it anew.
+
+    // Meshes and textures that equal those on the device stay there.
+    void set_scene(const Scene& scene, const Progress& progress = {});
+    void set_environment(const Environment* environment,
+                         const Progress& progress = {});  // null: none
+    void set_lights(std::span<const Light> lights);       // at most 16
+
+    int add_material(const Material& material, const Progress& progress = {});
+    void update_material(int id, const Material& material, const Progress& progress = {});
+    // All of them, as many as there are.
+    void set_materials(const std::vector<Material>& materials, const Progress& progress = {});
+
+    // A texture is uploaded when a material uses it, in each form that materials read it in.
+    int add_texture(Texture texture);
+    void update_texture(int id, Texture texture, const Progress& progress = {});
+
+    int add_mesh(const Mesh& mesh);
+    void update_mesh(int id, const Mesh& mesh);
+
+    int add_instance(const Instance& instance);
+    void update_instance(int id, const Instance& instance);  // one that was removed is there again
+    void remove_instance(int id);                            // its id is not given to another
+
+    // Makes what pictures with these settings need beyond the scene: compiled shaders, tables, the
+    // blurred environment, the shadow on the ground. begin and render do the same where it was not
+    // done; this call keeps it off the frame. When `progress` is cancelled, what was made by then
+    // stays, and the renderer draws what it drew before.
+    void prepare(const RenderSettings& settings, const Progress& progress = {});
+
+    // A series of samples of one picture, whose mean may be shown after each. `settings.samples` is
+    // the number that the series is meant to reach: textures are read as finely as so many samples
+    // allow. Another size than the last series had makes new images to draw into. The number of
+    // lights is no part of the shaders: another number compiles nothing. Throws Error for settings
+    // out of range.
+    void begin(const Camera& camera, const RenderSettings& settings);
+    void add_sample();  // Error when nothing was begun
+    int samples_done() const;
+    // The mean so far as a display shows it, sRGB-encoded RGBA, into the lower left width x height
+    // pixels of a framebuffer (0: the window's); as to_display(picture()) within 1/255. A
+    // framebuffer of another size than the picture's gets the nearest pixels. Alpha is coverage
+    // under a transparent background, which color is not multiplied by, else 1. Error when there is
+    // no sample.
+    void present(unsigned framebuffer, int width, int height, double exposure_ev, ToneMap tone_map);
+    // The mean so far, linear, as render returns it. Error when there is no sample.
+    Image picture();
+
+    // Linear RGBA (alpha = coverage when the background is transparent, else 1; not premultiplied).
+    // Every value is finite and in [0, 65504]. Large pictures are drawn in tiles. Ends a series.
+    Image render(const Camera& camera, const RenderSettings& settings,
+                 const Progress& progress = {});
+
+    // For benchmarks: draws `frames` frames into the float target with no read-back, one sample
+    // each, between two glFinish. `warm_up` frames before them are not counted. Ends a series.
+    FrameTimes measure_frames(const Camera& camera, const RenderSettings& settings, int frames,
+                              int warm_up, ShadingVariant variant = ShadingVariant::full);
+
+    // Their wall seconds, after one frame that warms up.
+    double time_frames(const Camera& camera, const RenderSettings& settings, int frames,
+                       ShadingVariant variant = ShadingVariant::full);
+
+    // For tests and benchmarks: uploads since the renderer was made.
+    UploadCounts uploads() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gpu
+}  // namespace burnish

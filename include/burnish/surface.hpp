@@ -1,0 +1,61 @@
+// Reflection of a material at a point, by value: the maths of shading/ in double precision.
+//
+// Threads: a SurfacePoint may be read from any number of threads. Lifetime: it keeps nothing of the
+// material.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string_view>
+
+#include "burnish/api.hpp"
+#include "burnish/f64.hpp"
+#include "burnish/scene.hpp"
+
+namespace BURNISH_API burnish {
+
+// By name, as flags and files spell them: "ggx", "microfacet", "follow-grain". Throw UsageError with
+// the nearest name for an unknown one.
+Mdf mdf_named(std::string_view name);
+Brdf brdf_named(std::string_view name);
+Method method_named(std::string_view name);
+
+// A material without its textures where the perturbed normal is `normal`, diffuse and specular term
+// together. Directions are unit vectors in tangent space: x along the tangent, z the geometric
+// normal. They point away from the surface.
+class SurfacePoint {
+  public:
+    // `normal`: unit, z > 0. Throws UsageError where the model has no meaning under the method, and
+    // for cloth and tabulated materials, whose reflection depends on the place.
+    explicit SurfacePoint(const Material& material, glm::dvec3 normal = {0.0, 0.0, 1.0});
+
+    // RGB per steradian, without the cosine. 0 where a direction is below the perturbed horizon.
+    glm::dvec3 eval(glm::dvec3 to_light, glm::dvec3 to_eye) const;
+
+    struct Sample {
+        glm::dvec3 to_light{0.0};
+        double pdf = 0.0;        // per steradian, of the direction
+        glm::dvec3 weight{0.0};  // eval times the cosine over the density
+    };
+    // A direction drawn by three uniform numbers of [0, 1); none: the draw is thrown away, which
+    // keeps the mean of the weights right.
+    std::optional<Sample> sample(glm::dvec3 to_eye, const std::array<double, 3>& uniform) const;
+    // The density with which `sample` draws a direction.
+    double pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const;
+
+  private:
+    // Directions against the lobe's axes, and the perturbation that a view from there sees: a normal
+    // that a strong map turns away from the eye faces it.
+    f64::vec3 local(glm::dvec3 w) const;
+    f64::Perturbation seen_from(f64::vec3 to_eye) const;
+
+    f64::SurfaceMaterial material_;
+    f64::vec3 normal_;
+    f64::vec2 stretch_;  // (cos, sin) from the tangent to the lobe's x axis
+    int method_ = 0;
+    bool grooves_along_x_ = true;
+    bool conserve_ = false;
+};
+
+}  // namespace burnish

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string_view>
+
+#include "burnish/api.hpp"
+
+namespace BURNISH_API burnish {
+
+// "0.1.0": the version of CMakeLists.txt.
+std::string_view version();
+
+}  // namespace burnish

@@ -1,0 +1,111 @@
+#include <cmath>
+
+#include "burnish/error.hpp"
+#include "burnish/surface.hpp"
+#include "core/text.hpp"
+#include "scene/material/material_lobe.hpp"
+
+namespace burnish {
+namespace {
+
+f64::vec3 of(glm::dvec3 v) {
+    return {v.x, v.y, v.z};
+}
+
+glm::dvec3 of(f64::vec3 v) {
+    return {v.x, v.y, v.z};
+}
+
+// The values that the renderer's uniforms and constants hold (gpu/draw/material_state.cpp), in
+// double precision.
+f64::SurfaceMaterial values_of(const Material& m) {
+    const int brdf = static_cast<int>(m.brdf);
+    const int mdf = f64::brdf_mdf(brdf, static_cast<int>(m.mdf));
+    const glm::vec2 alpha = alpha_of(m);
+    const f64::Lobe lobe =
+        f64::lobe_from_alpha(mdf, static_cast<double>(alpha.x), static_cast<double>(alpha.y));
+    f64::SurfaceMaterial s =
+        f64::surface_material(brdf, lobe, static_cast<double>(m.ks.value_or(-1.0f)),
+                              of(glm::dvec3(m.lafortune_c)), static_cast<double>(m.dielectric_f0));
+    s = f64::surface_colored(s, of(glm::dvec3(glm::vec3(m.base_color))),
+                             static_cast<double>(m.metallic));
+    s.has_diffuse = !m.conductor && m.metallic < 1.0f;
+    if (m.conductor) {
+        s.fresnel = f64::kFresnelConductor;
+        s.eta = of(glm::dvec3(m.conductor->eta));
+        s.k = of(glm::dvec3(m.conductor->k));
+    }
+    return s;
+}
+
+void require_point(const Material& m) {
+    if (cloth_of(m) != nullptr || tabulated_of(m) != nullptr)
+        throw UsageError("material", "lobe", "a glTF or an alpha lobe",
+                         cloth_of(m) != nullptr ? "cloth" : "a tabulated material");
+    if (f64::brdf_takes_method(static_cast<int>(m.brdf), static_cast<int>(m.method))) return;
+    throw UsageError("material", "method",
+                     "one that " + std::string(name_of(m.brdf)) + " has a meaning under",
+                     std::string(name_of(m.method)));
+}
+
+}  // namespace
+
+Mdf mdf_named(std::string_view name) {
+    return static_cast<Mdf>(index_of_name(mdf_names(), name, "distribution", "mdf"));
+}
+
+Brdf brdf_named(std::string_view name) {
+    return static_cast<Brdf>(index_of_name(brdf_names(), name, "model", "brdf"));
+}
+
+Method method_named(std::string_view name) {
+    return static_cast<Method>(index_of_name(method_names(), name, "method", "method"));
+}
+
+SurfacePoint::SurfacePoint(const Material& material, glm::dvec3 normal)
+    : material_(values_of(material)), normal_(of(normal)) {
+    require_point(material);
+    const auto rotation = static_cast<double>(material.anisotropy_rotation);
+    stretch_ = f64::vec2(std::cos(rotation), std::sin(rotation));
+    const bool bent = normal.x != 0.0 || normal.y != 0.0;
+    method_ = static_cast<int>(bent ? drawn_method(material) : Method::none);
+    grooves_along_x_ =
+        f64::lobe_grooves_along_x(material_.lobe.mdf, material_.lobe.p0, material_.lobe.p1);
+    conserve_ = material.conserve && material.method == Method::deform_smooth;
+}
+
+f64::vec3 SurfacePoint::local(glm::dvec3 w) const {
+    return f64::seen_from_rotated(of(w), stretch_);
+}
+
+f64::Perturbation SurfacePoint::seen_from(f64::vec3 to_eye) const {
+    return f64::surface_perturbation(method_, normal_, stretch_, grooves_along_x_, conserve_,
+                                     to_eye);
+}
+
+glm::dvec3 SurfacePoint::eval(glm::dvec3 to_light, glm::dvec3 to_eye) const {
+    const f64::vec3 wo = local(to_eye);
+    return of(f64::surface_eval(material_, seen_from(wo), local(to_light), wo));
+}
+
+double SurfacePoint::pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const {
+    const f64::vec3 wo = local(to_eye);
+    return f64::surface_pdf(material_, seen_from(wo), local(to_light), wo);
+}
+
+std::optional<SurfacePoint::Sample> SurfacePoint::sample(
+    glm::dvec3 to_eye, const std::array<double, 3>& uniform) const {
+    const f64::vec3 wo = local(to_eye);
+    const f64::Perturbation p = seen_from(wo);
+    Sample out;
+    const f64::vec3 wi = f64::surface_sample(material_, p, wo, f64::vec2(uniform[0], uniform[1]),
+                                             uniform[2], out.pdf);
+    const double cosine = f64::dot(p.n, wi);
+    if (!(out.pdf > 0.0) || !(cosine > 0.0)) return std::nullopt;
+    out.weight = of(f64::surface_eval(material_, p, wi, wo) * (cosine / out.pdf));
+    // Back to the tangent's axes: the rotation the other way.
+    out.to_light = of(f64::seen_from_rotated(wi, f64::vec2(stretch_.x, -stretch_.y)));
+    return out;
+}
+
+}  // namespace burnish
