@@ -82,7 +82,7 @@ void measure_edits(Report& report) {
         ratio_row("changing a color among 100 materials against a frame of 640x360", colors));
 
     const TemporaryFolder folder;
-    const auto path = folder.path() / "studio.hdr";
+    const auto path = folder.path() / "studio.exr";
     write_image(path, studio.radiance, {});
     std::vector<double> environments;
     for (int round = 0; round < kRounds; ++round) {
@@ -91,7 +91,7 @@ void measure_edits(Report& report) {
         environments.push_back(seconds_of([&] { renderer.set_environment(&loaded); }) / load);
     }
     report.rows.push_back(
-        ratio_row(fmt::format("changing an environment of {}x{} against loading it from .hdr",
+        ratio_row(fmt::format("changing an environment of {}x{} against loading it from .exr",
                               studio.radiance.width, studio.radiance.height),
                   environments));
 }

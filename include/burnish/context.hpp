@@ -50,8 +50,8 @@ class Context {
     // hosts rely on: framebuffers, viewport, scissor, blending, depth, stencil, culling, color and
     // depth masks, polygon offset, sRGB encoding, program, vertex array, array and pixel buffers,
     // alignment of pixels, active texture unit. It does not restore the textures of units 0 to 25,
-    // and leaves these units without a sampler object. It expects the state that draw_state.hpp
-    // does not name to be OpenGL's default.
+    // leaves these units without a sampler object, and leaves cube maps seamless. It expects the
+    // state that draw_state.hpp does not name to be OpenGL's default.
     static Context adopt_current();
 
     ~Context();

@@ -23,7 +23,8 @@ class Host {
         display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
         if (!eglInitialize(display_, nullptr, nullptr)) return;
         if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return;
-        const std::array<EGLint, 3> wanted = {EGL_RENDERABLE_TYPE,
+        const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+                                              EGL_RENDERABLE_TYPE,
                                               es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint found = 0;

@@ -315,7 +315,7 @@ TEST_F(Edit, RenderersOfOneContextShareTheirPrograms) {
     EXPECT_EQ(context->programs().size(), compiled);
     // Each has its own uniforms and textures in the programs that they share.
     Scene other = scene;
-    other.materials[0].lobe = AlphaLobe{{0.1f, 0.6f}};
+    other.materials[0].lobe = AlphaLobe{{0.5f, 0.1f}};
     other.materials[1].base_color = {1, 0, 0, 1};
     other.lights[0].color = {0, 1, 0};
     second.set_scene(other);

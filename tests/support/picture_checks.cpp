@@ -93,7 +93,8 @@ testing::AssertionResult equal_pictures(const Image& found, const Image& wanted,
     double worst = 0;
     std::size_t place = 0;
     for (std::size_t i = 0; i < found.pixels.size(); ++i) {
-        const double d = std::abs(static_cast<double>(found.pixels[i]) - wanted.pixels[i]);
+        const double x = found.pixels[i], y = wanted.pixels[i];
+        const double d = std::abs(x - y) / std::max({x, y, 1.0});
         if (d > worst) {
             worst = d;
             place = i;

@@ -16,8 +16,10 @@ double largest_difference(const Image& a, const Image& b, double floor);
 testing::AssertionResult close_pictures(const Image& found, const Image& wanted, double floor,
                                         double tolerance);
 
-// Passes when no value differs by more than `tolerance`.
+// Passes when no value differs by more than `tolerance` times the larger of 1 and the value. The
+// default is four roundings of a float: drivers compile a shader for the state that it is first
+// used in, and two compilations may round differently.
 testing::AssertionResult equal_pictures(const Image& found, const Image& wanted,
-                                        double tolerance = 0.0);
+                                        double tolerance = 5e-7);
 
 }  // namespace burnish::test

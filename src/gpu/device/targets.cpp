@@ -116,6 +116,7 @@ void Targets::bind_gbuffer_textures(Program& program) const {
 
 void Targets::clear_sum() {
     glBindFramebuffer(GL_FRAMEBUFFER, sum_target_[current_].get());
+    apply(DrawState{});  // without scissor
     const float zero[4] = {0, 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, zero);
 }
