@@ -16,6 +16,9 @@ namespace burnish::f32 {
 }  // namespace burnish::f32
 
 namespace burnish::f64 {
+#include "shading/prelude_begin.hpp"
+#include "surface_words.glsl"
+#include "shading/prelude_end.hpp"
 }  // namespace burnish::f64
 // clang-format on
 

@@ -79,7 +79,8 @@ std::vector<Vec3> hostile_normals() {
                 expect(ns::lobe_D(own, p, wi));                                             \
                 Float pdf = 0;                                                              \
                 const ns::vec3 drawn = ns::brdf_sample(                                     \
-                    brdf, own, p, wi, {Float(0.3), Float(0.999999)}, Float(0.7), pdf);      \
+                    ns::kBrdfMicrofacet, own, p, wi, {Float(0.3), Float(0.999999)},         \
+                    Float(0.7), pdf);                                                       \
                 expect(pdf);                                                                \
                 expect(ns::dot(drawn, drawn));                                              \
                 for (const ns::vec3& wo : directions) {                                     \
