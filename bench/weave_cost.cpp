@@ -32,7 +32,7 @@ void fill_pictures(const WeaveMaps& maps, const WeaveMapSettings& settings) {
     for (int y = 0; y < maps.height; y += kRows) {
         weave_normal_rows(maps, y, y + kRows, strip.data());
         weave_direction_rows(maps, y, y + kRows, strip.data());
-        weave_colour_rows(maps, settings, y, y + kRows, strip.data());
+        weave_color_rows(maps, settings, y, y + kRows, strip.data());
         weave_id_rows(maps, settings, y, y + kRows, strip.data());
     }
 }

@@ -60,7 +60,7 @@ struct Behaviour {
     double least_energy = 1e9, most_energy = 0;
 };
 
-Behaviour behaviour(MdfSubject subject) {
+Behaviour behavior(MdfSubject subject) {
     subject.n = {0, 0, 1};
     MdfSubject plain = subject;
     plain.method = Method::none;
@@ -88,11 +88,11 @@ std::string sentence(const std::string& what, const Behaviour& b) {
 }
 
 MdfSubject shirley(double e_x, double e_y, Method method) {
-    return {Mdf::ashikhmin_shirley, e_x, e_y, method, {0, 0, 1}, plot::Normalisation::paper};
+    return {Mdf::ashikhmin_shirley, e_x, e_y, method, {0, 0, 1}, plot::Normalization::paper};
 }
 
 MdfSubject ward(Method method) {
-    return {Mdf::ward, 0.1, 0.5, method, {0, 0, 1}, plot::Normalisation::paper};
+    return {Mdf::ward, 0.1, 0.5, method, {0, 0, 1}, plot::Normalization::paper};
 }
 
 // K11 Fig 6 and K12 Fig 2 are one figure.
@@ -102,8 +102,8 @@ GalleryPage perturbed_shirley(const std::string& title) {
     page.figure.title = title;
     add_row(page, shirley(20, 20, Method::normal_map), "isotropic, e = 20, 20");
     add_row(page, shirley(200, 10, Method::normal_map), "anisotropic, e = 200, 10");
-    const Behaviour round = behaviour(shirley(20, 20, Method::normal_map));
-    const Behaviour oblong = behaviour(shirley(200, 10, Method::normal_map));
+    const Behaviour round = behavior(shirley(20, 20, Method::normal_map));
+    const Behaviour oblong = behavior(shirley(200, 10, Method::normal_map));
     page.measured = {sentence("isotropic", round), sentence("anisotropic", oblong)};
     const bool spoiled = oblong.most_elongation < 0.7 || oblong.worst_offset_deg > 10;
     page.verdict = round.worst_offset_deg < 1 && spoiled ? Verdict::borne_out : Verdict::partly;
@@ -206,7 +206,7 @@ std::optional<GalleryPage> k11_fig8(GalleryTools&) {
     add_row(page, shirley(200, 10, Method::deform_smooth), "smooth, Eq 5");
     MdfSubject linear = shirley(200, 10, Method::deform_linear);
     MdfSubject smooth = shirley(200, 10, Method::deform_smooth);
-    page.measured = {sentence("linear", behaviour(linear)), sentence("smooth", behaviour(smooth))};
+    page.measured = {sentence("linear", behavior(linear)), sentence("smooth", behavior(smooth))};
     linear.n = smooth.n = plot::tilted_normal(30, 40);
     const double bend_linear = bend_at_center_deg(linear), bend_smooth = bend_at_center_deg(smooth);
     page.measured.push_back(
@@ -227,7 +227,7 @@ std::optional<GalleryPage> k12_fig3(GalleryTools&) {
     page.drawn = true;
     page.figure.title = "K12 Fig 3: Ward's distribution under Eq 3";
     add_row(page, ward(Method::normal_map), "α = 0.1, 0.5");
-    const Behaviour b = behaviour(ward(Method::normal_map));
+    const Behaviour b = behavior(ward(Method::normal_map));
     page.measured = {sentence("Ward", b)};
     page.verdict = b.worst_offset_deg > 20 ? Verdict::borne_out : Verdict::partly;
     page.remark =
@@ -259,8 +259,8 @@ std::optional<GalleryPage> k12_fig5(GalleryTools&) {
     page.figure.title = "K12 Fig 5: rotated distributions";
     add_row(page, shirley(1, 40, Method::rotate_exact), "Ashikhmin-Shirley, e = 1, 40");
     add_row(page, ward(Method::rotate_exact), "Ward, α = 0.1, 0.5");
-    const Behaviour a = behaviour(shirley(1, 40, Method::rotate_exact));
-    const Behaviour w = behaviour(ward(Method::rotate_exact));
+    const Behaviour a = behavior(shirley(1, 40, Method::rotate_exact));
+    const Behaviour w = behavior(ward(Method::rotate_exact));
     page.measured = {sentence("Ashikhmin-Shirley", a), sentence("Ward", w)};
     page.verdict = std::max(a.worst_offset_deg, w.worst_offset_deg) < 1 ? Verdict::borne_out
                                                                         : Verdict::contradicted;

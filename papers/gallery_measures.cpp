@@ -65,7 +65,7 @@ LobeMoments lobe_moments(const MdfSubject& subject) {
     constexpr int kSide = 1001;
     constexpr double kStep = 2.0 / kSide;
     MdfSubject projected = subject;
-    projected.normalisation = plot::Normalisation::projected;
+    projected.normalization = plot::Normalization::projected;
     double mass = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
     for (int j = 0; j < kSide; ++j) {
         const double y = -1 + (j + 0.5) * kStep;

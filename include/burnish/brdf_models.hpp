@@ -1,5 +1,7 @@
 // The reflection models by name: what their parameters mean, which values they may have, and their
 // value in float and in double. A new model is one more row of the table in brdf_models.cpp.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return is static.
 #pragma once
 
 #include <span>

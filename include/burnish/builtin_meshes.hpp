@@ -1,4 +1,7 @@
 // Meshes and names that need no file: "builtin:sphere", "plane", "cylinder", "torus", "drape".
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <span>

@@ -1,4 +1,7 @@
 // The optical constants of a metal.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,4 +1,6 @@
 // Measured metals: complex indices of refraction at R, G and B for exact conductor Fresnel.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return is static.
 #pragma once
 
 #include <glm/vec3.hpp>

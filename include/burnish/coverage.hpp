@@ -1,6 +1,9 @@
 // What a rig can see: which half vectors its lights make with the camera, how far rotation about
 // the normal carries them, and how narrow a lobe may be before it falls between them. Derivations
 // in docs/theory/capture-model.md.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <string>

@@ -1,4 +1,7 @@
 // From linear radiance to what a display shows: exposure, a named tone map, the sRGB curve.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <span>

@@ -2,6 +2,9 @@
 //
 // Warp yarns (ends) run along +v, weft yarns (picks) along +u; u grows with the number of the end,
 // v with that of the pick. The first pick is at the bottom, as weavers draw it.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +21,11 @@ namespace BURNISH_API burnish {
 
 // One repeat, which goes on in both directions.
 struct Draft {
-    std::string name;                     // "twill-2-2", or the title of a file
-    int ends = 0, picks = 0;              // warp yarns (columns) and weft yarns (rows), >= 1
-    std::vector<std::uint8_t> warp_up;    // picks x ends, first pick first; 1: the warp is on top
-    std::vector<glm::vec3> warp_colours;  // one an end, linear; empty: the material's colour holds
-    std::vector<glm::vec3> weft_colours;  // one a pick, or empty likewise
+    std::string name;                    // "twill-2-2", or the title of a file
+    int ends = 0, picks = 0;             // warp yarns (columns) and weft yarns (rows), >= 1
+    std::vector<std::uint8_t> warp_up;   // picks x ends, first pick first; 1: the warp is on top
+    std::vector<glm::vec3> warp_colors;  // one an end, linear; empty: the material's colour holds
+    std::vector<glm::vec3> weft_colors;  // one a pick, or empty likewise
 
     bool is_warp_up(int end, int pick) const {
         return warp_up[static_cast<std::size_t>(pick) * static_cast<std::size_t>(ends) +

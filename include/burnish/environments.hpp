@@ -1,6 +1,9 @@
-// Environments: light from everywhere. Throws Error with one line naming the file, the key, what was expected and what was found, for
-// any broken, hostile or unsupported input; never crashes, hangs, or allocates by a count that it
-// has not checked.
+// Environments: light from everywhere. Throws Error with one line naming the file, the key, what
+// was expected and what was found, for any broken, hostile or unsupported input; never crashes,
+// hangs, or allocates by a count that it has not checked.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <string>

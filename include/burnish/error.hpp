@@ -1,4 +1,6 @@
 // Errors: what every layer throws and what the command line prints as one line.
+//
+// Threads: errors are values; any number of threads may call the functions.
 #pragma once
 
 #include <stdexcept>

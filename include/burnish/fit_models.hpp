@@ -2,6 +2,8 @@
 // within which bounds, and from where the search starts. The lobe is that of
 // shading/brdf_models.hpp, its own strength (ks) at 1; the fit adds a scale for each color and a
 // Lambertian term.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return is static.
 #pragma once
 
 #include <array>

@@ -1,5 +1,8 @@
 // Images in memory. `Image` is what is computed with (float, linear Rec. 709, row 0 at the top);
 // `Texture` is what a file holds, kept at its own depth so that large maps stay small.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,8 @@
 // Materials of a scene in three layers: as the models have them, what the scene file lays over
 // them, what flags lay over both.
+//
+// Threads: one at a time for each object. Lifetime: an object knows the textures that it has
+// appended to its scene.
 #pragma once
 
 #include <string>

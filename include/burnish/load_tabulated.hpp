@@ -1,4 +1,7 @@
 // Measured materials of either kind of file.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <filesystem>

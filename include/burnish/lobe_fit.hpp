@@ -1,5 +1,8 @@
 // The analytic lobe that is nearest to a table: two widths and the direction of the groove, for
 // programs that cannot draw tables and for maps that people read.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,7 @@
 // What material parameters name: normal maps, scratch maps, weave drafts, measured materials.
+//
+// Threads: one at a time for each object. Lifetime: what it has loaded lives as long as it is
+// used.
 #pragma once
 
 #include <map>

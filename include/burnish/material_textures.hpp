@@ -1,5 +1,7 @@
-// Textures of a glTF material from a fitted one. Private to capture_export.cpp,
-// capture_report*.cpp and their tests.
+// Textures of a glTF 2.0 material with KHR_materials_anisotropy from a fitted one.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <array>

@@ -1,5 +1,8 @@
 // The C++ face of the distributions: values by name, in float and in double. Both precisions run
 // the same text (shading/*.glsl); everything here is in the unperturbed tangent space.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <span>

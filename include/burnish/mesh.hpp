@@ -1,4 +1,7 @@
 // Triangle meshes in memory. Right-handed, metres, +y up, counter-clockwise front faces.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include <cstdint>

@@ -7,6 +7,9 @@
 // centre and outside the last one's. Normalised: Int D (n.h) dw = 1 over the upper hemisphere. Area
 // seen from a direction: g(k) = Int max(h.k, 0) D dw, so that g(n) = 1; a specular BRDF is k_s F
 // D(h) / (4 g(i) g(o)) (Ashikhmin, Premoze & Shirley 2000; W08): the separable Smith form.
+//
+// Threads: any number may call these functions at a time. Lifetime: tables are read during the
+// call alone.
 #pragma once
 
 #include <span>

@@ -1,4 +1,6 @@
 // Rendering as `burnish render` does it: from a file and parameters to pictures on disk.
+//
+// Threads: any number may render at a time, each in a context of its own.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,8 @@
 // What a picture of a scene is to be: size, samples, lights that count, background. Every renderer
 // takes it.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include <glm/vec3.hpp>

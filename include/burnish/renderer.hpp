@@ -3,14 +3,12 @@
 // Choices that the literature leaves open:
 // - Pixels are filtered by a triangle of half width 1 pixel, sampled by jittering the whole view.
 // - The horizon of the perturbed normal bounds the light: a mapped bump matches a modeled one. A
-// view
-//   below that horizon sees the normal turned until it faces the view (normal_facing).
+//   view below that horizon sees the normal turned until it faces the view (normal_facing).
 // - The diffuse term is base (1 - metallic) / pi (1 - F(n~.wi)) (1 - F(|n~.wo|)), F Schlick's with
-// the
-//   dielectric F0; under an environment the first factor is its cosine-weighted mean.
+//   the dielectric F0; under an environment the first factor is its cosine-weighted mean.
 // - Occlusion maps darken image light only, its reflections by the rule in shade.glsl.
-// - Blended instances are sorted back to front by the centers of their boxes; their triangles are
-// not.
+// - Blended instances are sorted back to front by the centers of their boxes; their triangles
+//   are not.
 // - Back faces of double-sided materials have their whole tangent frame turned over: the sheet seen
 //   from behind, where a dent is a bump.
 //

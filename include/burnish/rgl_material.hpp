@@ -1,4 +1,7 @@
 // The distribution of an RGL .bsdf as a tabulated material.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <filesystem>

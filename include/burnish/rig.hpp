@@ -5,6 +5,9 @@
 // Sample space: z = 0 is the flat sample, +x right, +y up, the origin at the image centre, row 0 at
 // the top; lengths in millimetres. A pixel is I = rho (n.i) L cos^m(angle at the LED) / r^2,
 // without r^2 for a light given by its direction.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <array>

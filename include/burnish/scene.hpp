@@ -46,8 +46,8 @@ struct TextureUse {
     bool operator==(const TextureUse&) const = default;
 };
 
-struct Draft;              // maps/weave/draft.hpp
-struct TabulatedMaterial;  // scene/material/tabulated_material.hpp
+struct Draft;              // burnish/draft.hpp
+struct TabulatedMaterial;  // burnish/tabulated_material.hpp
 
 // --- the four kinds of lobe: a material has exactly one ------------------------------------------
 

@@ -2,6 +2,9 @@
 //
 // Lengths are millimetres on the surface, so that the same settings give the same surface at any
 // size in texels. Angles are degrees, counter-clockwise with y up the picture.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <cstdint>

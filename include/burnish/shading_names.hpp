@@ -1,4 +1,6 @@
 // The names of distributions, models and methods: one list for flags, scene files and tables.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return is static.
 #pragma once
 
 #include <span>

@@ -1,4 +1,7 @@
 // Files of tabulated materials: docs/reference/tabulated-file.md describes the parts.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,9 @@
 // Materials measured by `burnish capture fit`: exemplar distributions, and for every texel which
 // exemplar it has, turned by how much, with diffuse and specular colour. docs/reference/tabulated-file.md
 // describes the file: a multi-part OpenEXR whose parts any viewer of OpenEXR shows.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include <array>

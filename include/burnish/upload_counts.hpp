@@ -1,5 +1,8 @@
 // How often a renderer has put something onto the device: what tests and benchmarks of edits look
 // at.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include "burnish/api.hpp"

@@ -1,3 +1,5 @@
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return is static.
 #pragma once
 
 #include <string_view>

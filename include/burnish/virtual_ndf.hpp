@@ -1,5 +1,8 @@
 // Known distributions for simulated captures: mixtures of the analytic lobes of shading/, in double
 // precision. Independent of everything that fits: no table takes part.
+//
+// Threads and lifetime: plain values; copies are independent, and any number of threads may read
+// one.
 #pragma once
 
 #include <string>

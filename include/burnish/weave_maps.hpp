@@ -23,8 +23,8 @@ struct WeaveMapSettings {
     int width = 2048, height = 2048;   // texels, 16..16384
     int repeats_u = 1, repeats_v = 1;  // of the draft on the tile
     double yarn_mm = 1.0;              // from yarn to yarn, 0.001..1000
-    glm::vec3 warp_colour{0.45f, 0.43f, 0.38f},
-        weft_colour{0.06f, 0.08f, 0.14f};  // linear, of a draft without colours
+    glm::vec3 warp_color{0.45f, 0.43f, 0.38f},
+        weft_color{0.06f, 0.08f, 0.14f};  // linear, of a draft without colours
 
     int ends() const { return draft.ends * repeats_u; }  // of the whole tile
     int picks() const { return draft.picks * repeats_v; }
@@ -60,10 +60,10 @@ void weave_normal_rows(const WeaveMaps& maps, int begin, int end, float* to);  /
 // (1 + cos 2a) / 2, (1 + sin 2a) / 2, and 1 where there is a yarn.
 void weave_direction_rows(const WeaveMaps& maps, int begin, int end, float* to);
 // Linear colour of a number of `yarns`; black for a hole.
-glm::vec3 weave_yarn_colour(const WeaveMaps& maps, const WeaveMapSettings& settings, int yarn);
+glm::vec3 weave_yarn_color(const WeaveMaps& maps, const WeaveMapSettings& settings, int yarn);
 // Display values (sRGB curve) of these.
-void weave_colour_rows(const WeaveMaps& maps, const WeaveMapSettings& settings, int begin, int end,
-                       float* to);
+void weave_color_rows(const WeaveMaps& maps, const WeaveMapSettings& settings, int begin, int end,
+                      float* to);
 // R 1 on a warp yarn, 1/2 on a weft yarn, 0 in a hole; G (number + 1/2) / yarns of that kind on the
 // tile, numbers from 0 at the left and at the bottom; B 1 where the yarn is the upper one of its
 // crossing, 0 where it shows beside the upper one.

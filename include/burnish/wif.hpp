@@ -1,5 +1,8 @@
 // Weaving drafts from WIF files (Weaving Information File 1.1, Ravi Nielsen and others, 1997), and
 // back. docs/reference/drafts.md says what is read, what is passed over, and how open points are decided.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +18,7 @@ namespace BURNISH_API burnish {
 struct WifFile {
     Draft draft;
     int shafts = 0, treadles = 0;
-    int colours = 0;            // of the colour table
+    int colors = 0;             // of the colour table
     bool rising_shed = true;    // the loom lifts the shafts that are named; else it lowers them
     bool has_liftplan = false;  // else a tie-up and treadling
     std::vector<std::string> warnings;

@@ -66,7 +66,7 @@ float put_yarn(inout Shading m, vec2 at) {
     WeavePoint point = cloth_point(at, cell);
     m.base_color *= cloth_color(point, cell);
     put_colors(m);
-    m.direction = point.fibre;
+    m.direction = point.fiber;
     m.n = point.n;
     return point.cover;
 }

@@ -76,13 +76,13 @@ vec3 cloth_lit_by_irradiance(ClothFamily f) {
 #if IMAGE_LIGHT == 3 && !defined(COSINE_LOBE)
 // Albedo of the fibres' lobe at its normals over that of the family's one, which is as wide as they
 // are together and masks itself more. `a`: along the fibres.
-float cloth_energy(Shading fibres, Shading wide, ClothFamily f, vec3 wo) {
+float cloth_energy(Shading fibers, Shading wide, ClothFamily f, vec3 wo) {
     float sum = 0.0;
     for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = normalize(cloth_node(u_weave_nodes[f.family], i));
         Perturbation p = surface_perturbation(METHOD, n, u_weave_twist, GROOVES_ALONG_X, CONSERVE, wo);
-        sum += cloth_node_weight(i) * albedo_towards(lobe_alpha_x(fibres.surface.lobe),
-                                                     lobe_alpha_y(fibres.surface.lobe),
+        sum += cloth_node_weight(i) * albedo_towards(lobe_alpha_x(fibers.surface.lobe),
+                                                     lobe_alpha_y(fibers.surface.lobe),
                                                      perturb_direction(p, wo));
     }
     float one = albedo_towards(lobe_alpha_x(wide.surface.lobe), lobe_alpha_y(wide.surface.lobe), wo);

@@ -36,7 +36,7 @@ struct WeavePoint {
     Float cover;      // 0 in the hole between the yarns
     Float height;
     vec3 n;           // of the height's gradient: unit, against (u, v, out of the cloth)
-    vec2 fibre;       // direction of the fibres in the plane of the cloth, unit
+    vec2 fiber;       // direction of the fibres in the plane of the cloth, unit
 };
 
 // Height and slope of one yarn.
@@ -86,7 +86,7 @@ FN WeavePoint weave_point(WeaveCell cell, WeaveShape shape, Float x, Float y) {
     p.cover = choose(on_warp || on_weft, Float(1), Float(0));
     p.height = yarn.height;
     p.n = normal_of_slopes(-choose(warp, yarn.across, yarn.along), -choose(warp, yarn.along, yarn.across));
-    p.fibre = vec2(choose(warp, -shape.twist.y, shape.twist.x), choose(warp, shape.twist.x, shape.twist.y));
+    p.fiber = vec2(choose(warp, -shape.twist.y, shape.twist.x), choose(warp, shape.twist.x, shape.twist.y));
     return p;
 }
 

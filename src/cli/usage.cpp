@@ -13,7 +13,7 @@ namespace {
 using Apps = std::vector<const CLI::App*>;
 
 // The program and the commands that were recognised, outermost first.
-Apps recognised(const CLI::App& root) {
+Apps recognized(const CLI::App& root) {
     Apps chain{&root};
     for (Apps::value_type app = &root; !app->get_subcommands().empty();) {
         app = app->get_subcommands().front();
@@ -95,7 +95,7 @@ std::string in_our_words(const CLI::ParseError& error) {
 }  // namespace
 
 UsageError usage_error(const CLI::App& root, const CLI::ParseError& error) {
-    const Apps chain = recognised(root);
+    const Apps chain = recognized(root);
     const std::vector<std::string> unknown = root.remaining(true);
     if (!unknown.empty()) return UsageError(unknown_word(chain, unknown.front()));
     return UsageError(prefix_of(chain) + in_our_words(error));

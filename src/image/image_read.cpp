@@ -306,7 +306,7 @@ std::vector<float> values_of(const Texture& texture, bool srgb) {
 }
 
 // RGBA from pairs of grey and alpha.
-std::vector<float> with_grey_spread(const std::vector<float>& pairs) {
+std::vector<float> with_gray_spread(const std::vector<float>& pairs) {
     std::vector<float> pixels;
     pixels.reserve(pairs.size() * 2);
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
@@ -349,7 +349,7 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options) 
         image.height = texture.height;
         image.channels = texture.channels == 2 ? 4 : texture.channels;
         image.pixels = values_of(texture, encoded && !options.as_data);
-        if (texture.channels == 2) image.pixels = with_grey_spread(image.pixels);
+        if (texture.channels == 2) image.pixels = with_gray_spread(image.pixels);
         return image;
     });
 }

@@ -24,7 +24,7 @@ constexpr double kMostPixels = 64e6;     // 770 MB while a picture is made
 const TextStyle kTitle{.size = 17, .bold = true};
 const TextStyle kPanelTitle{.size = 13, .bold = true, .align = Align::center};
 const TextStyle kLabel{.size = 13, .bold = true, .align = Align::center};
-const TextStyle kNote{.size = 11.5, .color = kGrey, .align = Align::center};
+const TextStyle kNote{.size = 11.5, .color = kGray, .align = Align::center};
 const TextStyle kCaption{.size = 12.5};
 const TextStyle kEntry{.size = 12.5};
 const TextStyle kTickText{.size = 11.5};

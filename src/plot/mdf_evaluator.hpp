@@ -16,8 +16,8 @@ class MdfEvaluator {
           perturbation_(f64::perturb_make(
               static_cast<int>(subject.method), subject.n,
               f64::lobe_grooves_along_x(static_cast<int>(subject.mdf), subject.p0, subject.p1),
-              subject.normalisation == Normalisation::conserving)),
-          paper_(subject.normalisation == Normalisation::paper) {}
+              subject.normalization == Normalization::conserving)),
+          paper_(subject.normalization == Normalization::paper) {}
 
     double D(Direction<double> h) const {
         return paper_ ? f64::lobe_paper_D(lobe_, perturbation_, h)

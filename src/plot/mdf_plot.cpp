@@ -16,7 +16,7 @@ namespace burnish::plot {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 3> kNormalisations = {"paper", "projected", "conserving"};
+constexpr std::array<std::string_view, 3> kNormalizations = {"paper", "projected", "conserving"};
 
 bool deforms(Method method) {
     return method == Method::deform_linear || method == Method::deform_smooth;
@@ -46,8 +46,8 @@ Peak climbed(const MdfEvaluator& lobe, Peak best, double step) {
 
 }  // namespace
 
-std::span<const std::string_view> normalisation_names() {
-    return kNormalisations;
+std::span<const std::string_view> normalization_names() {
+    return kNormalizations;
 }
 
 Direction<double> lifted(double x, double y) {
@@ -82,9 +82,9 @@ std::string normal_text(Direction<double> n) {
                        number_text(std::abs(azimuth) < 0.005 ? 0 : azimuth));
 }
 
-std::string value_text(Mdf mdf, Normalisation normalisation) {
-    if (normalisation == Normalisation::projected) return "D, projected [1/sr]";
-    if (normalisation == Normalisation::conserving) return "D, conserving [1/sr]";
+std::string value_text(Mdf mdf, Normalization normalization) {
+    if (normalization == Normalization::projected) return "D, projected [1/sr]";
+    if (normalization == Normalization::conserving) return "D, conserving [1/sr]";
     if (mdf == Mdf::ward) return "D, peak 1 (K12 Eq 3)";
     if (mdf == Mdf::ashikhmin_shirley) return "D [1/sr] (K11 Eq 1)";
     return "D [1/sr]";
@@ -159,7 +159,7 @@ ColorBar disk_bar(std::span<const MdfSubject> subjects, ScaleKind kind,
     ColorBar bar;
     bar.scale = scale_to(kind, top);
     if (!subjects.empty())
-        bar.label = value_text(subjects.front().mdf, subjects.front().normalisation);
+        bar.label = value_text(subjects.front().mdf, subjects.front().normalization);
     bar.label += kind == ScaleKind::linear  ? ", linear"
                  : kind == ScaleKind::gamma ? fmt::format(", gamma {}", kPlotGamma)
                                             : ", log";
@@ -224,7 +224,7 @@ Panel profile_panel(std::span<const MdfSubject> subjects, std::span<const std::s
             series(i, i < labels.size() ? labels[i] : "", profile(subjects[i], line)));
     if (!subjects.empty()) {
         const Direction<double> n = subjects.front().n;
-        plot.y.label = value_text(subjects.front().mdf, subjects.front().normalisation);
+        plot.y.label = value_text(subjects.front().mdf, subjects.front().normalization);
         plot.place = {along_x ? n.x : n.y, "\u00f1"};
     }
     return line_panel(std::move(plot), std::move(title));

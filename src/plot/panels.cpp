@@ -67,7 +67,7 @@ bool mark_cut(Canvas& canvas, const LinePlot& plot, const Series& line, const Bo
 
 void draw_marks(Canvas& canvas, const LinePlot& plot, const Box& box) {
     TextStyle style = kAxisNumber;
-    style.color = kGrey;
+    style.color = kGray;
     if (plot.level) {
         const double y = placed(plot, box, {plot.x.scale.low, plot.level->first}).y;
         canvas.line({box.x, y}, {box.right(), y}, {.color = kInk, .width = 1.1, .dash = {5, 3}});
@@ -76,7 +76,7 @@ void draw_marks(Canvas& canvas, const LinePlot& plot, const Box& box) {
     }
     if (plot.place) {
         const double x = placed(plot, box, {plot.place->first, plot.y.scale.low}).x;
-        canvas.line({x, box.y}, {x, box.bottom()}, {.color = kGrey, .width = 1, .dash = {2, 3}});
+        canvas.line({x, box.y}, {x, box.bottom()}, {.color = kGray, .width = 1, .dash = {2, 3}});
         style.stand = Stand::top;
         const bool right = x > box.center().x;
         style.align = right ? Align::right : Align::left;

@@ -78,7 +78,7 @@ MaterialLobe kept_lobe(const Material& base, const ParameterValues& values) {
 }
 
 // Fibres run along x, where KHR_materials_anisotropy stretches across the grooves.
-glm::vec2 fibre_alpha(const GltfLobe& lobe) {
+glm::vec2 fiber_alpha(const GltfLobe& lobe) {
     const f32::vec2 alpha = f32::alpha_of_roughness(lobe.roughness, lobe.anisotropy_strength);
     return {alpha.y, alpha.x};
 }
@@ -100,7 +100,7 @@ void apply_roughness(Material& material, const ParameterValues& values) {
     if (values.is_set("roughness")) lobe.roughness = real_of(values, "roughness");
     if (values.is_set("anisotropy")) lobe.anisotropy_strength = real_of(values, "anisotropy");
     if (cloth) {
-        cloth->alpha = fibre_alpha(lobe);
+        cloth->alpha = fiber_alpha(lobe);
     } else {
         material.lobe = lobe;
     }
@@ -129,7 +129,7 @@ void apply_weave(Material& material, const ParameterValues& values, const Materi
         cloth.draft = assets.draft(values.text("weave"));
         const GltfLobe* gltf = gltf_lobe_of(material);
         if (const auto alpha = stated_alpha(material)) cloth.alpha = *alpha;
-        if (gltf && sets_gltf_roughness(values)) cloth.alpha = fibre_alpha(*gltf);
+        if (gltf && sets_gltf_roughness(values)) cloth.alpha = fiber_alpha(*gltf);
         material.lobe = cloth;
         if (!values.is_set("metallic") && !values.is_set("metal")) {
             material.metallic = 0.0f;

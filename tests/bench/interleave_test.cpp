@@ -20,7 +20,7 @@ gpu::FrameTimes taking(double seconds) {
     return {seconds, 2.0 * seconds, 0.5 * seconds};
 }
 
-TEST(Statistics, QuantilesLieBetweenNeighbours) {
+TEST(Statistics, QuantilesLieBetweenNeighbors) {
     EXPECT_DOUBLE_EQ(median({3, 1, 2}), 2);
     EXPECT_DOUBLE_EQ(median({4, 1, 2, 3}), 2.5);
     EXPECT_DOUBLE_EQ(quantile({0, 10}, 0.25), 2.5);

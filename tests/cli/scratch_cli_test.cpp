@@ -77,14 +77,14 @@ TEST(ScratchCommand, NamesWhatContradictsItself) {
 
 TEST(ScratchCommand, RefusesMasksAndDirectionsThatDoNotFit) {
     const Folder folder;
-    const std::string wide = folder.path("wide.png"), grey = folder.path("grey.png");
+    const std::string wide = folder.path("wide.png"), gray = folder.path("grey.png");
     write_image(wide, Image(32, 16, 1, 1.0f), {});
-    write_image(grey, Image(16, 16, 1, 1.0f), {});
+    write_image(gray, Image(16, 16, 1, 1.0f), {});
     expect_complaint(scratch({"--wear-mask", wide, "-o", folder.path("a")}), 1,
                      {"wide.png", "square", "32x16"});
-    expect_complaint(scratch({"--direction-image", grey, "-o", folder.path("a")}), 1,
+    expect_complaint(scratch({"--direction-image", gray, "-o", folder.path("a")}), 1,
                      {"grey.png", "channels", "1"});
-    expect_complaint(scratch({"-o", grey}), 1, {"grey.png", "folder"});
+    expect_complaint(scratch({"-o", gray}), 1, {"grey.png", "folder"});
     expect_complaint(scratch({"-o", folder.path("no/such")}), 1, {"no/such", "folder"});
     EXPECT_FALSE(std::filesystem::exists(folder.path("a")));
 }

@@ -63,16 +63,16 @@ TEST(WeaveCommand, WritesTheMapsAndTheirDraftMakesThemAgain) {
             exact.pixels[i], 0.51f / 65535 * (*high - *low) + 1e-8f);
 }
 
-TEST(WeaveCommand, ColoursComeBackAsTheFileHasThem) {
+TEST(WeaveCommand, ColorsComeBackAsTheFileHasThem) {
     const Folder folder;
     const std::string out = folder.path("out");
     ASSERT_EQ(weave({kExamples + "houndstooth.wif", "--size", "128", "-o", out}).exit_code, 0);
     // The example's palette, by hand: 34,32,36 and 232,226,212 of 255; black in holes.
-    const Image colours = read_image(out + "/color.png", {.as_data = true});
+    const Image colors = read_image(out + "/color.png", {.as_data = true});
     int dark = 0, light = 0, holes = 0;
-    for (std::size_t i = 0; i < colours.pixels.size(); i += 3) {
+    for (std::size_t i = 0; i < colors.pixels.size(); i += 3) {
         const auto code = [&](std::size_t c) {
-            return static_cast<int>(std::lround(colours.pixels[i + c] * 255.0f));
+            return static_cast<int>(std::lround(colors.pixels[i + c] * 255.0f));
         };
         const std::vector<int> rgb = {code(0), code(1), code(2)};
         dark += rgb == std::vector<int>{34, 32, 36};
@@ -82,23 +82,23 @@ TEST(WeaveCommand, ColoursComeBackAsTheFileHasThem) {
     EXPECT_EQ(dark + light + holes, 128 * 128);
     EXPECT_NEAR(dark, light, 128 * 128 / 50);  // houndstooth is as dark as it is light
     // Marked as colour, so that a viewer and our own renderer take it for that.
-    EXPECT_NEAR(read_image(out + "/color.png").pixels[0], linear_from_srgb(colours.pixels[0]),
+    EXPECT_NEAR(read_image(out + "/color.png").pixels[0], linear_from_srgb(colors.pixels[0]),
                 1e-6f);
 }
 
-TEST(WeaveCommand, AColourAskedForTakesThePlaceOfTheDrafts) {
+TEST(WeaveCommand, AColorAskedForTakesThePlaceOfTheDrafts) {
     const Folder folder;
     const std::string out = folder.path("out");
     ASSERT_EQ(weave({kExamples + "houndstooth.wif", "--size", "128", "--warp-color", "#ff0000",
                      "--weft-color", "#0000ff", "-o", out})
                   .exit_code,
               0);
-    const Image colours = read_image(out + "/color.png", {.as_data = true});
-    for (std::size_t i = 0; i < colours.pixels.size(); i += 3) {
-        ASSERT_EQ(colours.pixels[i + 1], 0.0f);
-        ASSERT_LE(colours.pixels[i] + colours.pixels[i + 2], 1.0f);
+    const Image colors = read_image(out + "/color.png", {.as_data = true});
+    for (std::size_t i = 0; i < colors.pixels.size(); i += 3) {
+        ASSERT_EQ(colors.pixels[i + 1], 0.0f);
+        ASSERT_LE(colors.pixels[i] + colors.pixels[i + 2], 1.0f);
     }
-    EXPECT_TRUE(read_wif(out + "/draft.wif").draft.warp_colours.empty());
+    EXPECT_TRUE(read_wif(out + "/draft.wif").draft.warp_colors.empty());
 }
 
 TEST(WeaveCommand, InfoTellsWhatADraftHolds) {

@@ -89,7 +89,7 @@ TEST(RglBrdf, SymmetryFillsTheCircle) {
     whole.phis = 9;
     whole.thetas = 3;
     // Not even in x or y, so that a mirror cannot pass for a half turn.
-    whole.colour = [](double x, double y) { return std::array{0.2 + x, 0.2 + y, 0.5}; };
+    whole.color = [](double x, double y) { return std::array{0.2 + x, 0.2 + y, 0.5}; };
     KnownMaterial half = whole;
     half.phis = 5;
     half.symmetry = 2;
@@ -166,9 +166,9 @@ TEST(RglBrdf, TheParameterisationInvertsItself) {
 
 // Colour is looked up at the place in the square: for a table that is x and y themselves, eval
 // gives the place of the half vector back.
-TEST(RglBrdf, ColourIsLookedUpInTheSquare) {
+TEST(RglBrdf, ColorIsLookedUpInTheSquare) {
     KnownMaterial material;
-    material.colour = [](double x, double y) { return std::array{x, y, 1.0}; };
+    material.color = [](double x, double y) { return std::array{x, y, 1.0}; };
     const RglBrdf brdf = parse(material);
     std::mt19937 generator(6);
     for (int k = 0; k < 200; ++k) {
@@ -180,15 +180,15 @@ TEST(RglBrdf, ColourIsLookedUpInTheSquare) {
     }
 }
 
-TEST(RglBrdf, SpectralFilesBecomeColours) {
+TEST(RglBrdf, SpectralFilesBecomeColors) {
     KnownMaterial material;
     for (int w = 360; w <= 1000; w += 5) material.wavelengths.push_back(static_cast<float>(w));
     const RglBrdf brdf = parse(material);  // 0.8 at every wavelength: grey
     EXPECT_EQ(brdf.wavelengths(), material.wavelengths.size());
     const Dir wi = towards(0.4, 1), wo = towards(kPi / 14, 0);
-    KnownMaterial grey;
-    grey.colour = [](double, double) { return std::array{0.8, 0.8, 0.8}; };
-    const auto found = brdf.eval(wi, wo), expected = parse(grey).eval(wi, wo);
+    KnownMaterial gray;
+    gray.color = [](double, double) { return std::array{0.8, 0.8, 0.8}; };
+    const auto found = brdf.eval(wi, wo), expected = parse(gray).eval(wi, wo);
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-6 * expected[c]);
 }
 
@@ -308,7 +308,7 @@ TEST(RglBrdfHostile, DescriptionsStayOnOneLine) {
 // ---- colour -------------------------------------------------------------------------------------
 
 // CIE 015: the white point of D65 for the 2 degree observer; the fits are good to 0.003.
-TEST(SpectralRgb, DaylightHasItsColour) {
+TEST(SpectralRgb, DaylightHasItsColor) {
     double sum[3] = {};
     for (int w = 380; w <= 780; ++w) {
         const auto bar = cie_xyz_bar(w);
@@ -330,7 +330,7 @@ TEST(SpectralRgb, WhiteIsWhiteWhateverTheWavelengths) {
 }
 
 // Bands of light look as they are called.
-TEST(SpectralRgb, BandsHaveTheirColours) {
+TEST(SpectralRgb, BandsHaveTheirColors) {
     std::vector<float> waves;
     for (int w = 380; w <= 780; w += 5) waves.push_back(static_cast<float>(w));
     const auto weights = reflectance_to_rgb(waves);

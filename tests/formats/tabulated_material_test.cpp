@@ -25,7 +25,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Colours that half floats hold.
-float colour_of(int i) {
+float color_of(int i) {
     return static_cast<float>(i % 17) / 32.0F;
 }
 
@@ -76,8 +76,8 @@ TabulatedMaterial sample_material(int exemplars = 5, NdfGrid grid = {16, 24}) {
         n[2] = static_cast<float>(std::cos(tilt));
     }
     for (int i = 0; i < 63; ++i) {
-        m.diffuse.pixels[static_cast<std::size_t>(i)] = colour_of(i);
-        m.specular.pixels[static_cast<std::size_t>(i)] = colour_of(5 * i + 1);
+        m.diffuse.pixels[static_cast<std::size_t>(i)] = color_of(i);
+        m.specular.pixels[static_cast<std::size_t>(i)] = color_of(5 * i + 1);
     }
     m.maps["ward.alpha_x"] = std::vector<float>(21, 0.123F);
     m.maps["ward.alpha_x"][20] = -7.5F;

@@ -74,7 +74,7 @@ TEST(Wif, TreadlesMoveTheShaftsTheyAreTiedTo) {
     EXPECT_EQ(file.shafts, 3);
     EXPECT_EQ(file.treadles, 3);
     EXPECT_FALSE(file.has_liftplan);
-    EXPECT_TRUE(file.draft.warp_colours.empty());
+    EXPECT_TRUE(file.draft.warp_colors.empty());
     EXPECT_TRUE(file.warnings.empty()) << file.warnings.front();
 }
 
@@ -142,8 +142,8 @@ TEST(Wif, WordsMayBeInAnyCaseAndCommented) {
     const WifFile file = read(text_of(sections));
     ASSERT_EQ(file.warnings.size(), 1u) << file.warnings.back();
     EXPECT_EQ(file.warnings[0], "[CONTENTS] announces [WEFT COLORS], which is not there");
-    ASSERT_EQ(file.draft.warp_colours.size(), 3u);
-    EXPECT_EQ(file.draft.warp_colours[0], glm::vec3(1.0f, 0.0f, 0.0f));
+    ASSERT_EQ(file.draft.warp_colors.size(), 3u);
+    EXPECT_EQ(file.draft.warp_colors[0], glm::vec3(1.0f, 0.0f, 0.0f));
     sections["COLOR PALETTE"] = "Entries=1\nForm=hsv\nRange=0,255\n";
     EXPECT_NE(complaint(text_of(sections)).find("Form, line"), std::string::npos);
 }
@@ -158,7 +158,7 @@ TEST(Wif, IsToldByItsNameOrByItsFirstSection) {
     EXPECT_TRUE(is_wif_file(folder.write("e.wif", std::string(1, '\0'))));
 }
 
-TEST(Wif, ColoursAreThoseOfAScreenInAnyRange) {
+TEST(Wif, ColorsAreThoseOfAScreenInAnyRange) {
     // The sRGB curve by its definition (IEC 61966-2-1).
     const auto linear = [](double v) {
         return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -169,18 +169,18 @@ TEST(Wif, ColoursAreThoseOfAScreenInAnyRange) {
     sections["WARP"] = "Threads=3\nColor=3\n";
     sections["WARP COLORS"] = "2=1,255,0,0\n";  // older files write the colour behind its number
     const WifFile file = read(text_of(sections));
-    EXPECT_EQ(file.colours, 3);
-    ASSERT_EQ(file.draft.warp_colours.size(), 3u);
-    EXPECT_TRUE(file.draft.weft_colours.empty());
+    EXPECT_EQ(file.colors, 3);
+    ASSERT_EQ(file.draft.warp_colors.size(), 3u);
+    EXPECT_TRUE(file.draft.weft_colors.empty());
     const double expected[3][3] = {{0.02, 0.1, 0.25}, {0.0, 0.5, 1.0}, {0.02, 0.1, 0.25}};
     for (std::size_t end = 0; end < 3; ++end)
         for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(static_cast<double>(file.draft.warp_colours[end][c]),
+            EXPECT_NEAR(static_cast<double>(file.draft.warp_colors[end][c]),
                         linear(expected[end][c]), 1e-6)
                 << end << c;
 }
 
-TEST(Wif, ColoursThatLackSomethingAreNamed) {
+TEST(Wif, ColorsThatLackSomethingAreNamed) {
     Sections sections = small();
     sections["WEFT COLORS"] = "1=1\n";
     EXPECT_TRUE(has(read(text_of(sections)).warnings, "no [COLOR TABLE]"));
@@ -336,27 +336,27 @@ TEST(Wif, WrittenDraftsReadBack) {
         draft.picks = 1 + below(30);
         for (int i = 0; i < draft.ends * draft.picks; ++i)
             draft.warp_up.push_back(static_cast<std::uint8_t>(below(2)));
-        const auto colour = [&] {
+        const auto color = [&] {
             return glm::vec3(below(1001), below(1001), below(1001)) / 1000.0f;
         };
         if (round % 3 != 0)
-            for (int i = 0; i < draft.ends; ++i) draft.warp_colours.push_back(colour());
+            for (int i = 0; i < draft.ends; ++i) draft.warp_colors.push_back(color());
         if (round % 3 == 2)
-            for (int i = 0; i < draft.picks; ++i) draft.weft_colours.push_back(colour());
+            for (int i = 0; i < draft.picks; ++i) draft.weft_colors.push_back(color());
         const Draft back = read(wif_text(draft)).draft;
         EXPECT_EQ(back.name, draft.name);
         EXPECT_EQ(drawn(back), drawn(draft));
-        ASSERT_EQ(back.warp_colours.size(), draft.warp_colours.size());
-        ASSERT_EQ(back.weft_colours.size(), draft.weft_colours.size());
+        ASSERT_EQ(back.warp_colors.size(), draft.warp_colors.size());
+        ASSERT_EQ(back.weft_colors.size(), draft.weft_colors.size());
         // The curve is steepest at white: d linear / d code = 2.4 / 1.055 / 255.
-        for (std::size_t i = 0; i < draft.warp_colours.size(); ++i)
+        for (std::size_t i = 0; i < draft.warp_colors.size(); ++i)
             for (int c = 0; c < 3; ++c)
-                EXPECT_NEAR(back.warp_colours[i][c], draft.warp_colours[i][c],
+                EXPECT_NEAR(back.warp_colors[i][c], draft.warp_colors[i][c],
                             0.5f * 2.4f / 1.055f / 255.0f + 1e-6f);
         // Rounding is done once: a second trip changes nothing.
         const Draft again = read(wif_text(back)).draft;
-        EXPECT_EQ(again.warp_colours, back.warp_colours);
-        EXPECT_EQ(again.weft_colours, back.weft_colours);
+        EXPECT_EQ(again.warp_colors, back.warp_colors);
+        EXPECT_EQ(again.weft_colors, back.weft_colors);
     }
 }
 
@@ -364,8 +364,8 @@ TEST(Wif, TheExamplesAreTheClothsTheyClaimToBe) {
     const auto example = [](const char* name) {
         WifFile file = read_wif(test::source_folder() / "examples" / "weaves" / name);
         EXPECT_TRUE(file.warnings.empty()) << name << ": " << file.warnings.front();
-        EXPECT_FALSE(file.draft.warp_colours.empty()) << name;
-        EXPECT_FALSE(file.draft.weft_colours.empty()) << name;
+        EXPECT_FALSE(file.draft.warp_colors.empty()) << name;
+        EXPECT_FALSE(file.draft.weft_colors.empty()) << name;
         return file.draft;
     };
     const Draft twill = builtin_draft("twill-2-2"), broken = builtin_draft("herringbone");
@@ -373,8 +373,8 @@ TEST(Wif, TheExamplesAreTheClothsTheyClaimToBe) {
     for (int pick = 0; pick < 8; ++pick)
         for (int end = 0; end < 8; ++end)
             EXPECT_EQ(houndstooth.is_warp_up(end, pick), twill.is_warp_up(end % 4, pick % 4));
-    EXPECT_EQ(houndstooth.warp_colours[0], houndstooth.weft_colours[0]);
-    EXPECT_NE(houndstooth.warp_colours[3], houndstooth.warp_colours[4]);
+    EXPECT_EQ(houndstooth.warp_colors[0], houndstooth.weft_colors[0]);
+    EXPECT_NE(houndstooth.warp_colors[3], houndstooth.warp_colors[4]);
     EXPECT_EQ(drawn(example("herringbone-tweed.wif")), drawn(broken));
     const Draft stripe = example("satin-stripe.wif"), dobby = example("dobby-diamonds.wif");
     EXPECT_EQ(draft_figures(stripe).longest_warp_float, 3);

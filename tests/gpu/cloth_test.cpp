@@ -145,15 +145,15 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
     }
 };
 
-TEST_P(ClothFromAfar, MeanColourUnderLamps) {
+TEST_P(ClothFromAfar, MeanColorUnderLamps) {
     expect_same_mean(ImageLight::off, 0.03);
 }
 
-TEST_P(ClothFromAfar, MeanColourUnderASky) {
+TEST_P(ClothFromAfar, MeanColorUnderASky) {
     expect_same_mean(ImageLight::importance, 0.03);
 }
 
-TEST_P(ClothFromAfar, MeanColourUnderAPrefilteredSky) {
+TEST_P(ClothFromAfar, MeanColorUnderAPrefilteredSky) {
     // One look along the family's wide lobe: seen askance it is dimmer (docs/evidence/cloth.md).
     expect_same_mean(ImageLight::prefiltered, GetParam().tilt_deg > 0 ? 0.18 : 0.03);
 }

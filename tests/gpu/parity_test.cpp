@@ -213,7 +213,7 @@ TEST_F(Parity, WovenPointsAgree) {
         EXPECT_NEAR(device[i][0], w.n.x, 2e-6f) << i;
         EXPECT_NEAR(device[i][1], w.n.y, 2e-6f) << i;
         EXPECT_NEAR(device[i][2], w.height, 2e-6f) << i;
-        EXPECT_EQ(device[i][3], w.warp + 2 * w.cover + 4 * w.fibre.x) << i;
+        EXPECT_EQ(device[i][3], w.warp + 2 * w.cover + 4 * w.fiber.x) << i;
     }
 }
 

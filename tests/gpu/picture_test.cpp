@@ -269,7 +269,7 @@ TEST_F(Picture, MaskAndBlendFollowAlpha) {
     EXPECT_NEAR(render(scene, small_picture(8, 8)).at(4, 4)[0], 1.2f + 0.6f * 0.4f, 1e-4f);
 }
 
-TEST_F(Picture, BaseColourIsDecodedFromSrgb) {
+TEST_F(Picture, BaseColorIsDecodedFromSrgb) {
     Material m;
     m.emissive = glm::vec3(1.0f);
     m.emissive_texture.texture = 0;

@@ -234,7 +234,7 @@ TEST_F(SurfacePixels, YarnsUnderEveryMethod) {
                             cell, shape, x - std::floor(x) - 0.5f, y - std::floor(y) - 0.5f);
                         const glm::vec3 color =
                             yarn.warp > 0.5f ? *cloth.warp_color : *cloth.weft_color;
-                        Point q = point_of(m, surface_of(m, color * yarn.cover), yarn.n, yarn.fibre,
+                        Point q = point_of(m, surface_of(m, color * yarn.cover), yarn.n, yarn.fiber,
                                            along_x, wi, wo);
                         if (yarn.cover < 0.5f) q.surface.specular = q.surface.diffuse = {0, 0, 0};
                         return q;

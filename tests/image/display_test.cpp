@@ -8,12 +8,12 @@
 namespace burnish {
 namespace {
 
-Image grey(float value) {
+Image gray(float value) {
     return Image(1, 1, 3, value);
 }
 
 float shown(float value, ToneMap tone_map, double exposure = 0) {
-    return to_display(grey(value), exposure, tone_map).pixels[0];
+    return to_display(gray(value), exposure, tone_map).pixels[0];
 }
 
 TEST(Display, LinearIsTheSrgbCurveAndClips) {

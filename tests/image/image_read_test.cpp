@@ -156,12 +156,12 @@ TEST(ReadImage, BelievesAFileThatSaysItIsLinear) {
     EXPECT_FLOAT_EQ(read_image(folder / "a.png").pixels[0], 128.0f / 255.0f);
 }
 
-TEST(ReadImage, SpreadsGreyWithAlpha) {
+TEST(ReadImage, SpreadsGrayWithAlpha) {
     const TemporaryFolder folder;
     save(folder / "a.png", png_of(1, 1, 8, 4, {}, std::string("\0\x80\x40", 3)));
     const Image image = read_image(folder / "a.png", {.as_data = true});
-    const float grey = 128.0f / 255.0f;
-    EXPECT_EQ(image.pixels, (std::vector<float>{grey, grey, grey, 64.0f / 255.0f}));
+    const float gray = 128.0f / 255.0f;
+    EXPECT_EQ(image.pixels, (std::vector<float>{gray, gray, gray, 64.0f / 255.0f}));
 }
 
 TEST(ReadImage, LeavesFloatFormatsAsTheyAre) {
@@ -191,7 +191,7 @@ TEST(ReadImage, RefusesNotFiniteValuesUnlessAsked) {
     }
 }
 
-TEST(ReadImage, TakesTheColourOfManyChannels) {
+TEST(ReadImage, TakesTheColorOfManyChannels) {
     const TemporaryFolder folder;
     Image picture(4, 4, 6);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)

@@ -20,7 +20,7 @@ namespace {
 KnownMaterial ggx_like(double alpha_x, double alpha_y) {
     KnownMaterial material;
     material.surface = {alpha_x, alpha_y};
-    material.colour = [](double, double) { return std::array{0.8, 0.5, 0.2}; };
+    material.color = [](double, double) { return std::array{0.8, 0.5, 0.2}; };
     material.normals = 96;
     if (alpha_x != alpha_y) {
         material.phis = 9;

@@ -49,11 +49,11 @@ double largest_correlation(const ScratchMaps& maps, int least_x, int least_y) {
     const int n = maps.size;
     double mean = 0.0;
     for (const float h : maps.height.pixels) mean += static_cast<double>(h) / (n * n);
-    std::vector<float> centred(maps.height.pixels.size());
+    std::vector<float> centered(maps.height.pixels.size());
     double variance = 0.0;
-    for (std::size_t i = 0; i < centred.size(); ++i) {
-        centred[i] = static_cast<float>(static_cast<double>(maps.height.pixels[i]) - mean);
-        variance += static_cast<double>(centred[i] * centred[i]);
+    for (std::size_t i = 0; i < centered.size(); ++i) {
+        centered[i] = static_cast<float>(static_cast<double>(maps.height.pixels[i]) - mean);
+        variance += static_cast<double>(centered[i] * centered[i]);
     }
     double largest = 0.0;
     for (int sy = 0; sy <= n / 2; sy += 1) {
@@ -62,8 +62,8 @@ double largest_correlation(const ScratchMaps& maps, int least_x, int least_y) {
             if ((std::abs(sx) + sy) % 3 != 0) continue;  // a third of the shifts, peaks are wider
             double sum = 0.0;
             for (int y = 0; y < n; y += 2) {
-                const float* a = centred.data() + static_cast<std::size_t>(y * n);
-                const float* b = centred.data() + static_cast<std::size_t>((y + sy) % n * n);
+                const float* a = centered.data() + static_cast<std::size_t>(y * n);
+                const float* b = centered.data() + static_cast<std::size_t>((y + sy) % n * n);
                 for (int x = 0; x < n; x += 2)
                     sum += static_cast<double>(a[x] * b[(x + sx + n) % n]);
             }

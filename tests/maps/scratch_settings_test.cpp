@@ -89,9 +89,9 @@ TEST(ScratchSettings, InputsAreChecked) {
     EXPECT_NE(complaint([&] { made(settings, wide); }).find("square"), std::string::npos);
     ScratchSettings steered = settings;
     steered.layers[0].field = ScratchField::image;
-    ScratchInputs grey;
-    grey.direction = Image(64, 64, 1);
-    EXPECT_NE(complaint([&] { made(steered, grey); }).find("channels"), std::string::npos);
+    ScratchInputs gray;
+    gray.direction = Image(64, 64, 1);
+    EXPECT_NE(complaint([&] { made(steered, gray); }).find("channels"), std::string::npos);
     ScratchInputs unused;
     unused.direction = Image(64, 64, 3);
     EXPECT_NE(complaint([&] { made(settings, unused); }).find("direction"), std::string::npos);

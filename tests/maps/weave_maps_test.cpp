@@ -154,7 +154,7 @@ TEST(WeaveMaps, EveryTexelIsThePointOfTheShadingText) {
         if (yarn == 0) return;
         ASSERT_EQ(yarn, p.warp > 0.5f ? 1 + end : 1 + maps.ends + pick);
         ASSERT_NEAR(*maps.heights.at(x, y), 0.5f * p.height, 1e-6f);
-        const float angle = 2.0f * std::atan2(p.fibre.y, p.fibre.x);
+        const float angle = 2.0f * std::atan2(p.fiber.y, p.fiber.x);
         ASSERT_NEAR(maps.direction.at(x, y)[0], std::cos(angle), 1e-5f);
         ASSERT_NEAR(maps.direction.at(x, y)[1], std::sin(angle), 1e-5f);
         ASSERT_NEAR(maps.normals.at(x, y)[0], p.n.x, 1e-6f);
@@ -191,16 +191,16 @@ TEST(WeaveMaps, YarnsCoverTheAreasTheyShould) {
     EXPECT_EQ(warp, 12 * 24 * 32 + 4 * 8 * 24);  // the warp is above at 12 of 16
 }
 
-TEST(WeaveMaps, ColoursAndNumbersAreThoseOfTheYarnOnTop) {
+TEST(WeaveMaps, ColorsAndNumbersAreThoseOfTheYarnOnTop) {
     WeaveMapSettings settings = cloth("twill-2-1");
-    settings.draft.weft_colours = {{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}, {0.7f, 0.8f, 0.9f}};
-    settings.warp_colour = {1.0f, 0.0f, 0.5f};
+    settings.draft.weft_colors = {{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}, {0.7f, 0.8f, 0.9f}};
+    settings.warp_color = {1.0f, 0.0f, 0.5f};
     settings.repeats_u = 2;
     settings.width *= 2;
     const WeaveMaps maps = baked(settings);
     const std::size_t row = static_cast<std::size_t>(maps.width) * 3;
-    std::vector<float> colours(row * static_cast<std::size_t>(maps.height)), ids(colours.size());
-    weave_colour_rows(maps, settings, 0, maps.height, colours.data());
+    std::vector<float> colors(row * static_cast<std::size_t>(maps.height)), ids(colors.size());
+    weave_color_rows(maps, settings, 0, maps.height, colors.data());
     weave_id_rows(maps, settings, 0, maps.height, ids.data());
     for (int pick = 0; pick < 3; ++pick)
         for (int end = 0; end < 6; ++end) {
@@ -208,10 +208,10 @@ TEST(WeaveMaps, ColoursAndNumbersAreThoseOfTheYarnOnTop) {
             const std::size_t at =
                 static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x) * 3;
             const bool up = settings.draft.is_warp_up(end % 3, pick);
-            const glm::vec3 c = up ? settings.warp_colour
-                                   : settings.draft.weft_colours[static_cast<std::size_t>(pick)];
+            const glm::vec3 c = up ? settings.warp_color
+                                   : settings.draft.weft_colors[static_cast<std::size_t>(pick)];
             for (int i = 0; i < 3; ++i)
-                EXPECT_NEAR(linear_from_srgb(colours[at + static_cast<std::size_t>(i)]), c[i],
+                EXPECT_NEAR(linear_from_srgb(colors[at + static_cast<std::size_t>(i)]), c[i],
                             1e-5f);
             EXPECT_EQ(ids[at], up ? 1.0f : 0.5f);
             // As documented: the number is the whole part of G times the count, after 16 bits too.

@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(Drafts, Weave, testing::ValuesIn(draft_names()), [](con
 
 // e_x and e_y swap with the yarn: fibres run along +u on the weft, along +v on the warp, both
 // turned counter-clockwise by the twist.
-TEST(WeavePoint, FibresFollowTheirYarn) {
+TEST(WeavePoint, FibersFollowTheirYarn) {
     for (const double twist : {0.0, 0.3, -0.5}) {
         const f64::WeaveShape shape = shape_of(0.1, 0.6, 0.1, twist);
         for (const bool warp_up : {false, true}) {
@@ -183,8 +183,8 @@ TEST(WeavePoint, FibresFollowTheirYarn) {
             const f64::WeavePoint p = f64::weave_point(cell, shape, 0.1, 0.1);
             EXPECT_EQ(p.warp, warp_up ? 1.0 : 0.0);
             const double angle = twist + (warp_up ? 0.5 * f64::kPi : 0.0);
-            EXPECT_NEAR(p.fibre.x, std::cos(angle), 1e-12);
-            EXPECT_NEAR(p.fibre.y, std::sin(angle), 1e-12);
+            EXPECT_NEAR(p.fiber.x, std::cos(angle), 1e-12);
+            EXPECT_NEAR(p.fiber.y, std::sin(angle), 1e-12);
         }
     }
 }

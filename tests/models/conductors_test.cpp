@@ -11,7 +11,7 @@ namespace {
 // Linear RGB reflectances at normal incidence as tabulated for artists (Akenine-Moller et al. 2018,
 // Real-Time Rendering, table 9.2), from whole spectra and other measurements, hence the tolerance;
 // stainless steel is a nearly neutral 0.6.
-TEST(Conductors, HaveTheColoursOfTheMetals) {
+TEST(Conductors, HaveTheColorsOfTheMetals) {
     const std::pair<const char*, glm::vec3> known[] = {
         {"gold", {1.000f, 0.782f, 0.344f}},     {"silver", {0.972f, 0.960f, 0.915f}},
         {"copper", {0.955f, 0.638f, 0.538f}},   {"aluminium", {0.913f, 0.922f, 0.924f}},

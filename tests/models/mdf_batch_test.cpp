@@ -117,7 +117,7 @@ TEST(MdfBatch, AgreesWithTheScalarTextInDouble) {
 }
 
 // Neither the place in a register nor how many rows there are changes a value.
-TEST(MdfBatch, RowsDoNotDependOnTheirNeighbours) {
+TEST(MdfBatch, RowsDoNotDependOnTheirNeighbors) {
     Columns<float> all = cases<float>(Mdf::ashikhmin_shirley, 40);
     mdf_values(Mdf::ashikhmin_shirley, Method::deform_smooth, all.rows(), all.results());
     for (std::size_t count = 1; count < 20; ++count) {

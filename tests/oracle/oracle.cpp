@@ -306,12 +306,12 @@ namespace {
 // The largest |f(a, b) - f(a', b')| with one coordinate of a or b moved by +-eps.
 long double wobble(const std::function<long double(Vec3, Vec3)>& f, Vec3 a, Vec3 b,
                    long double eps) {
-    const long double centre = f(a, b);
+    const long double center = f(a, b);
     long double most = 0;
     for (const long double step : {-eps, eps}) {
         for (const Vec3 axis : {kX, kY, kZ}) {
-            most = std::max(most, fabsl(f(a + step * axis, b) - centre));
-            most = std::max(most, fabsl(f(a, b + step * axis) - centre));
+            most = std::max(most, fabsl(f(a + step * axis, b) - center));
+            most = std::max(most, fabsl(f(a, b + step * axis) - center));
         }
     }
     return most;

@@ -59,7 +59,7 @@ Spread energy_as_published(const Lobe& l, const std::string& method, long double
 }
 
 // Rotation by the approximate matrix with h~ normalised: no method of ours, but in the table.
-Spread energy_approx_normalised(const Lobe& l, long double tilt) {
+Spread energy_approx_normalized(const Lobe& l, long double tilt) {
     return over_azimuths(tilt, [&](Vec3 n) {
         return integrate_method("rotate-approx", n, [&](Vec3 h) {
             const Transformed t = mdf_transform(l.mdf, l.p0, l.p1, "rotate-approx", n, h);
@@ -90,10 +90,10 @@ TEST(OracleSelf, EnergyTable) {
     expect_row("rotate-approx", {.866, .501, .866, .871, .991, 1.03});
 }
 
-TEST(OracleSelf, EnergyTableNormalisedApproximation) {
+TEST(OracleSelf, EnergyTableNormalizedApproximation) {
     const std::array<double, 6> means{.975, .867, .977, .936, .970, .872};
     for (std::size_t k = 0; k < kColumns.size(); ++k) {
-        const Spread s = energy_approx_normalised(kColumns[k].lobe, kColumns[k].tilt);
+        const Spread s = energy_approx_normalized(kColumns[k].lobe, kColumns[k].tilt);
         EXPECT_NEAR(static_cast<double>(s.mean), means[k], 0.0007) << "column " << k;
     }
 }
@@ -107,8 +107,8 @@ TEST(OracleSelf, EnergyRangesOverAzimuth) {
     expect_range(energy(kBroad, "normal-map", 30), .83, .89);
     expect_range(energy(kWard, "rotate-approx", 30), .87, 1.13);
     expect_range(energy(kWard, "rotate-approx", 60), .50, 1.93);
-    expect_range(energy_approx_normalised(kRound, 30), .87, 1.10);
-    expect_range(energy_approx_normalised(kWard, 60), .50, 1.46);
+    expect_range(energy_approx_normalized(kRound, 30), .87, 1.10);
+    expect_range(energy_approx_normalized(kWard, 60), .50, 1.46);
 }
 
 // Normaliser 3: .984-1.017 over the four lobes to 60 degrees; beyond, it drifts.

@@ -8,7 +8,7 @@ namespace {
 // ---------------------------------------------------------------- normalisation
 
 // docs/theory/papers.md: K11 Eq 1 is normalised per solid angle, D_proj per projected area.
-TEST(OracleSelf, AshikhminShirleyIsNormalisedBothWays) {
+TEST(OracleSelf, AshikhminShirleyIsNormalizedBothWays) {
     const std::vector<std::pair<long double, long double>> exponents{
         {200, 10}, {0, 0}, {0, 10000}, {0.3L, 40}};
     for (const auto& [e_x, e_y] : exponents) {
@@ -20,7 +20,7 @@ TEST(OracleSelf, AshikhminShirleyIsNormalisedBothWays) {
     }
 }
 
-TEST(OracleSelf, OtherLobesAreNormalisedPerProjectedArea) {
+TEST(OracleSelf, OtherLobesAreNormalizedPerProjectedArea) {
     for (const std::string mdf : {"ward", "beckmann", "ggx"}) {
         for (const long double ax : {0.01L, 1.0L}) {
             for (const long double ay : {0.01L, 0.3L}) {

@@ -170,18 +170,18 @@ TEST(BrdfPlot, TheLobeHidesWhatIsBehindIt) {
     const Box box = drawn.areas.at(0).box;
     // The light comes from +x at 40 degrees; its ray starts 1.18 from the origin, above a lobe of
     // radius 1, and ends inside it. Somewhere under the lobe there is the ground's grey: not seen.
-    int blue = 0, grey = 0;
+    int blue = 0, gray = 0;
     for (int y = -20; y <= 20; ++y) {
         for (int x = -20; x <= 20; ++x) {
             if (std::hypot(x, y) < 12) continue;  // the n of the normal stands there
             const float* p = drawn.image.at(static_cast<int>(box.center().x) + x,
                                             static_cast<int>(box.center().y) + y);
             if (p[2] > p[0] + 0.15f) ++blue;
-            if (std::abs(p[2] - p[0]) < 0.03f && p[0] > 0.8f) ++grey;
+            if (std::abs(p[2] - p[0]) < 0.03f && p[0] > 0.8f) ++gray;
         }
     }
     EXPECT_GT(blue, 800);
-    EXPECT_EQ(grey, 0);
+    EXPECT_EQ(gray, 0);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 using Vec = Direction<double>;
 
 MdfSubject subject(Mdf mdf, double p0, double p1, Method method, double tilt, double azimuth) {
-    return {mdf, p0, p1, method, tilted_normal(tilt, azimuth), Normalisation::paper};
+    return {mdf, p0, p1, method, tilted_normal(tilt, azimuth), Normalization::paper};
 }
 
 Box area_of(const DrawnFigure& drawn, const std::string& name) {
@@ -47,7 +47,7 @@ Pixel pixel_at(const DrawnFigure& d, const Box& disk, double hx, double hy) {
             {x, y, std::sqrt(1 - x * x - y * y)}};
 }
 
-TEST(MdfPlot, PixelsOfTheDiskHaveTheColourOfD) {
+TEST(MdfPlot, PixelsOfTheDiskHaveTheColorOfD) {
     for (const ScaleKind kind : {ScaleKind::linear, ScaleKind::gamma, ScaleKind::log}) {
         for (const Method method :
              {Method::none, Method::normal_map, Method::deform_smooth, Method::follow_grain}) {
@@ -84,16 +84,16 @@ TEST(MdfPlot, TheCrossIsAtThePerturbedNormal) {
 }
 
 // The values of the shading tests' own entry points, through another path: mdf_values.
-TEST(MdfPlot, NormalisationsAreThoseOfMdfEval) {
+TEST(MdfPlot, NormalizationsAreThoseOfMdfEval) {
     const Vec h = tilted_normal(20, 70);
     for (const Mdf mdf : {Mdf::ashikhmin_shirley, Mdf::ward, Mdf::beckmann, Mdf::ggx}) {
         const double p = mdf == Mdf::ashikhmin_shirley ? 30 : 0.3;
         MdfSubject s = subject(mdf, p, p / 2, Method::deform_smooth, 30, 40);
         const MdfValues<double> values = mdf_values(mdf, p, p / 2, s.method, s.n, h);
         EXPECT_DOUBLE_EQ(s.D(h), values.D);
-        s.normalisation = Normalisation::projected;
+        s.normalization = Normalization::projected;
         EXPECT_DOUBLE_EQ(s.D(h), values.D_proj);
-        s.normalisation = Normalisation::conserving;
+        s.normalization = Normalization::conserving;
         // The factor is multiplied in at another place: a rounding.
         EXPECT_NEAR(s.D(h), values.D_conserving, 1e-14 * values.D_conserving);
     }

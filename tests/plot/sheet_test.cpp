@@ -143,7 +143,7 @@ TEST(Difference, ShowsNanInMagenta) {
     EXPECT_EQ(difference_image(a, b).pixels, (std::vector<float>{1.0f, 0.0f, 1.0f}));
 }
 
-TEST(Rmse, IsTheRootOfTheMeanSquareOverColours) {
+TEST(Rmse, IsTheRootOfTheMeanSquareOverColors) {
     Image a(2, 1, 4, 0.0f), b(2, 1, 4, 0.0f);
     b.at(0, 0)[0] = 3.0f;
     b.at(1, 0)[2] = 4.0f;

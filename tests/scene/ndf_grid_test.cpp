@@ -79,7 +79,7 @@ TEST(NdfGrid, MassOfAnalyticLobesIsOne) {
     }
 }
 
-TEST(NdfGrid, CellCentresAreReadExactly) {
+TEST(NdfGrid, CellCentersAreReadExactly) {
     const NdfGrid grid{9, 14};
     std::vector<float> table;
     for (int i = 0; i < grid.cells(); ++i) table.push_back(static_cast<float>((i * 37) % 101));

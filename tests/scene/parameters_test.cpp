@@ -146,7 +146,7 @@ TEST(ParameterValues, KeepsWhatWasSet) {
     EXPECT_EQ(values.set_values().size(), 7u);
 }
 
-TEST(ParameterValues, ColoursAreLinearOrSrgb) {
+TEST(ParameterValues, ColorsAreLinearOrSrgb) {
     ParameterValues values;
     values.set("base_color", "0.1,0.2,1", "");
     EXPECT_EQ(values.vec3("base_color"), glm::vec3(0.1f, 0.2f, 1.0f));

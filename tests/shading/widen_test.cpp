@@ -167,7 +167,7 @@ TEST(Widen, AxesAreApart) {
     }
 }
 
-TEST(Widen, WidenedLobesStayNormalised) {
+TEST(Widen, WidenedLobesStayNormalized) {
     for (const LobeCase& c : lobe_cases()) {
         const f64::Lobe wide = f64::widen_lobe(f64::lobe_make(c.mdf, c.p0, c.p1), 0.03, 0.1);
         const double energy =

@@ -29,7 +29,7 @@ std::string refusal_of(std::initializer_list<std::pair<const char*, const char*>
     return "accepted";
 }
 
-TEST(ClothMaterial, AWeaveMakesTheSurfaceFibres) {
+TEST(ClothMaterial, AWeaveMakesTheSurfaceFibers) {
     const Scene scene =
         scene_with({{"weave", "satin-5"}, {"weave_twist", "-30"}, {"warp_color", "1,0,0"}});
     const Material& m = scene.materials.front();
@@ -43,7 +43,7 @@ TEST(ClothMaterial, AWeaveMakesTheSurfaceFibres) {
     EXPECT_EQ(m.metallic, 0.0f);
 }
 
-TEST(ClothMaterial, RoughnessIsAPairOfTheFibres) {
+TEST(ClothMaterial, RoughnessIsAPairOfTheFibers) {
     // Also where the cloth was there before: alpha = roughness^2, stretched across the fibres.
     Scene scene = scene_with({{"weave", "plain"}});
     ParameterValues later;
@@ -81,7 +81,7 @@ TEST(ClothMaterial, WhatContradictsItselfIsRefused) {
     EXPECT_NE(refusal_of({{"weave", "missing.wif"}}).find("no such file"), std::string::npos);
 }
 
-TEST(ClothMaterial, ColoursThatAMetalHidesAreSaid) {
+TEST(ClothMaterial, ColorsThatAMetalHidesAreSaid) {
     const auto says_so = [](const Scene& scene) {
         for (const std::string& warning : scene.warnings)
             if (warning.find("warp_color") != std::string::npos) return true;

@@ -44,7 +44,7 @@ class TabulatedParameter : public testing::Test {
     ScratchFolder folder;
 };
 
-TEST_F(TabulatedParameter, ReplacesLobeAndColours) {
+TEST_F(TabulatedParameter, ReplacesLobeAndColors) {
     Scene scene = load_model("builtin:plane");
     apply_material_parameters(scene, values_of({{"tabulated", file()},
                                                 {"method", "rotate-exact"},

@@ -85,7 +85,7 @@ double KnownMaterial::phi(std::size_t i) const {
 }
 
 std::vector<TensorPart> KnownMaterial::parts() const {
-    std::vector<float> theta_i, phi_i, vndf, light, colours;
+    std::vector<float> theta_i, phi_i, vndf, light, colors;
     for (std::size_t t = 0; t < thetas; ++t) theta_i.push_back(static_cast<float>(theta(t)));
     for (std::size_t p = 0; p < phis; ++p) phi_i.push_back(static_cast<float>(phi(p)));
     const std::size_t channels = wavelengths.empty() ? 3 : wavelengths.size();
@@ -103,8 +103,8 @@ std::vector<TensorPart> KnownMaterial::parts() const {
                     for (std::size_t i = 0; i < samples; ++i) {
                         const double x = share(i, samples), y = share(j, samples);
                         if (c == 0) light.push_back(static_cast<float>(luminance(x, y)));
-                        colours.push_back(
-                            static_cast<float>(colour(x, y)[wavelengths.empty() ? c : 0]));
+                        colors.push_back(
+                            static_cast<float>(color(x, y)[wavelengths.empty() ? c : 0]));
                     }
         }
     const auto ndf = over_directions(normals, [&](double, double theta_m, double phi_m) {
@@ -122,7 +122,7 @@ std::vector<TensorPart> KnownMaterial::parts() const {
         floats_part("vndf", {phis, thetas, normals, normals}, vndf),
         floats_part("luminance", {phis, thetas, samples, samples}, light),
         floats_part(wavelengths.empty() ? "rgb" : "spectra",
-                    {phis, thetas, channels, samples, samples}, colours),
+                    {phis, thetas, channels, samples, samples}, colors),
         bytes_part("jacobian", std::string_view("\1", 1))};
     if (!wavelengths.empty())
         result.push_back(floats_part("wavelengths", {wavelengths.size()}, wavelengths));

@@ -44,7 +44,7 @@ struct KnownMaterial {
     unsigned symmetry = 1;     // 2, 4: azimuths over half or a quarter of the circle
     std::size_t normals = 64;  // nodes of the grids of ndf, sigma and vndf along a side
     std::size_t samples = 16;  // nodes of luminance and colour
-    std::function<std::array<double, 3>(double x, double y)> colour = [](double, double) {
+    std::function<std::array<double, 3>(double x, double y)> color = [](double, double) {
         return std::array<double, 3>{0.8, 0.5, 0.2};
     };
     std::function<double(double x, double y)> luminance = [](double, double) { return 1.0; };

@@ -1,5 +1,8 @@
 // Plots of reflection models: polar cuts, lobes as surfaces, albedo over the angle of incidence.
 // Every number comes from models/brdf_models.hpp.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <array>

@@ -1,5 +1,7 @@
 // The canvas of all plots: one drawing code for PNG and SVG (cairo). Lengths are px of a 96 dpi
 // page, y points down, angles are in radians, colors are display values.
+//
+// Threads: one at a time for each canvas.
 #pragma once
 
 #include <map>

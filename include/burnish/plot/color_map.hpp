@@ -1,6 +1,9 @@
 // Colour maps of plots, made in OKLab (B. Ottosson, "A perceptual color space for image
 // processing", 2020), so that equal steps of the value look equally large and lightness alone tells
 // the order: they read the same in grey and for colour-blind eyes.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +21,7 @@ struct Rgb {  // display values (sRGB-encoded), 0..1
 inline constexpr Rgb kBlack{0, 0, 0};
 inline constexpr Rgb kWhite{1, 1, 1};
 inline constexpr Rgb kInk{0.13, 0.13, 0.15};    // text and axes
-inline constexpr Rgb kGrey{0.45, 0.45, 0.48};   // ticks, notes
+inline constexpr Rgb kGray{0.45, 0.45, 0.48};   // ticks, notes
 inline constexpr Rgb kFaint{0.86, 0.86, 0.88};  // grid lines
 
 // OKLab lightness and axes of a display colour, and back (not clamped to the gamut).

@@ -6,6 +6,8 @@
 //   figure.title = "K11 Fig 6";
 //   figure.rows.push_back({"isotropic", {disk_panel(...), picture_panel(image, "rendered")}});
 //   write_figure(figure, "fig6.png", {{"burnish:command", ...}, {"burnish:version", ...}});
+//
+// Threads: one at a time for each figure. Lifetime: a figure keeps what its panels draw.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,8 @@
 // Plots of microfacet distributions under a perturbed normal. Every number comes from
 // models/mdf.hpp and burnish/f64.hpp. All directions are in the unperturbed tangent space.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <array>
@@ -20,8 +23,8 @@ namespace burnish {
 namespace BURNISH_API plot {
 
 // The one of the three values of MdfValues that is shown.
-enum class Normalisation { paper = 0, projected = 1, conserving = 2 };
-std::span<const std::string_view> normalisation_names();  // "paper", "projected", "conserving"
+enum class Normalization { paper = 0, projected = 1, conserving = 2 };
+std::span<const std::string_view> normalization_names();  // "paper", "projected", "conserving"
 
 // One distribution under one method and one normal.
 struct MdfSubject {
@@ -29,7 +32,7 @@ struct MdfSubject {
     double p0 = 200, p1 = 10;  // exponents or alphas, as mdf_parameters says
     Method method = Method::none;
     Direction<double> n{0, 0, 1};  // unit, n.z > 0
-    Normalisation normalisation = Normalisation::paper;
+    Normalization normalization = Normalization::paper;
 
     double D(Direction<double> h) const;
 };
@@ -40,7 +43,7 @@ Direction<double> tilted_normal(double tilt_deg, double azimuth_deg);
 // "ashikhmin-shirley, e = 200, 10", "30 deg at 40 deg", what D is called in labels.
 std::string lobe_text(Mdf mdf, double p0, double p1);
 std::string normal_text(Direction<double> n);
-std::string value_text(Mdf mdf, Normalisation normalisation);
+std::string value_text(Mdf mdf, Normalization normalization);
 
 // D at the centre of every texel of a square over the disk, h_x = -1..1 to the right, h_y = -1..1
 // upwards; NaN outside. Where the lobe is narrower than a few texels, a texel holds the largest D

@@ -1,4 +1,6 @@
 // Panels of any data: pictures, lines over an axis, bars.
+//
+// Threads: any number may make panels at a time. Lifetime: a panel keeps what it draws.
 #pragma once
 
 #include <optional>

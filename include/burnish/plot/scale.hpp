@@ -1,4 +1,7 @@
 // From values to positions on an axis or a colour bar, and the numbers written beside it.
+//
+// Threads: any number may call these functions at a time. Lifetime: what they return refers to
+// nothing else.
 #pragma once
 
 #include <span>

@@ -68,7 +68,7 @@ class Reader {
         if (has("imageWidth")) rig_.width_mm = root_.at("imageWidth").number(0.0, kLargest);
         if (rig_.width_mm < kSmallest) rig_.width_mm = 0.0;  // 0: relight's word for unknown
         read_lights();
-        read_colours();
+        read_colors();
         if (request_.needs_images) take_pictures();
         return {std::move(rig_), {}};
     }
@@ -147,7 +147,7 @@ class Reader {
     }
 
     // Both are factors that bring the picture to what an even light would have made of it.
-    void read_colours() {
+    void read_colors() {
         for (const char* key : {"ledAdjust", "lightsCalibration"}) {
             if (!has(key)) continue;
             const JsonPlace list = root_.at(key);
@@ -162,14 +162,14 @@ class Reader {
     }
 
     void correct(RigLight& light, const JsonPlace& place, bool plain) {
-        constexpr std::array<const char*, 3> kColours = {"r", "g", "b"};
+        constexpr std::array<const char*, 3> kColors = {"r", "g", "b"};
         Vec3d factors{1.0, 1.0, 1.0};
         if (plain) {
-            factors = triple(place, kColours, kFaintest, kBrightest);
+            factors = triple(place, kColors, kFaintest, kBrightest);
         } else {
             place.require_object();
             if (place.has("whiteBalance"))
-                factors = triple(place.at("whiteBalance"), kColours, kFaintest, kBrightest);
+                factors = triple(place.at("whiteBalance"), kColors, kFaintest, kBrightest);
             if (place.has("intensity"))
                 for (double& factor : factors)
                     factor *= place.at("intensity").number(kFaintest, kBrightest);

@@ -30,7 +30,7 @@ Examples:
 struct MdfPlotFlags {
     ParameterValues values;
     std::string mdf = "ashikhmin-shirley", method = "none,normal-map,deform-smooth,follow-grain";
-    std::string tilt, azimuth, kind = "disk", normalisation = "paper", scale = "linear", high,
+    std::string tilt, azimuth, kind = "disk", normalization = "paper", scale = "linear", high,
                                point;
     std::vector<std::string> normals;
     OutputFlags output;
@@ -72,8 +72,8 @@ MdfPlotRequest request_of_mdf_plot(const MdfPlotFlags& flags, const Session& ses
         request.methods.push_back(static_cast<Method>(i));
     request.normals = normals_of(flags);
     request.kind = name_in<MdfPlotKind>(flags.kind, mdf_plot_kind_names(), "kind", "--kind");
-    request.normalisation = name_in<plot::Normalisation>(
-        flags.normalisation, plot::normalisation_names(), "normalisation", "--normalisation");
+    request.normalization = name_in<plot::Normalization>(
+        flags.normalization, plot::normalization_names(), "normalisation", "--normalisation");
     request.scale = name_in<plot::ScaleKind>(flags.scale, plot::scale_names(), "scale", "--scale");
     if (!flags.high.empty()) request.high = number_of(flags.high, "--max", 1e-12, 1e12);
     if (!flags.point.empty()) {
@@ -107,8 +107,8 @@ void add_mdf_plot_command(CLI::App& mdf, Session& session) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
-    add("--normalisation", flags->normalisation,
-        "of D: " + listed(plot::normalisation_names()) + " (default paper; see mdf eval --help)",
+    add("--normalisation", flags->normalization,
+        "of D: " + listed(plot::normalization_names()) + " (default paper; see mdf eval --help)",
         "NAME");
     add("--scale", flags->scale, listed(plot::scale_names()) + " (default linear)", "NAME");
     add("--max", flags->high, "top of the scale (default: the largest peak)", "NUMBER");

@@ -301,7 +301,7 @@ void RglBrdf::read_reflectance(const TensorFile& file) {
     if (file.find("rgb")) {
         static constexpr std::array<std::array<double, 3>, 3> kAsTheyAre = {
             {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-        read_colour(file, file.require("rgb", TensorType::float32, 5), kAsTheyAre, 3);
+        read_color(file, file.require("rgb", TensorType::float32, 5), kAsTheyAre, 3);
         return;
     }
     if (!file.find("spectra")) file.fail("rgb", "this field, or spectra", "neither");
@@ -316,12 +316,12 @@ void RglBrdf::read_reflectance(const TensorFile& file) {
     }
     wavelengths_ = waves.size();
     wavelength_range_ = {waves.front(), waves.back()};
-    read_colour(file, spectra, reflectance_to_rgb(waves), waves.size());
+    read_color(file, spectra, reflectance_to_rgb(waves), waves.size());
 }
 
 // From slice, channel, row, column to three tables of slice, row, column.
-void RglBrdf::read_colour(const TensorFile& file, const TensorField& field,
-                          std::span<const std::array<double, 3>> weights, std::size_t channels) {
+void RglBrdf::read_color(const TensorFile& file, const TensorField& field,
+                         std::span<const std::array<double, 3>> weights, std::size_t channels) {
     const std::size_t rows = field.shape[3], columns = field.shape[4];
     expect_shape(file, field, {grid_.phi().size(), grid_.theta().size(), channels, rows, columns});
     if (rows < 2 || columns < 2)

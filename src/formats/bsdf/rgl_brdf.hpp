@@ -76,8 +76,8 @@ class RglBrdf {
     Rgb reflected(const Given& at, const Warped& start, double u, double v) const;
     void read_directions(const TensorFile& file);
     void read_distribution(const TensorFile& file);
-    void read_colour(const TensorFile& file, const TensorField& field,
-                     std::span<const std::array<double, 3>> weights, std::size_t channels);
+    void read_color(const TensorFile& file, const TensorField& field,
+                    std::span<const std::array<double, 3>> weights, std::size_t channels);
     void read_reflectance(const TensorFile& file);
 
     std::string description_;

@@ -108,8 +108,8 @@ void check_texels(const std::string& file, const TabulatedMaterial& m) {
     }
     // 1000: a hundred turns and more; beyond, single precision knows an angle to 1e-4 no longer.
     require_range(file, "texels: angle", m.angle, -1000, 1000, width);
-    check_image(file, "diffuse", m.diffuse, m, 0, kMostColour);
-    check_image(file, "specular", m.specular, m, 0, kMostColour);
+    check_image(file, "diffuse", m.diffuse, m, 0, kMostColor);
+    check_image(file, "specular", m.specular, m, 0, kMostColor);
     check_image(file, "normal", m.normal, m, -1.1F, 1.1F);
     check_normals(file, m);
     for (const auto& [name, values] : m.maps) {

@@ -21,7 +21,7 @@ inline constexpr int kMostExemplars = 65535;         // 0xffff is kNoExemplar
 inline constexpr std::int64_t kMostCells = 1 << 26;  // of all tables: each is integrated
 inline constexpr double kMassTolerance = 0.02;       // of Int D (n.h) dw = 1
 inline constexpr float kMostDistribution = 1e12F;    // of a lobe a tenth of a second of arc wide
-inline constexpr float kMostColour = 65504.0F;       // of half floats
+inline constexpr float kMostColor = 65504.0F;        // of half floats
 
 // Exemplars beside one another, row by row; of each, rings downwards and azimuths to the right.
 struct TabulatedAtlas {

@@ -22,7 +22,7 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{8} << 20;
 constexpr std::size_t kHeadBytes = 4096;
 constexpr int kMostShafts = 4096;  // a Jacquard loom has one an end
 constexpr int kMostTreadles = 4096;
-constexpr int kMostColours = 65536;
+constexpr int kMostColors = 65536;
 
 using Shafts = std::bitset<kMostShafts + 1>;  // from 1
 
@@ -33,7 +33,7 @@ class Reader {
         read_sizes();
         name(path);
         weave();
-        colours();
+        colors();
         warn_of_losses();
         check_draft(out_.draft, text_.file());
     }
@@ -150,7 +150,7 @@ class Reader {
             const WifEntry form = *palette.find("Form");
             palette.fail(form, "RGB", shown(form.value));
         }
-        out_.colours = required(palette, "Entries", 1, kMostColours);
+        out_.colors = required(palette, "Entries", 1, kMostColors);
         constexpr int kFarthest = 1 << 24;  // floats count so far
         const auto range = palette.find("Range");
         const std::vector<int> ends =
@@ -159,30 +159,29 @@ class Reader {
         if (ends.size() != 2 || ends[0] >= ends[1])
             palette.fail("Range", "the numbers of black and white, such as 0,255",
                          range ? shown(range->value) : "no such key");
-        std::vector<std::optional<glm::vec3>> colours(static_cast<std::size_t>(out_.colours) + 1);
-        rows.each(out_.colours, "Entries of [COLOR PALETTE]", [&](int i, const WifEntry& entry) {
+        std::vector<std::optional<glm::vec3>> colors(static_cast<std::size_t>(out_.colors) + 1);
+        rows.each(out_.colors, "Entries of [COLOR PALETTE]", [&](int i, const WifEntry& entry) {
             const std::vector<int> rgb =
                 rows.list(entry, ends[0], ends[1], "Range of [COLOR PALETTE]");
             if (rgb.size() != 3)
                 rows.fail(entry, "red,green,blue", fmt::format("{} numbers", rgb.size()));
-            glm::vec3 colour;
+            glm::vec3 color;
             for (int c = 0; c < 3; ++c) {
                 const auto above = static_cast<float>(rgb[static_cast<std::size_t>(c)] - ends[0]);
-                colour[c] = linear_from_srgb(above / static_cast<float>(ends[1] - ends[0]));
+                color[c] = linear_from_srgb(above / static_cast<float>(ends[1] - ends[0]));
             }
-            colours[static_cast<std::size_t>(i)] = colour;
+            colors[static_cast<std::size_t>(i)] = color;
         });
-        return colours;
+        return colors;
     }
 
     // Of one family of yarns; none when the file gives them no colour.
-    std::vector<glm::vec3> yarn_colours(
-        std::string_view family, int yarns,
-        const std::vector<std::optional<glm::vec3>>& colours) const {
+    std::vector<glm::vec3> yarn_colors(std::string_view family, int yarns,
+                                       const std::vector<std::optional<glm::vec3>>& colors) const {
         const WifSection& all = text_.section(family);
         const WifSection& each = text_.section(std::string(family) + " COLORS");
         constexpr std::string_view kEntries = "Entries of [COLOR PALETTE]";
-        const int most = static_cast<int>(colours.size()) - 1;
+        const int most = static_cast<int>(colors.size()) - 1;
         const auto common = all.find("Color");
         const int usual = common ? all.first(*common, 0, most, kEntries).value_or(0) : 0;
         std::vector<int> numbers(static_cast<std::size_t>(yarns), usual);
@@ -193,26 +192,26 @@ class Reader {
         if (usual == 0 && each.empty()) return {};
         std::vector<glm::vec3> out;
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const auto& colour = colours[static_cast<std::size_t>(numbers[i])];
-            if (!colour)
+            const auto& color = colors[static_cast<std::size_t>(numbers[i])];
+            if (!color)
                 throw Error(text_.file(), fmt::format("[{}] thread {}", family, i + 1),
                             "a colour of [COLOR TABLE]",
                             numbers[i] == 0 ? std::string("none, and no Color= for all of them")
                                             : fmt::format("{}, which it lacks", numbers[i]));
-            out.push_back(*colour);
+            out.push_back(*color);
         }
         return out;
     }
 
-    void colours() {
+    void colors() {
         if (!text_.has("COLOR TABLE")) {
             if (text_.has("WARP COLORS") || text_.has("WEFT COLORS"))
                 warn("there is no [COLOR TABLE]: the yarns have the colours of the material");
             return;
         }
-        const auto colours = table();
-        out_.draft.warp_colours = yarn_colours("WARP", out_.draft.ends, colours);
-        out_.draft.weft_colours = yarn_colours("WEFT", out_.draft.picks, colours);
+        const auto colors = table();
+        out_.draft.warp_colors = yarn_colors("WARP", out_.draft.ends, colors);
+        out_.draft.weft_colors = yarn_colors("WEFT", out_.draft.picks, colors);
     }
 
     // --- what is passed over --------------------------------------------------------------------
@@ -243,7 +242,7 @@ class Reader {
     }
 
     // A file that was cut short may still make a cloth, in other colours.
-    void warn_of_missing_colours() {
+    void warn_of_missing_colors() {
         for (const char* name : {"COLOR TABLE", "WARP COLORS", "WEFT COLORS"}) {
             const std::string said = text_.section("CONTENTS").word(name).value_or("");
             if (text_.has(name)) continue;
@@ -253,7 +252,7 @@ class Reader {
     }
 
     void warn_of_losses() {
-        warn_of_missing_colours();
+        warn_of_missing_colors();
         const WifSection &warp = text_.section("WARP"), &weft = text_.section("WEFT");
         for (const char* what : {"Spacing", "Thickness"}) {
             const bool warp_varies = varies("WARP", what, out_.draft.ends);

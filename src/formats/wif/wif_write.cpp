@@ -16,12 +16,12 @@ namespace {
 
 using Code = std::array<int, 3>;  // red, green, blue, 0..255
 
-Code code_of(const glm::vec3& colour) {
+Code code_of(const glm::vec3& color) {
     const auto code = [](float linear) {
         return static_cast<int>(
             std::lround(255.0f * std::clamp(srgb_from_linear(linear), 0.0f, 1.0f)));
     };
-    return {code(colour.x), code(colour.y), code(colour.z)};
+    return {code(color.x), code(color.y), code(color.z)};
 }
 
 // Numbers from 1 in the order in which things come.
@@ -40,9 +40,9 @@ class Numbering {
     std::vector<Thing> things_;
 };
 
-std::vector<int> numbers_of(const std::vector<glm::vec3>& colours, Numbering<Code>& table) {
+std::vector<int> numbers_of(const std::vector<glm::vec3>& colors, Numbering<Code>& table) {
     std::vector<int> numbers;
-    for (const glm::vec3& colour : colours) numbers.push_back(table(code_of(colour)));
+    for (const glm::vec3& color : colors) numbers.push_back(table(code_of(color)));
     return numbers;
 }
 
@@ -87,8 +87,8 @@ std::string wif_text(const Draft& draft) {
     std::vector<int> threading;
     for (int end = 0; end < draft.ends; ++end) threading.push_back(shafts(column(draft, end)));
     Numbering<Code> table;
-    const std::vector<int> warp = numbers_of(draft.warp_colours, table);
-    const std::vector<int> weft = numbers_of(draft.weft_colours, table);
+    const std::vector<int> warp = numbers_of(draft.warp_colors, table);
+    const std::vector<int> weft = numbers_of(draft.weft_colors, table);
     std::string contents = "WEAVING=yes\nWARP=yes\nWEFT=yes\nTHREADING=yes\nLIFTPLAN=yes\n";
     if (!table.things().empty()) contents += "COLOR PALETTE=yes\nCOLOR TABLE=yes\n";
     if (!warp.empty()) contents += "WARP COLORS=yes\n";

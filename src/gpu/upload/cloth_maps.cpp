@@ -100,8 +100,8 @@ void bind_texture(Program& program, const char* name, GLuint unit, GLenum target
 
 bool has_yarn_colors(const Cloth& cloth) {
     const Draft& d = *cloth.draft;
-    return (!cloth.warp_color && !d.warp_colours.empty()) ||
-           (!cloth.weft_color && !d.weft_colours.empty());
+    return (!cloth.warp_color && !d.warp_colors.empty()) ||
+           (!cloth.weft_color && !d.weft_colors.empty());
 }
 
 bool ClothMaps::serves(const Material& material) const {
@@ -119,8 +119,8 @@ ClothMaps::ClothMaps(const Material& m) : material_(m) {
                     std::to_string(draft.ends) + " x " + std::to_string(draft.picks));
     warp_color_ = cloth.warp_color.value_or(base_of(m));
     weft_color_ = cloth.weft_color.value_or(base_of(m));
-    const bool warp_from_draft = !cloth.warp_color && !draft.warp_colours.empty();
-    const bool weft_from_draft = !cloth.weft_color && !draft.weft_colours.empty();
+    const bool warp_from_draft = !cloth.warp_color && !draft.warp_colors.empty();
+    const bool weft_from_draft = !cloth.weft_color && !draft.weft_colors.empty();
     const std::vector<ClothLevel> levels =
         cloth_levels(draft, cloth.gap, warp_color_, weft_color_, warp_from_draft, weft_from_draft);
     upload_cells(cells_.get(), draft);

@@ -323,7 +323,7 @@ Picture coverage_picture(const RigCoverage& coverage, const std::vector<std::uin
         const std::initializer_list<int> tilts = {15, 30, 45, 60, 75};
         const auto place = [](int tilt) { return tilt / 90.0; };
         draw_tilts(canvas, disc, tilts, place,
-                   {.color = plot::kGrey, .width = 0.6, .opacity = 0.6});
+                   {.color = plot::kGray, .width = 0.6, .opacity = 0.6});
         canvas.circle(disc.center, disc.radius * c.theta_h_limit / 90.0,
                       {.color = kLimit, .width = 1.8, .dash = {6, 4}});
         // Within what they cover, where that is wide enough to be seen.

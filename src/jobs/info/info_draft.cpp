@@ -41,8 +41,8 @@ std::string describe_draft(const std::string& path) {
                         count(file.treadles, "treadle"), file.rising_shed ? "rising" : "sinking",
                         file.has_liftplan ? "lift plan" : "treadled");
     text +=
-        fmt::format("  {}\n", file.colours == 0 ? std::string("no colours: those of the material")
-                                                : count(file.colours, "colour"));
+        fmt::format("  {}\n", file.colors == 0 ? std::string("no colours: those of the material")
+                                               : count(file.colors, "colour"));
     text += fmt::format("  longest float of the warp over {}, of the weft over {}\n",
                         count(figures.longest_warp_float, "pick"),
                         count(figures.longest_weft_float, "end"));

@@ -73,7 +73,7 @@ Image part_image(const Part& part, const Color& color) {
     return image;
 }
 
-void grey(float value, float* rgb) {
+void gray(float value, float* rgb) {
     std::fill(rgb, rgb + 3, value);
 }
 
@@ -90,7 +90,7 @@ Image scratch_preview(const ScratchMaps& maps) {
     const float range = std::max(high - low, 1e-12f);
     const Image lit = part_image(part, [&](int x, int y, float* rgb) {
         const auto [sx, sy] = slope_at(maps, x, y);
-        grey(relief(sx, sy, rms), rgb);
+        gray(relief(sx, sy, rms), rgb);
     });
     const Image normals = part_image(part, [&](int x, int y, float* rgb) {
         const auto [sx, sy] = slope_at(maps, x, y);
@@ -100,7 +100,7 @@ Image scratch_preview(const ScratchMaps& maps) {
         rgb[2] = 0.5f + scale;
     });
     const Image heights = part_image(
-        part, [&](int x, int y, float* rgb) { grey((*maps.height.at(x, y) - low) / range, rgb); });
+        part, [&](int x, int y, float* rgb) { gray((*maps.height.at(x, y) - low) / range, rgb); });
     const Image directions = part_image(
         part, [&](int x, int y, float* rgb) { line_color(maps.direction.at(x, y), rgb); });
     const double part_mm = maps.tile_mm * side / maps.size;

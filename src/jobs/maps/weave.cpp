@@ -59,10 +59,10 @@ void set_size(const WeaveRequest& request, WeaveMapSettings& settings) {
 }
 
 // A colour that is asked for takes the place of the draft's.
-void dye(std::string_view parameter, const ParameterValues& values, glm::vec3& colour,
+void dye(std::string_view parameter, const ParameterValues& values, glm::vec3& color,
          std::vector<glm::vec3>& of_yarns) {
     if (!values.is_set(parameter)) return;
-    colour = values.vec3(parameter);
+    color = values.vec3(parameter);
     of_yarns.clear();
 }
 
@@ -79,8 +79,8 @@ WeaveMapSettings settings_of(const WeaveRequest& request, std::vector<std::strin
     settings.shape.bulge = real("weave_bulge");
     settings.shape.gap = real("weave_gap");
     settings.shape.twist = {std::cos(twist), std::sin(twist)};
-    dye("warp_color", values, settings.warp_colour, settings.draft.warp_colours);
-    dye("weft_color", values, settings.weft_colour, settings.draft.weft_colours);
+    dye("warp_color", values, settings.warp_color, settings.draft.warp_colors);
+    dye("weft_color", values, settings.weft_color, settings.draft.weft_colors);
     set_size(request, settings);
     check_weave_map_settings(settings, request.weave);
     return settings;
@@ -99,14 +99,14 @@ std::vector<NamedPicture> pictures_of(const WeaveMaps& maps, const WeaveMapSetti
     const auto rgb = [&maps](DataFormat format, auto rows) {
         return picture_of_rows(format, kRgb, maps.width, maps.height, std::move(rows));
     };
-    const auto grey = [&maps](DataFormat format, auto rows) {
+    const auto gray = [&maps](DataFormat format, auto rows) {
         return picture_of_rows(format, {"Y"}, maps.width, maps.height, std::move(rows));
     };
     std::vector<NamedPicture> all;
-    all.push_back({"height.exr", grey(DataFormat::exr, [=](int begin, int end, float* to) {
+    all.push_back({"height.exr", gray(DataFormat::exr, [=](int begin, int end, float* to) {
                        heights(begin, end, to, [](float h) { return h; });
                    })});
-    all.push_back({"height.png", grey(DataFormat::png16, [=](int begin, int end, float* to) {
+    all.push_back({"height.png", gray(DataFormat::png16, [=](int begin, int end, float* to) {
                        heights(begin, end, to, [=](float h) { return (h - low) * scale; });
                    })});
     all.push_back({"normal.png", rgb(DataFormat::png16, [&maps](int begin, int end, float* to) {
@@ -117,7 +117,7 @@ std::vector<NamedPicture> pictures_of(const WeaveMaps& maps, const WeaveMapSetti
                    })});
     all.push_back(
         {"color.png", rgb(DataFormat::png8_srgb, [&maps, &settings](int begin, int end, float* to) {
-             weave_colour_rows(maps, settings, begin, end, to);
+             weave_color_rows(maps, settings, begin, end, to);
          })});
     all.push_back(
         {"id.png", rgb(DataFormat::png16, [&maps, &settings](int begin, int end, float* to) {

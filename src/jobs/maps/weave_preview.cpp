@@ -44,10 +44,10 @@ glm::vec3 normal_at(const WeaveMaps& maps, int x, int y) {
     return {n[0], n[1], std::sqrt(std::max(1.0f - n[0] * n[0] - n[1] * n[1], 0.0f))};
 }
 
-glm::vec3 colour_at(const WeaveMaps& maps, const WeaveMapSettings& settings, int x, int y) {
+glm::vec3 color_at(const WeaveMaps& maps, const WeaveMapSettings& settings, int x, int y) {
     const int yarn = maps.yarns[static_cast<std::size_t>(y) * static_cast<std::size_t>(maps.width) +
                                 static_cast<std::size_t>(x)];
-    return weave_yarn_colour(maps, settings, yarn);
+    return weave_yarn_color(maps, settings, yarn);
 }
 
 // Diffuse under a lamp from the upper left, 45 degrees high, with a little light from everywhere;
@@ -55,7 +55,7 @@ glm::vec3 colour_at(const WeaveMaps& maps, const WeaveMapSettings& settings, int
 glm::vec3 lit(const WeaveMaps& maps, const WeaveMapSettings& settings, int x, int y) {
     const glm::vec3 n = normal_at(maps, x, y);
     const float cosine = std::max(-0.5f * n.x + 0.5f * n.y + 0.70710678f * n.z, 0.0f);
-    return colour_at(maps, settings, x, y) * (0.2f + 0.9f * cosine);
+    return color_at(maps, settings, x, y) * (0.2f + 0.9f * cosine);
 }
 
 Image displayed(Image image) {

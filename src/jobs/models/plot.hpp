@@ -36,7 +36,7 @@ struct MdfPlotRequest {
     std::vector<Method> methods;
     std::vector<Direction<double>> normals;  // unit, n.z > 0
     MdfPlotKind kind = MdfPlotKind::disk;
-    plot::Normalisation normalisation = plot::Normalisation::paper;
+    plot::Normalization normalization = plot::Normalization::paper;
     plot::ScaleKind scale = plot::ScaleKind::linear;
     std::optional<double> high;      // top of the scale
     plot::Point point{-0.25, 0.45};  // p of the grid

@@ -36,7 +36,7 @@ MdfSubject subject_of(const MdfPlotRequest& request, Mdf mdf, Method method,
                       Direction<double> normal) {
     const RoughnessPair pair = roughness_pair(request.values);
     const auto [p0, p1] = mdf == Mdf::ashikhmin_shirley ? pair.as_exponents() : pair.as_alpha();
-    return {mdf, p0, p1, method, normal, request.normalisation};
+    return {mdf, p0, p1, method, normal, request.normalization};
 }
 
 std::string lobes_text(const MdfPlotRequest& request) {
@@ -179,7 +179,7 @@ plot::Metadata parameters_of(const MdfPlotRequest& request) {
         {"burnish:method", fmt::format("{}", fmt::join(methods, ","))},
         {"burnish:normal", fmt::format("{}", fmt::join(normals, " "))},
         {"burnish:normalisation",
-         std::string(plot::normalisation_names()[static_cast<std::size_t>(request.normalisation)])},
+         std::string(plot::normalization_names()[static_cast<std::size_t>(request.normalization)])},
         {"burnish:scale",
          std::string(plot::scale_names()[static_cast<std::size_t>(request.scale)])}};
 }

@@ -66,9 +66,8 @@ std::vector<ClothLevel> cloth_levels(const Draft& draft, float gap, glm::vec3 wa
         for (int end = 0; end < draft.ends; ++end) {
             const bool up = draft.is_warp_up(end, pick);
             const float upper = f32::weave_upper_share(gap), lower = f32::weave_lower_share(gap);
-            const glm::vec3 warp = warp_from_draft ? draft.warp_colours[index_of(end)] : warp_color;
-            const glm::vec3 weft =
-                weft_from_draft ? draft.weft_colours[index_of(pick)] : weft_color;
+            const glm::vec3 warp = warp_from_draft ? draft.warp_colors[index_of(end)] : warp_color;
+            const glm::vec3 weft = weft_from_draft ? draft.weft_colors[index_of(pick)] : weft_color;
             first.warp.push_back(glm::vec4(warp, 1.0f) * (up ? upper : lower));
             first.weft.push_back(glm::vec4(weft, 1.0f) * (up ? lower : upper));
         }

@@ -57,12 +57,12 @@ constexpr auto kNames = [] {
     return names;
 }();
 
-void check_colours(const std::vector<glm::vec3>& colours, int yarns, std::string_view key,
-                   std::string_view what) {
-    if (colours.empty()) return;
-    if (colours.size() != static_cast<std::size_t>(yarns))
-        throw Error(what, key, fmt::format("{} or none", yarns), fmt::format("{}", colours.size()));
-    for (const glm::vec3& c : colours)
+void check_colors(const std::vector<glm::vec3>& colors, int yarns, std::string_view key,
+                  std::string_view what) {
+    if (colors.empty()) return;
+    if (colors.size() != static_cast<std::size_t>(yarns))
+        throw Error(what, key, fmt::format("{} or none", yarns), fmt::format("{}", colors.size()));
+    for (const glm::vec3& c : colors)
         for (const float value : {c.x, c.y, c.z})
             if (!std::isfinite(value) || value < 0.0f)
                 throw Error(what, key, "finite numbers that are not negative",
@@ -127,8 +127,8 @@ void check_draft(const Draft& draft, std::string_view what) {
                     fmt::format("{}", draft.warp_up.size()));
     for (const std::uint8_t cell : draft.warp_up)
         if (cell > 1) throw Error(what, "warp_up", "0 or 1", fmt::format("{}", cell));
-    check_colours(draft.warp_colours, draft.ends, "warp_colours", what);
-    check_colours(draft.weft_colours, draft.picks, "weft_colours", what);
+    check_colors(draft.warp_colors, draft.ends, "warp_colours", what);
+    check_colors(draft.weft_colors, draft.picks, "weft_colours", what);
 }
 
 DraftFigures draft_figures(const Draft& draft) {

@@ -74,7 +74,7 @@ class Baker {
             *height++ = yarn_mm * (there ? point.height : -settings_.shape.crimp);
             *normal++ = there ? point.n.x : 0.0f;
             *normal++ = there ? point.n.y : 0.0f;
-            const f32::vec2 f = point.fibre;
+            const f32::vec2 f = point.fiber;
             *direction++ = there ? f.x * f.x - f.y * f.y : 0.0f;
             *direction++ = there ? 2.0f * f.x * f.y : 0.0f;
             *yarn++ = static_cast<std::uint16_t>(
@@ -175,26 +175,26 @@ void weave_direction_rows(const WeaveMaps& maps, int begin, int end, float* to) 
     }
 }
 
-glm::vec3 weave_yarn_colour(const WeaveMaps& maps, const WeaveMapSettings& settings, int yarn) {
+glm::vec3 weave_yarn_color(const WeaveMaps& maps, const WeaveMapSettings& settings, int yarn) {
     if (yarn == 0) return glm::vec3(0.0f);
     const Draft& draft = settings.draft;
     const bool warp = yarn <= maps.ends;
-    const std::vector<glm::vec3>& colours = warp ? draft.warp_colours : draft.weft_colours;
-    if (colours.empty()) return warp ? settings.warp_colour : settings.weft_colour;
+    const std::vector<glm::vec3>& colors = warp ? draft.warp_colors : draft.weft_colors;
+    if (colors.empty()) return warp ? settings.warp_color : settings.weft_color;
     const int number = warp ? yarn - 1 : yarn - 1 - maps.ends;
-    return colours[static_cast<std::size_t>(number) % colours.size()];
+    return colors[static_cast<std::size_t>(number) % colors.size()];
 }
 
-void weave_colour_rows(const WeaveMaps& maps, const WeaveMapSettings& settings, int begin, int end,
-                       float* to) {
-    std::vector<glm::vec3> colours;  // by number of yarn
+void weave_color_rows(const WeaveMaps& maps, const WeaveMapSettings& settings, int begin, int end,
+                      float* to) {
+    std::vector<glm::vec3> colors;  // by number of yarn
     for (int yarn = 0; yarn <= maps.ends + maps.picks; ++yarn) {
-        const glm::vec3 c = weave_yarn_colour(maps, settings, yarn);
-        colours.emplace_back(srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z));
+        const glm::vec3 c = weave_yarn_color(maps, settings, yarn);
+        colors.emplace_back(srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z));
     }
     const std::uint16_t* from = yarns_of_row(maps, begin);
     for (int i = 0; i < (end - begin) * maps.width; ++i) {
-        const glm::vec3& c = colours[*from++];
+        const glm::vec3& c = colors[*from++];
         for (const float value : {c.x, c.y, c.z}) *to++ = value;
     }
 }

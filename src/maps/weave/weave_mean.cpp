@@ -65,10 +65,10 @@ glm::vec2 widths_of(const WeaveLobe& lobe, glm::vec2 variance) {
 
 std::array<float, 4> texel_at(std::span<const Facet> facets, const WeaveLobe& lobe, vec3 h,
                               float peak) {
-    const vec3 in_fibres = f32::seen_from_rotated(h, lobe.twist);
+    const vec3 in_fibers = f32::seen_from_rotated(h, lobe.twist);
     double sum = 0, nx = 0, ny = 0;
     for (const Facet& f : facets) {
-        const f32::LobePoint q = f32::perturb_point(f.p, in_fibres);
+        const f32::LobePoint q = f32::perturb_point(f.p, in_fibers);
         const auto value =
             static_cast<double>(f.weight * f32::brdf_lobe_factor(lobe.brdf, lobe.lobe, q));
         sum += value;

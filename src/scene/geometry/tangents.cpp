@@ -45,7 +45,7 @@ class TangentMaker {
     void find_slopes();
     Slope slope_of(std::size_t triangle) const;
     void list_corners();
-    void find_neighbours();
+    void find_neighbors();
     void pair_edges_of(std::uint32_t vertex);
     void form_groups();
     void spread_group(std::size_t corner, std::int32_t group);
@@ -68,12 +68,12 @@ class TangentMaker {
 
     Mesh& mesh_;
     std::size_t triangles_;
-    Welding weld_;                          // vertex of the mesh -> welded vertex
-    std::vector<Slope> slopes_;             // a triangle each
-    std::vector<std::uint32_t> first_;      // of the corners of each welded vertex, in corners_
-    std::vector<std::uint32_t> corners_;    // without those of degenerate triangles
-    std::vector<std::int32_t> neighbours_;  // triangle across each edge
-    std::vector<std::int32_t> groups_;      // of each corner
+    Welding weld_;                         // vertex of the mesh -> welded vertex
+    std::vector<Slope> slopes_;            // a triangle each
+    std::vector<std::uint32_t> first_;     // of the corners of each welded vertex, in corners_
+    std::vector<std::uint32_t> corners_;   // without those of degenerate triangles
+    std::vector<std::int32_t> neighbors_;  // triangle across each edge
+    std::vector<std::int32_t> groups_;     // of each corner
     std::vector<char> group_preserving_;
     std::vector<glm::vec3> group_tangents_;  // zero: no direction
     std::vector<std::size_t> pending_;       // corners of the group that is growing
@@ -83,7 +83,7 @@ void TangentMaker::run() {
     weld_vertices();
     find_slopes();
     list_corners();
-    find_neighbours();
+    find_neighbors();
     form_groups();
     sum_groups();
     share_groups();
@@ -168,15 +168,15 @@ void TangentMaker::pair_edges_of(std::uint32_t at) {
     // Those waiting for a partner are edges[waiting ..] of one direction.
     for (std::size_t i = 0, waiting = 0; i < edges.size(); ++i) {
         if (edges[waiting].other != edges[i].other) waiting = i;
-        while (waiting < i && neighbours_[edges[waiting].corner] != kNone) ++waiting;
+        while (waiting < i && neighbors_[edges[waiting].corner] != kNone) ++waiting;
         if (waiting == i || edges[waiting].outgoing == edges[i].outgoing) continue;
-        neighbours_[edges[waiting].corner] = static_cast<std::int32_t>(edges[i].corner / 3);
-        neighbours_[edges[i].corner] = static_cast<std::int32_t>(edges[waiting].corner / 3);
+        neighbors_[edges[waiting].corner] = static_cast<std::int32_t>(edges[i].corner / 3);
+        neighbors_[edges[i].corner] = static_cast<std::int32_t>(edges[waiting].corner / 3);
     }
 }
 
-void TangentMaker::find_neighbours() {
-    neighbours_.assign(3 * triangles_, kNone);
+void TangentMaker::find_neighbors() {
+    neighbors_.assign(3 * triangles_, kNone);
     parallel_for(weld_.classes, kGrain, [this](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) pair_edges_of(static_cast<std::uint32_t>(v));
     });
@@ -204,8 +204,8 @@ void TangentMaker::spread_group(std::size_t start, std::int32_t group) {
         const std::size_t corner = pending_.back();
         pending_.pop_back();
         // Across the two edges of the triangle that meet here.
-        const std::int32_t right = neighbours_[corner];
-        const std::int32_t left = neighbours_[previous_corner(corner)];
+        const std::int32_t right = neighbors_[corner];
+        const std::int32_t left = neighbors_[previous_corner(corner)];
         if (right != kNone) join(static_cast<std::size_t>(right), at, group);
         if (left != kNone) join(static_cast<std::size_t>(left), at, group);
     }
