@@ -58,7 +58,8 @@ void rewrite(const char* path) {
     const std::size_t marker = text.find(kMarker);
     if (marker == std::string::npos) throw Error(path, "", "the marker line", "none");
     text.resize(marker + kMarker.size());
-    text += "\n" + table();
+    text += '\n';
+    text += table();
     std::ofstream(path, std::ios::binary) << text;
 }
 

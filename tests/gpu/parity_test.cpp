@@ -60,7 +60,7 @@ void main() {
     shape.gap = 0.125;
     shape.twist = vec2(0.8, 0.6);
     WeavePoint w = weave_point(cell, shape, a.w - 0.5, b.w - 0.5);
-    o_values = vec4(w.n.xy, w.height, w.warp + 2.0 * w.cover + 4.0 * w.fibre.x);
+    o_values = vec4(w.n.xy, w.height, w.warp + 2.0 * w.cover + 4.0 * w.fiber.x);
 #elif defined(WIDENED)
     Lobe wide = widen_lobe(lobe, a.w * b.w * 0.2, c.w * c.w * 0.2);
     o_values = vec4(wide.p0, wide.p1, wide.paper_norm, wide.projected_norm);

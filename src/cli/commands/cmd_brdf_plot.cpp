@@ -16,7 +16,7 @@ constexpr const char* kBrdfPlotFooter = R"(
 Lists are separated by commas. One roughness pair drives every model: what a model has no flag for
 comes from it, m = sqrt(alpha_x alpha_y), exponents 2/m^2 - 2, tau = 2 sigma/m; ks is 1, or
 (n + 2)/(2 pi) where it scales a power of a cosine, F0 is 1 unless --f0 says otherwise. A model can
-have its own: --brdf ggx,phong:alpha=50:ks=2, with the names that brdf eval --help lists and that
+have its own: --brdf ggx,phong:n=50:ks=2, with the names that brdf eval --help lists and that
 the figure's caption repeats.
 
 Kinds

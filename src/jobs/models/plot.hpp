@@ -55,7 +55,7 @@ std::span<const std::string_view> brdf_plot_kind_names();
 struct BrdfPlotRequest {
     // Of the table: the roughness pair as above, f0 (default 1), mdf (of `microfacet`).
     ParameterValues values;
-    // Names of models, each with parameters of its own if need be: "ggx", "phong:alpha=50:ks=2".
+    // Names of models, each with parameters of its own if need be: "ggx", "phong:n=50:ks=2".
     // What a model needs and nobody names comes from the pair: m = sqrt(alpha_x alpha_y), exponents
     // 2/m^2 - 2, tau = 2 sigma/m; ks = 1, or (n+2)/(2 pi) where it scales a power of a cosine.
     std::vector<std::string> brdfs;

@@ -52,7 +52,7 @@ std::vector<std::string_view> parameter_names(const BrdfModel& model) {
     return names;
 }
 
-// "phong:alpha=50:ks=2", the words after the name.
+// "phong:n=50:ks=2", the words after the name.
 Overrides overrides_of(const BrdfModel& model, const std::vector<std::string>& words) {
     Overrides overrides;
     const std::vector<std::string_view> names = parameter_names(model);
