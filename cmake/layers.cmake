@@ -21,9 +21,13 @@ function(burnish_headers target)
 endfunction()
 
 # burnish_light(<target>): the target is compiled as the light layers are.
+# Most of the time that a light source takes goes into headers, so that several are compiled at a
+# time: their names in anonymous namespaces differ.
 function(burnish_light target)
     target_compile_options(${target} PRIVATE ${BURNISH_LIGHT_OPTIONS})
     target_precompile_headers(${target} REUSE_FROM burnish_light_headers)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${BURNISH_UNITY}
+                          UNITY_BUILD_BATCH_SIZE 7)
 endfunction()
 
 burnish_headers(burnish_loop_headers)

@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-constexpr double kSide = 260;
+constexpr double kPanelSide = 260;
 
 // (a, b) normal mapping and (c, d) rotation on Ward's and Ashikhmin and Shirley's surface.
 GalleryPage two_by_two(GalleryTools& tools, const PictureSpec& scene, const std::string& title) {
@@ -20,15 +20,15 @@ GalleryPage two_by_two(GalleryTools& tools, const PictureSpec& scene, const std:
     plot::PanelRow simple{"normal mapping", {}, {}}, improved{"MDF rotation", {}, {}};
     for (const bool is_ward : {true, false}) {
         const PictureSpec spec = scene.with(is_ward ? ward_surface() : shirley_surface());
-        const Image mask = tools.studio.mask(spec, kSide, tools.progress);
-        const MethodShots shot{tools, spec, kSide};
+        const Image mask = tools.studio.mask(spec, kPanelSide, tools.progress);
+        const MethodShots shot{tools, spec, kPanelSide};
         const Picture mapped = shot("normal-map"), turned = shot("rotate-approx"),
                       truth = shot("follow-grain");
         const char* name = is_ward ? "Ward" : "Ashikhmin-Shirley";
         simple.panels.push_back(
-            rendered(page, mapped, fmt::format("({}) {}", is_ward ? 'a' : 'b', name), kSide));
+            rendered(page, mapped, fmt::format("({}) {}", is_ward ? 'a' : 'b', name), kPanelSide));
         improved.panels.push_back(
-            rendered(page, turned, fmt::format("({}) {}", is_ward ? 'c' : 'd', name), kSide));
+            rendered(page, turned, fmt::format("({}) {}", is_ward ? 'c' : 'd', name), kPanelSide));
         const double a = correlation(mapped.linear, truth.linear, mask);
         const double c = correlation(turned.linear, truth.linear, mask);
         page.measured.push_back(
@@ -74,17 +74,17 @@ std::optional<GalleryPage> k12_fig8(GalleryTools& tools) {
             {{"normal_map", "builtin:bumps"}},
             "builtin:studio",
             {}}.with(is_ward ? ward_surface() : shirley_surface());
-        const Image mask = tools.studio.mask(spec, kSide, tools.progress);
+        const Image mask = tools.studio.mask(spec, kPanelSide, tools.progress);
         const Picture exact =
-            tools.studio.picture(spec.with("method", "rotate-exact"), kSide, tools.progress);
+            tools.studio.picture(spec.with("method", "rotate-exact"), kPanelSide, tools.progress);
         const Picture approx =
-            tools.studio.picture(spec.with("method", "rotate-approx"), kSide, tools.progress);
+            tools.studio.picture(spec.with("method", "rotate-approx"), kPanelSide, tools.progress);
         const float gain = difference_gain(exact.display, {approx.display});
         plot::PanelRow row{is_ward ? "Ward" : "Ashikhmin-Shirley", {}, {}};
-        row.panels = {rendered(page, exact, is_ward ? "" : "(a) accurate", kSide),
-                      rendered(page, approx, is_ward ? "" : "(b) approximate", kSide),
+        row.panels = {rendered(page, exact, is_ward ? "" : "(a) accurate", kPanelSide),
+                      rendered(page, approx, is_ward ? "" : "(b) approximate", kPanelSide),
                       plot::picture_panel(difference_image(exact.display, approx.display, gain),
-                                          fmt::format("difference x{:g}", gain), kSide)};
+                                          fmt::format("difference x{:g}", gain), kPanelSide)};
         page.figure.rows.push_back(std::move(row));
         const double rms = rmse(approx.display, exact.display);
         page.measured.push_back(
@@ -114,7 +114,7 @@ std::optional<GalleryPage> k12_fig10(GalleryTools& tools) {
          {"metallic", "1"}},
         "builtin:studio",
         {}}.with(shirley_surface());
-    const double side = 1.4 * kSide;
+    const double side = 1.4 * kPanelSide;
     const Image mask = tools.studio.mask(cloth, side, tools.progress);
     const Picture flat = tools.studio.picture(
         cloth.with({{"weave_crimp", "0"}, {"weave_bulge", "0"}}), side, tools.progress);

@@ -13,7 +13,7 @@ namespace {
 
 using plot::MdfSubject;
 
-constexpr double kSide = 220;
+constexpr double kLobeSide = 220;
 
 // The normals of the columns: none, then tilts in several directions as the papers' crosses lie.
 const std::vector<Direction<double>>& normals() {
@@ -46,7 +46,7 @@ void add_row(GalleryPage& page, MdfSubject subject, const std::string& label) {
     }
     plot::PanelRow row{label, {}, plot::disk_bar(subjects, plot::ScaleKind::gamma)};
     for (const MdfSubject& s : subjects) {
-        plot::Panel panel = plot::disk_panel(s, row.bar->scale, plot::normal_text(s.n), kSide);
+        plot::Panel panel = plot::disk_panel(s, row.bar->scale, plot::normal_text(s.n), kLobeSide);
         panel.note = fmt::format("peak {:.1f}° from ñ", peak_offset_deg(s));
         row.panels.push_back(std::move(panel));
     }

@@ -34,7 +34,7 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kMostObjects = 10000, kMostLights = 1000;
 constexpr double kFar = 1e6;                        // metres, as in the parameter table
 constexpr double kSmallest = 1e-6, kLargest = 1e6;  // scale factors
-constexpr std::string_view kBuiltin = "builtin:";
+constexpr std::string_view kBuiltinPrefix = "builtin:";
 
 // Refuses a name that is none of `known`, with the nearest one when there is one.
 [[noreturn]] void refuse_name(const JsonPlace& place, std::span<const std::string_view> known,
@@ -50,7 +50,7 @@ constexpr std::string_view kBuiltin = "builtin:";
 
 // A file named by a scene file lies beside it, unless its path is absolute.
 std::string beside(const std::filesystem::path& scene_file, const std::string& name) {
-    if (name.starts_with(kBuiltin) || name == "none") return name;
+    if (name.starts_with(kBuiltinPrefix) || name == "none") return name;
     return (scene_file.parent_path() / name).string();
 }
 

@@ -36,8 +36,6 @@ constexpr int kSide = 64;
 constexpr char kStage[] = R"(
 #include "shading"
 #include "shaders/lib/tabulated.glsl"
-#include "burnish/render_settings.hpp"
-#include "burnish/renderer.hpp"
 uniform sampler2D u_inputs;  // of look-ups: direction; of draws: xi
 uniform int u_tabulated_columns;
 uniform int u_tabulated_area_rows;

@@ -12,7 +12,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546C67;        // "glTF"
+constexpr std::uint32_t kGlbMagic = 0x46546C67;     // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN\0"
 constexpr std::size_t kHeaderBytes = 12;
@@ -118,7 +118,7 @@ GltfContainer open_gltf_container(const std::filesystem::path& path, GltfReport&
     container.bytes = read_file(path);
     report.earn(container.bytes.size());
     const std::string_view text = text_of(container.bytes);
-    if (container.bytes.size() >= 4 && word_at(container.bytes, 0) == kMagic) {
+    if (container.bytes.size() >= 4 && word_at(container.bytes, 0) == kGlbMagic) {
         split_glb(container, report);
         return container;
     }

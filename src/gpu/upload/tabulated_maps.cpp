@@ -9,12 +9,12 @@
 namespace burnish::gpu {
 namespace {
 
-struct Format {
+struct TableFormat {
     GLenum internal, layout, type;
 };
 
 // Read by texel, never filtered by the device.
-void upload(GLuint texture, const Format& format, int width, int height, const void* texels) {
+void upload(GLuint texture, const TableFormat& format, int width, int height, const void* texels) {
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_2D, texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -27,8 +27,8 @@ void upload(GLuint texture, const Format& format, int width, int height, const v
 }
 
 void upload(GLuint texture, const TableBlocks& blocks) {
-    const Format format = blocks.values == 4 ? Format{GL_RGBA32F, GL_RGBA, GL_FLOAT}
-                                             : Format{GL_RG32F, GL_RG, GL_FLOAT};
+    const TableFormat format = blocks.values == 4 ? TableFormat{GL_RGBA32F, GL_RGBA, GL_FLOAT}
+                                                  : TableFormat{GL_RG32F, GL_RG, GL_FLOAT};
     upload(texture, format, blocks.total_width(), blocks.total_height(), blocks.texels.data());
 }
 
@@ -54,7 +54,7 @@ TabulatedMaps::TabulatedMaps(std::shared_ptr<const TabulatedMaterial> material)
     area_rows_ = images.area_rows;
     upload(tables_.get(), images.tables);
     upload(areas_.get(), images.areas);
-    const Format words = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    const TableFormat words = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
     upload(texels_.get(), words, m.width, m.height, images.texels.data());
     upload(colors_.get(), words, m.width, m.height, images.colors.data());
     check_gl("uploading a tabulated material");
