@@ -45,7 +45,6 @@ int main(int argc, char** argv) {
     }
     std::printf("red of the middle pixel: %.3f to %.3f on %s\n", darkest, brightest,
                 context.renderer().c_str());
-    if (argc > 1)
-        write_image(argv[1], to_display(picture, 0.0, ToneMap::khronos_neutral), {});
+    if (argc > 1) write_image(argv[1], to_display(picture, 0.0, ToneMap::khronos_neutral), {});
     return darkest < brightest ? 0 : 1;
 }

@@ -78,9 +78,9 @@ std::vector<Vec3> hostile_normals() {
             for (const ns::vec3& wi : directions) {                                         \
                 expect(ns::lobe_D(own, p, wi));                                             \
                 Float pdf = 0;                                                              \
-                const ns::vec3 drawn = ns::brdf_sample(                                     \
-                    ns::kBrdfMicrofacet, own, p, wi, {Float(0.3), Float(0.999999)},         \
-                    Float(0.7), pdf);                                                       \
+                const ns::vec3 drawn =                                                      \
+                    ns::brdf_sample(ns::kBrdfMicrofacet, own, p, wi,                        \
+                                    {Float(0.3), Float(0.999999)}, Float(0.7), pdf);        \
                 expect(pdf);                                                                \
                 expect(ns::dot(drawn, drawn));                                              \
                 for (const ns::vec3& wo : directions) {                                     \
