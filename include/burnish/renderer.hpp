@@ -15,7 +15,7 @@
 // Threads: all calls come from the thread on which the context is current, or may be made current;
 // two renderers of one context are used one after the other. Lifetime: destroy a renderer before
 // its context. Nothing that is passed in is referred to after the call; a copy of textures and
-// environment is kept, meshes are on the device alone.
+// environment is kept, meshes are on the device alone, a prepared environment is shared.
 #pragma once
 
 #include <memory>
@@ -26,6 +26,7 @@
 #include "burnish/api.hpp"
 #include "burnish/context.hpp"
 #include "burnish/display.hpp"
+#include "burnish/environments.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene.hpp"
@@ -63,9 +64,11 @@ class Renderer {
 
     // Meshes and textures that equal those on the device stay there.
     void set_scene(const Scene& scene, const Progress& progress = {});
-    void set_environment(const Environment* environment,
-                         const Progress& progress = {});  // null: none
-    void set_lights(std::span<const Light> lights);       // at most 16
+    // Null: none. The first prepares the environment; the second uploads what was prepared before,
+    // by a thread of its own for one.
+    void set_environment(const Environment* environment, const Progress& progress = {});
+    void set_environment(std::shared_ptr<const PreparedEnvironment> prepared);
+    void set_lights(std::span<const Light> lights);  // at most 16
 
     int add_material(const Material& material, const Progress& progress = {});
     void update_material(int id, const Material& material, const Progress& progress = {});

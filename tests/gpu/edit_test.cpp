@@ -156,6 +156,18 @@ TEST_F(Edit, OfTheEnvironmentUploadsItAlone) {
               UploadCounts{.environments = 1});
 }
 
+TEST_F(Edit, ToAPreparedEnvironmentDrawsWhatTheEnvironmentDraws) {
+    EXPECT_EQ(expect_as_new([this](Renderer& renderer, Scene&) {
+                  sky_ = constant_environment({0.1f, 0.6f, 0.2f});
+                  std::shared_ptr<const PreparedEnvironment> prepared = prepare_environment(sky_);
+                  renderer.set_environment(prepared);
+                  renderer.set_environment(std::move(prepared));  // two renderers may share one
+              }),
+              UploadCounts{.environments = 2});
+    Environment empty;
+    EXPECT_THROW(prepare_environment(empty), Error);
+}
+
 TEST_F(Edit, TakesTheEnvironmentAway) {
     const Scene scene = busy_scene();
     Renderer renderer(*context, scene, &sky_);

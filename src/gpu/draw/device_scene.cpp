@@ -147,12 +147,12 @@ void DeviceScene::set_scene(const Scene& scene, const Progress& progress) {
     lights_ = std::move(lights);
 }
 
-void DeviceScene::set_environment(const Environment* environment, const Progress& progress) {
+void DeviceScene::set_environment(const std::shared_ptr<const PreparedEnvironment>& prepared) {
     std::unique_ptr<EnvironmentMaps> maps;
     std::shared_ptr<const Environment> source;
-    if (environment != nullptr && !environment->radiance.empty()) {
-        maps = std::make_unique<EnvironmentMaps>(context_, *environment, progress);
-        source = std::make_shared<const Environment>(*environment);
+    if (prepared) {
+        maps = std::make_unique<EnvironmentMaps>(context_, *prepared);
+        source = {prepared, &prepared->environment};
         ++uploads_.environments;
     }
     ground_ = Ground(bounds_, triangles_, source);

@@ -58,7 +58,7 @@ class DeviceScene {
 
     // Edits, as Renderer has them.
     void set_scene(const Scene& scene, const Progress& progress);
-    void set_environment(const Environment* environment, const Progress& progress);
+    void set_environment(const std::shared_ptr<const PreparedEnvironment>& prepared);
     void set_lights(std::span<const Light> lights);
     void update_materials(std::span<const Material> materials, const Progress& progress);  // all
     void update_material(int id, const Material& material, const Progress& progress);

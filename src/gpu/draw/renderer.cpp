@@ -204,7 +204,12 @@ void Renderer::set_scene(const Scene& scene, const Progress& progress) {
 }
 
 void Renderer::set_environment(const Environment* environment, const Progress& progress) {
-    impl_->edit([&](DeviceScene& s) { s.set_environment(environment, progress); });
+    const bool none = environment == nullptr || environment->radiance.empty();
+    set_environment(none ? nullptr : prepare_environment(*environment, progress));
+}
+
+void Renderer::set_environment(std::shared_ptr<const PreparedEnvironment> prepared) {
+    impl_->edit([&](DeviceScene& s) { s.set_environment(prepared); });
 }
 
 void Renderer::set_lights(std::span<const Light> lights) {

@@ -1,82 +1,36 @@
 #include "gpu/upload/environment.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <glm/gtc/packing.hpp>
-#include <string_view>
 
-#include "burnish/error.hpp"
 #include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
-#include "scene/light/cube_map.hpp"
 
 namespace burnish::gpu {
 namespace {
 
-// Irradiance is smooth but where a sun sets: 32 texels a face hold even that to 2 % of its peak.
-constexpr int kIrradianceSize = 32;
-// What irradiance is gathered from: finer levels differ by less than their texels' turn, 3 degrees.
-constexpr int kIrradianceSource = 32;
-
-void upload_level(const CubeMap& cube, int level, float scale) {
-    const auto face_texels =
-        static_cast<std::size_t>(cube.size) * static_cast<std::size_t>(cube.size);
-    std::vector<std::uint64_t> half(face_texels);
+void upload_level(const HalfCube& cube, int level) {
     for (int face = 0; face < 6; ++face) {
-        for (std::size_t i = 0; i < face_texels; ++i) {
-            const glm::vec3 v =
-                cube.texels[static_cast<std::size_t>(face) * face_texels + i] / scale;
-            half[i] = glm::packHalf4x16(glm::vec4(v, 1.0f));
-        }
         glTexImage2D(static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), level, GL_RGBA16F,
-                     cube.size, cube.size, 0, GL_RGBA, GL_HALF_FLOAT, half.data());
+                     cube.size, cube.size, 0, GL_RGBA, GL_HALF_FLOAT, cube.face(face));
     }
-}
-
-float highest(const CubeMap& cube) {
-    float high = 0.0f;
-    for (const glm::vec3& v : cube.texels) high = std::max({high, v.x, v.y, v.z});
-    return high;
 }
 
 }  // namespace
 
-EnvironmentMaps::EnvironmentMaps(const Context& context, const Environment& environment,
-                                 const Progress& progress) {
-    const Image& map = environment.radiance;
-    if (map.width < 2 || map.height < 1 || map.channels < 1) {
-        throw Error(environment.name, "environment", "a lat-long picture", "an empty one");
-    }
-    constexpr std::string_view kStage = "environment";
-    progress.step(kStage, 0.0);
-    const CubeMap base = cube_from_latlong(map, cube_size_for(map.width));
-    progress.step(kStage, 0.4);
-    const std::vector<CubeMap> mips = cube_mips(base);
-    // Half floats end at 65504: a sun beyond that is stored at a fraction.
-    scale_ = std::max(1.0f, highest(base) / 60000.0f);
-    face_ = static_cast<float>(base.size);
-    last_lod_ = static_cast<float>(mips.size());
-
-    const CubeMap* source = &base;
-    for (const CubeMap& level : mips) {
-        if (source->size > kIrradianceSource) source = &level;
-    }
-    progress.step(kStage, 0.5);
-    const CubeMap irradiance = cube_irradiance(*source, kIrradianceSize);
-    progress.step(kStage, 0.8);
-
+EnvironmentMaps::EnvironmentMaps(const Context& context, const PreparedEnvironment& prepared)
+    : scale_(prepared.scale),
+      face_(static_cast<float>(prepared.radiance.front().size)),
+      last_lod_(static_cast<float>(prepared.radiance.size() - 1)) {
     if (!context.is_es()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // ES: always
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindTexture(GL_TEXTURE_CUBE_MAP, radiance_.get());
-    upload_level(base, 0, scale_);
-    for (std::size_t i = 0; i < mips.size(); ++i) {
-        upload_level(mips[i], static_cast<int>(i) + 1, scale_);
-    }
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(mips.size()));
+    int level = 0;
+    for (const HalfCube& cube : prepared.radiance) upload_level(cube, level++);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, level - 1);
 
     glBindTexture(GL_TEXTURE_CUBE_MAP, irradiance_.get());
-    upload_level(irradiance, 0, scale_);
+    upload_level(prepared.irradiance, 0);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
     glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
 

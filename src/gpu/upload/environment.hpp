@@ -5,19 +5,16 @@
 #include <optional>
 
 #include "burnish/context.hpp"
-#include "burnish/progress.hpp"
-#include "burnish/scene.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu/upload/lobe_map.hpp"
+#include "scene/light/prepared_environment.hpp"
 
 namespace burnish::gpu {
 
 class EnvironmentMaps {
   public:
-    // Works out the cube maps and uploads them. Throws Error for an empty picture; Interrupted.
-    EnvironmentMaps(const Context& context, const Environment& environment,
-                    const Progress& progress);
+    EnvironmentMaps(const Context& context, const PreparedEnvironment& prepared);
 
     // Makes the lobe map unless there is one. Changes framebuffer, viewport and raster state.
     void require_lobes(ProgramCache& programs, GLuint empty_vertex_array);

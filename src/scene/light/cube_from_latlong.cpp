@@ -149,8 +149,8 @@ glm::vec4 bilinear(const LatLong& map, const Pair& rows, const Pair& columns) {
     const glm::vec4* lower = map.row(rows.second);
     return (1 - rows.share) * ((1 - columns.share) * upper[columns.first] +
                                columns.share * upper[columns.second]) +
-           rows.share * ((1 - columns.share) * lower[columns.first] +
-                         columns.share * lower[columns.second]);
+           rows.share *
+               ((1 - columns.share) * lower[columns.first] + columns.share * lower[columns.second]);
 }
 
 // The samples of a face lie on a grid of `side` by `side` places in [-1, 1]^2, `per_texel` along
@@ -185,8 +185,7 @@ SideColumns side_columns(const LatLong& map, const FaceGrid& grid) {
         columns[k].reserve(static_cast<std::size_t>(grid.side()));
         for (int i = 0; i < grid.side(); ++i) {
             const float offset = quick_atan2(grid.place(i), 1.0f);
-            columns[k].push_back(
-                columns_at(map, static_cast<float>(kMiddleAzimuths[k]) - offset));
+            columns[k].push_back(columns_at(map, static_cast<float>(kMiddleAzimuths[k]) - offset));
         }
     }
     return columns;
@@ -234,8 +233,8 @@ void fill_cap_rows(const LatLong& map, const FaceGrid& grid, int row, CubeMap& c
                 const Pair columns = columns_at(map, quick_atan2(a, -b));
                 const float weight = FaceGrid::weight(a, b);
                 top += weight * bilinear(map, rows_at(map, polar), columns);
-                bottom += weight *
-                          bilinear(map, rows_at(map, static_cast<float>(kPi) - polar), columns);
+                bottom +=
+                    weight * bilinear(map, rows_at(map, static_cast<float>(kPi) - polar), columns);
                 weights += weight;
             }
         }

@@ -1,0 +1,31 @@
+// An environment with the maps that a renderer draws from, as its device stores them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "burnish/environments.hpp"
+
+namespace burnish {
+
+// RGBA half floats in the order of OpenGL's cube maps (cube_map.hpp): face, row, column, channel;
+// alpha is 1.
+struct HalfCube {
+    int size = 0;  // texels along an edge of a face
+    std::vector<std::uint16_t> values;
+
+    const std::uint16_t* face(int index) const {
+        const auto edge = static_cast<std::size_t>(size);
+        return values.data() + static_cast<std::size_t>(index) * edge * edge * 4;
+    }
+};
+
+struct PreparedEnvironment {
+    Environment environment;
+    std::vector<HalfCube> radiance;  // cube_from_latlong and its mips, the last of size 1
+    HalfCube irradiance;             // cube_irradiance
+    // Stored values times this are radiance and irradiance: half floats end at 65504, a sun may not.
+    float scale = 1.0f;
+};
+
+}  // namespace burnish
