@@ -52,8 +52,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
             COMMAND ${CMAKE_COMMAND} -E touch ${folder}.stamp
             DEPENDS ${assembler} ${BURNISH_EMBED_SCRIPT}
             COMMENT "Checking shaders with glslang" VERBATIM)
-        add_custom_target(${target}_shaders_checked DEPENDS ${folder}.stamp)
-        add_dependencies(${target} ${target}_shaders_checked)
+        add_custom_target(${target}_shaders_checked ALL DEPENDS ${folder}.stamp)
     endfunction()
     return()
 endif()

@@ -20,38 +20,41 @@ function(burnish_headers target)
     target_precompile_headers(${target} PRIVATE ${BURNISH_COMMON_HEADERS} ${ARGN})
 endfunction()
 
+# burnish_unity(<target>): several sources are compiled at a time, as most of the time that a source
+# takes goes into headers. So their names in anonymous namespaces differ. Sources with options of
+# their own are compiled alone.
+function(burnish_unity target)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${BURNISH_UNITY}
+                          UNITY_BUILD_BATCH_SIZE 12)
+endfunction()
+
 # burnish_light(<target>): the target is compiled as the light layers are.
-# Most of the time that a light source takes goes into headers, so that several are compiled at a
-# time: their names in anonymous namespaces differ.
 function(burnish_light target)
     target_compile_options(${target} PRIVATE ${BURNISH_LIGHT_OPTIONS})
     target_precompile_headers(${target} REUSE_FROM burnish_light_headers)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ${BURNISH_UNITY}
-                          UNITY_BUILD_BATCH_SIZE 7)
+    burnish_unity(${target})
 endfunction()
 
 burnish_headers(burnish_loop_headers)
 burnish_headers(burnish_light_headers <nlohmann/json.hpp>)
 target_compile_options(burnish_light_headers PRIVATE ${BURNISH_LIGHT_OPTIONS})
 
-# burnish_layer(<name> SOURCES ... [BELOW <layers>] [PACKAGES <targets>] [PRECOMPILE <headers>])
+# burnish_layer(<name> SOURCES ... [BELOW <layers>] [PACKAGES <targets>])
 # adds the object library burnish_<name> of the folder src/<name>. BELOW names the layers that it may
 # include; what they may include comes with them. build/<preset>/layers.txt receives these names, and
-# tests/core/layers_test.cpp holds the includes against it. PRECOMPILE names headers of packages that
-# most sources of the layer include; the layer then has a precompiled header of its own.
+# tests/core/layers_test.cpp holds the includes against it.
 function(burnish_layer name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;BELOW;PACKAGES;PRECOMPILE" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;BELOW;PACKAGES" ${ARGN})
     add_library(burnish_${name} OBJECT ${ARG_SOURCES})
     list(TRANSFORM ARG_BELOW PREPEND burnish_ OUTPUT_VARIABLE below)
     target_link_libraries(burnish_${name} PUBLIC burnish_flags glm::glm ${below}
                           PRIVATE ${ARG_PACKAGES})
-    if(ARG_PRECOMPILE)
-        target_precompile_headers(burnish_${name} PRIVATE ${BURNISH_COMMON_HEADERS} ${ARG_PRECOMPILE})
-    elseif(name IN_LIST BURNISH_LIGHT_LAYERS)
+    if(name IN_LIST BURNISH_LIGHT_LAYERS)
         burnish_light(burnish_${name})
     else()
         target_precompile_headers(burnish_${name} REUSE_FROM burnish_loop_headers)
     endif()
+    burnish_unity(burnish_${name})
     set_property(GLOBAL APPEND PROPERTY BURNISH_LAYERS ${name})
     string(REPLACE ";" " " below_names "${ARG_BELOW}")
     set_property(GLOBAL APPEND PROPERTY BURNISH_LAYER_LINES "${name}: ${below_names}")

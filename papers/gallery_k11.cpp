@@ -356,7 +356,7 @@ std::optional<GalleryPage> k11_fig10(GalleryTools&) {
         const double c = double{directed.direction.pixels[i]};
         const double s = double{directed.direction.pixels[i + 1]};
         if (directed.height.pixels[i / 2] > -0.01f || c * c + s * s < 0.5) continue;
-        const double angle = std::atan2(s, c) / 2 * kDegrees;
+        const double angle = std::atan2(s, c) / 2 * kDegreesPerRadian;
         off = std::max(off, std::abs(std::remainder(angle - 30.0, 180.0)));
         ++count;
     }

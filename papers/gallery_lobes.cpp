@@ -192,7 +192,7 @@ std::optional<GalleryPage> k11_fig7(GalleryTools&) {
         fmt::format("C goes to C′ = ñ to {:.1e}", off),
         fmt::format(
             "straight lines through C are bent by up to {:.1f}° at C′ (2 atan |d| = {:.1f}°)", bend,
-            2 * std::atan(std::hypot(subject.n.x, subject.n.y)) * kDegrees)};
+            2 * std::atan(std::hypot(subject.n.x, subject.n.y)) * kDegreesPerRadian)};
     page.verdict = off < 1e-9 && bend > 20 ? Verdict::borne_out : Verdict::contradicted;
     page.remark = "The text says that the bending at the moved centre is excessive: it is.";
     return page;

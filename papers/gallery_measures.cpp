@@ -24,7 +24,7 @@ std::array<double, 2> principal_axes(double mass, double sx, double sy, double s
 }
 
 double angle_between_deg(Direction<double> a, Direction<double> b) {
-    return kDegrees * std::atan2(length(cross(a, b)), dot(a, b));
+    return kDegreesPerRadian * std::atan2(length(cross(a, b)), dot(a, b));
 }
 
 bool counts(const Image& mask, std::size_t pixel) {
@@ -105,7 +105,7 @@ double half_width_deg(const MdfSubject& subject, plot::ProfileLine line) {
             subject.D({along_x ? s : 0.0, along_x ? 0.0 : s, std::cos(angle)}) > half;
         (above ? inside : outside) = angle;
     }
-    return kDegrees * inside;
+    return kDegreesPerRadian * inside;
 }
 
 double bend_at_center_deg(const MdfSubject& subject) {

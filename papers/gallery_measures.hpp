@@ -1,14 +1,13 @@
 // What the gallery measures about lobes and pictures. Private to app/gallery*.
 #pragma once
 
-#include <numbers>
 
 #include "burnish/image.hpp"
 #include "burnish/plot/mdf_plot.hpp"
+#include "core/constants.hpp"
 
 namespace burnish {
 
-inline constexpr double kDegrees = 180.0 / std::numbers::pi;  // in a radian
 
 // The lobe as a mass on the disk of half vectors, D_proj dp with dp = (n.h) dw: how much there is,
 // where it lies and how wide it is. By the midpoint rule on a square grid of 1001 points a side,

@@ -44,7 +44,7 @@ double width_deg(const BrdfSubject& subject) {
         while (std::abs(theta) < 1.57 && f_at(subject, theta) > peak / 2) theta += step;
         return theta;
     };
-    return kDegrees * (edge(0.001) - edge(-0.001));
+    return kDegreesPerRadian * (edge(0.001) - edge(-0.001));
 }
 
 // The parameter `index`, between `narrow` and `wide`, at which the lobe is `width` wide.
@@ -133,7 +133,7 @@ plot::Panel curves_panel(const MeasuredFit& fit, const PlaneCurve& curve) {
     const auto add = [&](const Rgb& color, double width, const std::vector<FitRgb>& f) {
         std::vector<plot::Point> points;
         for (std::size_t i = 0; i < curve.theta_deg.size(); ++i) {
-            const double y = f[i][1] * std::cos(curve.theta_deg[i] / kDegrees);
+            const double y = f[i][1] * std::cos(curve.theta_deg[i] / kDegreesPerRadian);
             points.push_back({curve.theta_deg[i], y});
             top = std::max(top, y);
         }

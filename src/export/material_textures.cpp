@@ -4,16 +4,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <numbers>
 
 #include "burnish/f32.hpp"
 #include "burnish/image_io.hpp"
+#include "core/constants.hpp"
 
 namespace burnish {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr float kDielectric = 0.04f;  // of glTF
 
 using Rgb = std::array<float, 3>;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "burnish/error.hpp"
 #include "burnish/progress.hpp"
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 #include "fit/least_squares.hpp"
 
@@ -18,7 +18,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::array<std::string_view, 2> kMetricNames = {"rms", "log"};
 
 // Lobes may reach 1e300 at the horizon; products of such numbers would not be finite.

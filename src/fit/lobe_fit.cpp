@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "burnish/f64.hpp"
 #include "burnish/tabulated_material.hpp"
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 #include "fit/least_squares.hpp"
 
@@ -16,7 +16,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kPi = std::numbers::pi;
 // Least alpha that is fitted: tables of 32 rings, whose second ring lies at 0.2 degrees, resolve
 // nothing narrower.
 constexpr double kLeastFitted = 0.002;

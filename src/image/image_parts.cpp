@@ -16,15 +16,13 @@
 #include "image/guard/format.hpp"
 #include "image/image_metadata.hpp"
 #include "image/memory_proxy.hpp"
+#include "image/read_limits.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr int kMaxParts = 64, kMaxChannels = 64;
+constexpr int kMaxParts = 64;
 constexpr const char* kPartName = "oiio:subimagename";
-
-// Bytes that are decoded at a time, so that a file whose first rows are broken costs no more.
-constexpr std::uint64_t kBandBytes = std::uint64_t{32} << 20;
 
 // Attributes that OpenImageIO and OpenEXR add.
 bool is_of_the_format(std::string_view name) {

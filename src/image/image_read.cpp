@@ -17,15 +17,11 @@
 #include "image/guard/png_chunks.hpp"
 #include "image/image_metadata.hpp"
 #include "image/memory_proxy.hpp"
+#include "image/read_limits.hpp"
 #include "image/subsampled_exr.hpp"
 
 namespace burnish {
 namespace {
-
-// Bytes that are decoded at a time, so that a file whose first rows are broken costs no more.
-constexpr std::uint64_t kBandBytes = std::uint64_t{32} << 20;
-
-constexpr int kMaxChannels = 64;
 
 // A file whose container has been walked.
 struct CheckedFile {

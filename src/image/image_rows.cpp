@@ -18,9 +18,9 @@ namespace {
 constexpr int kStrip = 64;  // rows at a time, and the tiles of mip maps
 
 // Not every encoder notices a short write; this file records it.
-class CheckedFile final : public OIIO::Filesystem::IOFile {
+class CheckedOutput final : public OIIO::Filesystem::IOFile {
   public:
-    explicit CheckedFile(const std::string& path) : IOFile(path, Mode::Write) {}
+    explicit CheckedOutput(const std::string& path) : IOFile(path, Mode::Write) {}
     std::size_t write(const void* from, std::size_t size) override {
         const std::size_t written = IOFile::write(from, size);
         short_ = short_ || written != size;
@@ -121,7 +121,7 @@ struct Encoder {
 void write_data_picture(const std::filesystem::path& path, const DataPicture& picture,
                         const std::string& name, const std::function<void(double)>& step) {
     const char* format = picture.format == DataFormat::exr ? "openexr" : "png";
-    CheckedFile file(path.string());
+    CheckedOutput file(path.string());
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     const auto fail = [&] {
         const std::string reason = one_line(output ? output->geterror() : OIIO::geterror());

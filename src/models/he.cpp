@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "burnish/f64.hpp"
+#include "core/constants.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // What the equations ask of a direction at angle theta to the normal.
 struct Incidence {

@@ -4,13 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "core/constants.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kHalfPi = kPi / 2;
 
 // ---- Int from theta to pi/2 of cos^(e+2) --------------------------------------------------------
 

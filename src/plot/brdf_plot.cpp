@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/constants.hpp"
 #include "core/even_points.hpp"
 #include "core/parallel.hpp"
 #include "models/albedo.hpp"
@@ -13,8 +14,6 @@
 
 namespace burnish::plot {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Direction<double> direction(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 #include "core/even_points.hpp"
 #include "core/parallel.hpp"
 #include "plot/curve.hpp"
@@ -15,7 +16,6 @@
 namespace burnish::plot {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array<std::string_view, 3> kNormalizations = {"paper", "projected", "conserving"};
 
 bool deforms(Method method) {

@@ -4,14 +4,14 @@
 #include <numbers>
 
 #include "burnish/plot/brdf_plot.hpp"
+#include "core/constants.hpp"
 #include "plot/axes.hpp"
 
 namespace burnish::plot {
 namespace {
 
-constexpr double kPolarDegree = std::numbers::pi / 180;
 // Degrees from the normal. Beyond them an unbounded model would set the scale of all models.
-constexpr double kSeen = 85 * kPolarDegree;
+constexpr double kSeen = 85 * kDegree;
 constexpr double kSide = 30, kTop = 24, kBelow = 40;
 
 struct Half {
@@ -29,7 +29,7 @@ Half half_of(const Box& box) {
 
 void draw_arc(Canvas& canvas, const Half& half, double r, const Stroke& stroke) {
     std::vector<Point> arc;
-    for (int i = 0; i <= 90; ++i) arc.push_back(half.at((2 * i - 90) * kPolarDegree, r));
+    for (int i = 0; i <= 90; ++i) arc.push_back(half.at((2 * i - 90) * kDegree, r));
     canvas.polyline(arc, stroke);
 }
 
@@ -39,7 +39,7 @@ void draw_polar_grid(Canvas& canvas, const Half& half, const Scale& scale) {
     number.align = Align::center;
     number.stand = Stand::top;
     for (int angle = -90; angle <= 90; angle += 15)
-        canvas.line(half.origin, half.at(angle * kPolarDegree, 1), faint);
+        canvas.line(half.origin, half.at(angle * kDegree, 1), faint);
     for (const Tick& tick : scale.ticks(4)) {
         if (tick.label.empty() || tick.position < 0.02) continue;
         draw_arc(canvas, half, tick.position, faint);
@@ -52,7 +52,7 @@ void draw_polar_grid(Canvas& canvas, const Half& half, const Scale& scale) {
     number.stand = Stand::middle;
     for (int angle = -90; angle <= 90; angle += 30) {
         if (angle == 90 || angle == -90) continue;
-        const Point at = half.at(angle * kPolarDegree, 1 + 13 / half.radius);
+        const Point at = half.at(angle * kDegree, 1 + 13 / half.radius);
         canvas.text(at, std::to_string(std::abs(angle)) + "\u00b0", number);
     }
     draw_arc(canvas, half, 1, {.color = kInk, .width = 1});
@@ -62,7 +62,7 @@ void draw_polar_grid(Canvas& canvas, const Half& half, const Scale& scale) {
 // An arrow to the origin from the direction of the light, from outside the lobes.
 void draw_light(Canvas& canvas, const Half& half, double incidence_deg) {
     const Rgb color = series_color(6);
-    const double theta = -incidence_deg * kPolarDegree;
+    const double theta = -incidence_deg * kDegree;
     canvas.arrow(half.at(theta, 1.0), half.at(theta, 0.02),
                  {.color = color, .width = 1.6, .opacity = 0.85}, 10);
     canvas.line(half.origin, half.at(-theta, 1), {.color = color, .width = 1.1, .dash = {2, 4}});
@@ -96,7 +96,7 @@ Panel polar_panel(const PolarPlot& plot, std::string title, double width) {
     const Direction<double> wi = incident(plot.incidence_deg, plot.azimuth_deg);
     std::vector<std::vector<Point>> curves;
     double most = 0;
-    const double seen = std::max(kSeen, plot.incidence_deg * kPolarDegree);
+    const double seen = std::max(kSeen, plot.incidence_deg * kDegree);
     for (const BrdfSubject& subject : plot.subjects) {
         curves.push_back(polar_cut(subject, wi, cut));
         for (const Point& p : curves.back())
@@ -112,10 +112,10 @@ Panel polar_panel(const PolarPlot& plot, std::string title, double width) {
                        ", to " + number_text(top, 2);
     }
     // The light lies in the cut, on the one side or on the other.
-    const double across = std::sin((plot.azimuth_deg - cut) * kPolarDegree) *
-                          std::sin(plot.incidence_deg * kPolarDegree);
+    const double across = std::sin((plot.azimuth_deg - cut) * kDegree) *
+                          std::sin(plot.incidence_deg * kDegree);
     const bool in_plane = std::abs(across) < 1e-6;
-    const double side = std::cos((plot.azimuth_deg - cut) * kPolarDegree) < 0 ? -1 : 1;
+    const double side = std::cos((plot.azimuth_deg - cut) * kDegree) < 0 ? -1 : 1;
     Panel panel{
         std::move(title), width, std::floor((width - 2 * kSide) / 2) + kTop + kBelow, {}, {}};
     panel.note = cut_off;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "burnish/plot/brdf_plot.hpp"
+#include "core/constants.hpp"
 #include "plot/axes.hpp"
 #include "plot/depth_picture.hpp"
 #include "plot/surface_mesh.hpp"
@@ -13,7 +14,6 @@ namespace {
 
 using Vec = Direction<double>;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kFiner = 2;  // pixels of the depth buffer per pixel of the plot, along each axis
 constexpr double kAxisLength = 1.18;
 // Half the width of the view, with room for the letters.

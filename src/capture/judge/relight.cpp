@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "burnish/f64.hpp"
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Vec3d normal_of(const TabulatedMaterial& m, std::size_t texel) {
     const float* n = m.normal.pixels.data() + 3 * texel;

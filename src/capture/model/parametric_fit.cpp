@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kNames = {"ward-isotropic", "ward", "ggx",
                                                     "ashikhmin-shirley"};
-constexpr float kPi = std::numbers::pi_v<float>;
 // Bounds of both alphas. Lights a few degrees apart resolve nothing narrower than the least; wider
 // than the most, a lobe cannot be told from diffuse light.
 constexpr float kLeastAlpha = 0.01f, kMostAlpha = 1.2f;
@@ -90,7 +89,7 @@ class Problem {
         out.resize(static_cast<Eigen::Index>(samples_.size()));
         for (std::size_t q = 0; q < samples_.size(); ++q)
             out[static_cast<Eigen::Index>(q)] = static_cast<double>(
-                samples_.value[q] - samples_.received[q] * (diffuse / kPi + specular * shape_[q]));
+                samples_.value[q] - samples_.received[q] * (diffuse / std::numbers::pi_v<float> + specular * shape_[q]));
     }
 
     // d, s >= 0 that make sum (value - received (d/pi + s b))^2 least, for the last shapes.
@@ -98,7 +97,7 @@ class Problem {
                    float& diffuse, float& specular) const {
         double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
         for (std::size_t q = 0; q < value.size(); ++q) {
-            const auto u = static_cast<double>(received[q] / kPi),
+            const auto u = static_cast<double>(received[q] / std::numbers::pi_v<float>),
                        v = static_cast<double>(received[q] * shape_[q]);
             const auto y = static_cast<double>(value[q]);
             uu += u * u;
@@ -211,7 +210,7 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
         model == ParametricModel::ward_isotropic ? Parameters{round, round, start.groove}
                                                  : Parameters{along, across, start.groove},
         Parameters{std::log(0.25f), std::log(0.3f), start.groove},
-        Parameters{std::log(0.25f), std::log(0.3f), start.groove + 0.5f * kPi}};
+        Parameters{std::log(0.25f), std::log(0.3f), start.groove + 0.5f * std::numbers::pi_v<float>}};
     Parameters best{};
     double least = 0.0;
     const std::size_t tried = !effort.elsewhere                          ? 1
@@ -235,9 +234,9 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
     fit.groove = best[2];
     if (fit.alpha_along > fit.alpha_across) {  // the groove is where the lobe is narrow
         std::swap(fit.alpha_along, fit.alpha_across);
-        fit.groove += 0.5f * kPi;
+        fit.groove += 0.5f * std::numbers::pi_v<float>;
     }
-    fit.groove -= kPi * std::floor(fit.groove / kPi);
+    fit.groove -= std::numbers::pi_v<float> * std::floor(fit.groove / std::numbers::pi_v<float>);
     fit.error = problem.square() > 0.0 ? static_cast<float>(least / problem.square()) : 0.0f;
     return fit;
 }

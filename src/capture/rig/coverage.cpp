@@ -6,11 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/constants.hpp"
+
 namespace burnish {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kReachBySpacing = 0.75, kLongestReach = 10.0;
 constexpr double kCoincident = 1e-6;  // radians; far below any spacing, far above rounding
 

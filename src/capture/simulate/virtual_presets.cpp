@@ -4,17 +4,15 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "burnish/error.hpp"
 #include "burnish/virtual_sample.hpp"
+#include "core/constants.hpp"
 #include "core/text.hpp"
 
 namespace burnish {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 VirtualNdf beckmann() {
     return {"beckmann", {{.mdf = Mdf::beckmann, .alpha_x = 0.12, .alpha_y = 0.40}}};

@@ -11,7 +11,7 @@ namespace burnish {
 
 namespace {
 
-double dot(const Vec3d& a, const Vec3d& b) {
+double inner_product(const Vec3d& a, const Vec3d& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
@@ -22,7 +22,7 @@ Vec3d in_frame_of(const Vec3d& n, const Vec3d& v) {
     return {f64::dot(frame.t, d), f64::dot(frame.b, d), f64::dot(frame.n, d)};
 }
 
-double relative_fresnel(double eta, double cosine) {
+double fresnel_over_normal(double eta, double cosine) {
     if (eta <= 0.0) return 1.0;
     return f64::fresnel_conductor(eta, 0.0, cosine) / f64::fresnel_conductor(eta, 0.0, 1.0);
 }
@@ -67,11 +67,11 @@ Vec3d virtual_brdf(const VirtualSample& sample, const VirtualTexel& texel, const
     const Vec3d i = in_frame_of(texel.normal, to_light), o = in_frame_of(texel.normal, to_eye);
     if (i[2] <= 0.0 || o[2] <= 0.0) return {};
     const Vec3d sum = {i[0] + o[0], i[1] + o[1], i[2] + o[2]};
-    const double length = std::sqrt(dot(sum, sum));
+    const double length = std::sqrt(inner_product(sum, sum));
     const Vec3d h = {sum[0] / length, sum[1] / length, sum[2] / length};
     const VirtualNdf& ndf = sample.ndfs[static_cast<std::size_t>(texel.ndf)];
     const auto own = [&](const Vec3d& v) { return rotated_about_z(v, -texel.grain); };
-    const double shape = ndf.D(own(h)) * relative_fresnel(sample.eta, 0.5 * length) /
+    const double shape = ndf.D(own(h)) * fresnel_over_normal(sample.eta, 0.5 * length) /
                          (4.0 * ndf.area(own(i)) * ndf.area(own(o)));
     Vec3d rho;
     for (std::size_t c = 0; c < 3; ++c)
@@ -93,7 +93,7 @@ Image virtual_picture(const VirtualSample& sample, const Rig& rig, std::size_t l
                     const VirtualTexel& texel = sample.at(column, row);
                     const Vec3d x = sample_point(rig, sample.width, sample.height, column, row);
                     const Arrival in = arrival(lamp, x);
-                    const double cosine = std::max(dot(texel.normal, in.to_light), 0.0);
+                    const double cosine = std::max(inner_product(texel.normal, in.to_light), 0.0);
                     const Vec3d rho =
                         virtual_brdf(sample, texel, in.to_light, direction_to(eye, x));
                     for (std::size_t c = 0; c < 3; ++c) {

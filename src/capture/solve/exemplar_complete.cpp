@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 // Residual (RotationMatch) up to which an exemplar gives cells to another.
-constexpr float kAlike = 0.05f;
+constexpr float kLargestResidual = 0.05f;
 // Exemplars that give cells to another one at most, the most alike first.
 constexpr std::size_t kMostDonors = 4;
 // Bounds of the power of the slope with which a tail falls: GGX's falls with the fourth, a Gaussian
@@ -193,7 +193,7 @@ CompletionReport complete_exemplars(Exemplars& exemplars) {
                                               std::span<const RotationMatch> matches) {
             std::vector<std::size_t> order;
             for (std::size_t e = 0; e < matches.size(); ++e)
-                if (e != p && matches[e].residual < kAlike) order.push_back(e);
+                if (e != p && matches[e].residual < kLargestResidual) order.push_back(e);
             std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
                 return matches[a].residual < matches[b].residual;
             });

@@ -16,7 +16,7 @@ constexpr int kSolveRounds = 8, kSplitRounds = 4;
 constexpr int kTiltedRounds = 16;
 // Residuals (RotationMatch) below which two exemplars are joined. At first generously, as splits
 // take apart what differs; then as close as 1 % of noise lets equal exemplars come.
-constexpr float kAlikeAtFirst = 0.03f, kAlike = 0.004f;
+constexpr float kAlikeAtFirst = 0.03f, kAlikeAtLast = 0.004f;
 // The index of refraction before it is estimated: that of glass, varnish and most polymers.
 constexpr double kFirstEta = 1.5;
 // Rounds of solving for each trial of an index, and after the last trial. F and D are told apart
@@ -89,7 +89,7 @@ SearchState clustered(const SearchInput& input, const PartialTables& partial, Se
 SearchState changed(const SearchInput& input, SearchState state, int round, int rounds) {
     if (round == 0) return join_alike(input, std::move(state), kAlikeAtFirst);
     if (round < kSplitRounds) return split_exemplars(input, std::move(state));
-    if (round == kSplitRounds) return join_alike(input, std::move(state), kAlike);
+    if (round == kSplitRounds) return join_alike(input, std::move(state), kAlikeAtLast);
     if (round + 1 < rounds) return merge_exemplars(input, std::move(state));
     return state;
 }

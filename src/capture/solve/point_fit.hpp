@@ -13,6 +13,9 @@
 
 namespace burnish {
 
+// Error of a fit that does not exist: larger than any fit has, whose errors are at most 1.
+inline constexpr float kNoFit = 2.0f;
+
 // An exemplar's tables, shared by all points: D normalised, areas on kAreaGrid.
 struct ExemplarTables {
     NdfGrid grid;

@@ -10,7 +10,7 @@ namespace {
 
 // An exemplar of fewer points is dropped by a split, and a split makes no half of fewer than twice
 // as many.
-constexpr std::size_t kFewestMembers = 4;
+constexpr std::size_t kFewestPoints = 4;
 // Ratio of the mean errors of the worse and the better half of an exemplar's points from which it
 // is split; noise alone makes 1.1.
 constexpr double kSplitRatio = 1.8;
@@ -146,17 +146,17 @@ SearchState split_exemplars(const SearchInput& input, SearchState state) {
         members.begin());
     int room = input.settings.exemplars -
                static_cast<int>(std::count_if(members.begin(), members.end(), [](const auto& some) {
-                   return some.size() >= kFewestMembers;
+                   return some.size() >= kFewestPoints;
                }));
     for (std::size_t e = 0; e < members.size(); ++e) {
         std::vector<std::size_t>& own = members[e];
-        if (own.size() < kFewestMembers && e != largest) {
+        if (own.size() < kFewestPoints && e != largest) {
             for (const std::size_t p : own) state.points[p].assigned.exemplar = -1;
             continue;
         }
         const Halves halves = halves_of(state, own);
         const int kept = next.append(state.exemplars, static_cast<int>(e));
-        const bool splits = own.size() >= 4 * kFewestMembers && room > 0 && halves.differ;
+        const bool splits = own.size() >= 4 * kFewestPoints && room > 0 && halves.differ;
         const int fresh = splits ? next.append(state.exemplars, static_cast<int>(e)) : kept;
         room -= splits ? 1 : 0;
         for (std::size_t k = 0; k < own.size(); ++k)

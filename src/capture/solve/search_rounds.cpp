@@ -6,6 +6,7 @@
 #include "burnish/error.hpp"
 #include "capture/solve/partial_ndf.hpp"
 #include "capture/solve/peak_normal.hpp"
+#include "capture/solve/point_fit.hpp"
 #include "capture/solve/search_state.hpp"
 #include "core/parallel.hpp"
 
@@ -19,8 +20,6 @@ constexpr std::size_t kTrainingCandidates = 6;
 // Columns to each side of a matched rotation in which the best one is searched: partial tables are
 // blurred by about a column.
 constexpr float kSearchColumns = 1.5f;
-// Error of a fit that does not exist: larger than any fit has, whose errors are at most 1.
-constexpr float kNoFit = 2.0f;
 // Points of an exemplar from which its slide along the diffuse direction is worked out: one number
 // needs no more.
 constexpr std::size_t kSlidePoints = 256;

@@ -8,6 +8,7 @@
 #include "capture/model/parametric_fit.hpp"
 #include "capture/solve/partial_ndf.hpp"
 #include "capture/solve/peak_normal.hpp"
+#include "capture/solve/point_fit.hpp"
 #include "core/parallel.hpp"
 #include "core/work_pool.hpp"
 
@@ -49,8 +50,6 @@ constexpr std::size_t kModelSamples = 96;
 constexpr int kModelSteps = 3;
 // Pixels that a worker takes at a time; they are matched together.
 constexpr std::size_t kPixelTile = 16;
-// Error of a fit that does not exist: larger than any fit has, whose errors are at most 1.
-constexpr float kNoFit = 2.0f;
 // For searches that never give up.
 constexpr float kNever = 1e30f;
 

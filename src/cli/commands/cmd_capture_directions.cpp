@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/rig_flags.hpp"
 #include "cli/session.hpp"
+#include "core/constants.hpp"
 #include "jobs/capture/capture_directions.hpp"
 
 namespace burnish::cli {
@@ -50,10 +50,9 @@ ProbeCircle parse_circle(const std::string& text) {
 }
 
 std::string describe(const FoundDirection& light, bool several) {
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
     const Vec3d& d = light.direction;
-    const double theta = std::atan2(std::hypot(d[0], d[1]), d[2]) * kDegrees;
-    const double phi = std::atan2(d[1], d[0]) * kDegrees;
+    const double theta = std::atan2(std::hypot(d[0], d[1]), d[2]) * kDegreesPerRadian;
+    const double phi = std::atan2(d[1], d[0]) * kDegreesPerRadian;
     return fmt::format("{}: {:.4f} {:.4f} {:.4f}, theta {:.1f}, phi {:.1f}, spread {:.1f} deg{}\n",
                        one_line(light.picture.filename().string()), d[0], d[1], d[2], theta,
                        phi < 0.0 ? phi + 360.0 : phi, light.spread_deg,

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 #include "formats/bsdf/spectral_rgb.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // A hundred times the tables of the largest material of the database would be 8 million numbers.
 constexpr std::size_t kMostTableValues = std::size_t{16} << 20;

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 #include "formats/bsdf/rgl_brdf.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // As wide as the largest tables of the database are resolved.
 constexpr NdfGrid kBsdfGrid = {96, 192};

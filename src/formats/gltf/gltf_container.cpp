@@ -65,10 +65,10 @@ void split_glb(GltfContainer& container, const GltfReport& report) {
 
     std::size_t offset = kHeaderBytes;
     std::uint32_t type = 0;
-    const auto json = take_chunk(bytes, offset, type, report);
+    const auto first = take_chunk(bytes, offset, type, report);
     if (type != kJsonChunk)
         report.fail("first chunk", "type JSON", fmt::format("type {:#010x}", type));
-    container.json = text_of(json);
+    container.json = text_of(first);
     while (offset < bytes.size() && container.binary.empty()) {
         const auto chunk = take_chunk(bytes, offset, type, report);
         if (type == kBinaryChunk) container.binary = chunk;

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 // glTF needs about ten levels. The parsers behind us recurse, so the stack sets the limit.
-constexpr int kDeepest = 64;
+constexpr int kDeepestJson = 64;
 // Every value costs tens to hundreds of bytes once parsed. The largest real files (a hundred
 // thousand nodes with matrices) have two million.
 constexpr std::size_t kMostValues = 4'000'000;
@@ -38,8 +38,8 @@ void check_nesting(std::string_view text, const GltfReport& report) {
         if (c == '"') {
             in_string = true;
         } else if (c == '[' || c == '{') {
-            if (++depth > kDeepest)
-                report.fail("JSON", fmt::format("at most {} levels", kDeepest), "deeper nesting");
+            if (++depth > kDeepestJson)
+                report.fail("JSON", fmt::format("at most {} levels", kDeepestJson), "deeper nesting");
             ++values;
         } else if (c == ']' || c == '}') {
             --depth;

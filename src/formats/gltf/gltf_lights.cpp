@@ -8,17 +8,16 @@
 #include <glm/geometric.hpp>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 #include "formats/model_limits.hpp"
 
 namespace burnish {
 namespace {
 
 // Colour times intensity must stay a float; the sun is 1e5 lux, a lighthouse 1e7 candela.
-constexpr double kBrightest = 1e12;
+constexpr double kBrightestLight = 1e12;
 constexpr const char* kBrightness = "0 to 1e12";
 
-constexpr double kHalfPi = 1.57079632679489662;
-constexpr double kPi = 3.14159265358979324;
 
 // Unit vector along a column of a transform, or `otherwise` where it has no length.
 glm::vec3 axis(const glm::mat4& matrix, int column, glm::vec3 otherwise) {
@@ -43,11 +42,11 @@ Light read_light(const tinygltf::Light& from, const std::string& key, const Gltf
     Light light;
     light.type = light_type(from.type, key, report);
     for (std::size_t i = 0; i < from.color.size(); ++i) {
-        check(from.color[i] >= 0.0 && from.color[i] <= kBrightest, key + ".color", kBrightness,
+        check(from.color[i] >= 0.0 && from.color[i] <= kBrightestLight, key + ".color", kBrightness,
               from.color[i], report);
         light.color[static_cast<int>(i)] = static_cast<float>(from.color[i]);
     }
-    check(from.intensity >= 0.0 && from.intensity <= kBrightest, key + ".intensity", kBrightness,
+    check(from.intensity >= 0.0 && from.intensity <= kBrightestLight, key + ".intensity", kBrightness,
           from.intensity, report);
     light.intensity = static_cast<float>(from.intensity);
     check(from.range >= 0.0, key + ".range", "more than 0", from.range, report);

@@ -7,12 +7,11 @@
 #include <cmath>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 #include "formats/model_limits.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kTwoPi = 6.28318530717958648;
 
 // Reads one file's materials; `where` is the key of the material at hand.
 class MaterialReader {

@@ -11,6 +11,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
+#include "core/constants.hpp"
 #include "core/files.hpp"
 #include "core/parallel.hpp"
 #include "formats/model_limits.hpp"
@@ -18,8 +19,6 @@
 
 namespace burnish {
 namespace {
-
-constexpr float kTwoPi = 6.28318531f;
 
 // Where a file named inside another one lies; nothing when that leads out of the folder.
 std::optional<std::filesystem::path> inside(const std::filesystem::path& folder, std::string name) {
@@ -139,7 +138,7 @@ Material LibraryReader::convert(const tinyobj::material_t& from, const Keywords&
     convert_surface(from, keywords, to, lobe);
     lobe.anisotropy_strength = unit(from.anisotropy, 0.0f);
     to.lobe = lobe;
-    to.anisotropy_rotation = kTwoPi * unit(from.anisotropy_rotation, 0.0f);
+    to.anisotropy_rotation = static_cast<float>(kTwoPi) * unit(from.anisotropy_rotation, 0.0f);
     to.base_color_texture = use(from.diffuse_texname, from.diffuse_texopt, ColorSpace::srgb);
     to.emissive_texture = use(from.emissive_texname, from.emissive_texopt, ColorSpace::srgb);
     if (to.emissive_texture && !keywords.contains("Ke")) to.emissive = glm::vec3(1.0f);

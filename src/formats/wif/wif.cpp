@@ -18,7 +18,7 @@ namespace burnish {
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{8} << 20;
+constexpr std::uintmax_t kMostDraftBytes = std::uintmax_t{8} << 20;
 constexpr std::size_t kHeadBytes = 4096;
 constexpr int kMostShafts = 4096;  // a Jacquard loom has one an end
 constexpr int kMostTreadles = 4096;
@@ -29,7 +29,7 @@ using Shafts = std::bitset<kMostShafts + 1>;  // from 1
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path)
-        : text_(read_text_file(path, kMostBytes), path.string()) {
+        : text_(read_text_file(path, kMostDraftBytes), path.string()) {
         read_sizes();
         name(path);
         weave();

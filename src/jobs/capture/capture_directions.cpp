@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
+#include "core/constants.hpp"
 #include "core/files.hpp"
 
 namespace burnish {
@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 // Degrees between the directions of two balls from which a warning is due: of a lamp that is far
 // away they agree to one degree.
 constexpr double kApart = 3.0;
@@ -66,7 +65,7 @@ void require_size(const fs::path& path, int width, int height, int& first_width,
 
 double angle_deg(const Vec3d& a, const Vec3d& b) {
     const double chord = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    return 2.0 * std::asin(std::min(chord / 2.0, 1.0)) * kDegrees;
+    return 2.0 * std::asin(std::min(chord / 2.0, 1.0)) * kDegreesPerRadian;
 }
 
 // What the balls of one picture say together.

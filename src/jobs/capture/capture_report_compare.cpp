@@ -12,6 +12,7 @@
 #include "burnish/relight.hpp"
 #include "capture/model/parametric_maps.hpp"
 #include "capture/stack/light_geometry.hpp"
+#include "core/constants.hpp"
 #include "core/statistics.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 
@@ -19,7 +20,6 @@ namespace burnish::report {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979 / 180.0;
 // Difference, as a share of white, that is shown in full color.
 constexpr double kFullDifference = 0.25;
 // Share of the samples of a picture that are darker than its white.

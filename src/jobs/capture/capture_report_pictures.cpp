@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <numeric>
 
 #include "burnish/image_io.hpp"
 #include "burnish/material_textures.hpp"
 #include "burnish/plot/panels.hpp"
+#include "core/constants.hpp"
 #include "core/statistics.hpp"
 #include "jobs/capture/capture_report_parts.hpp"
 #include "plot/axes.hpp"
@@ -23,8 +23,6 @@ using plot::Canvas;
 using plot::Point;
 using plot::Rgb;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegreeOfMaps = kPi / 180.0;
 constexpr int kLeastSide = 288, kMostSide = 1024;  // pixels of a picture on the page
 constexpr double kDecades = 5.0;                   // of D that are told apart
 const Rgb kOutside{0.80, 0.80, 0.81};              // the mask
@@ -84,7 +82,7 @@ void label_tilts(Canvas& canvas, const Disc& disc, std::initializer_list<int> ti
     style.halo = plot::kWhite;
     style.stand = plot::Stand::middle;
     for (const int tilt : tilts)
-        canvas.text(disc.at(place(tilt), 65 * kDegreeOfMaps), fmt::format("{}\u00b0", tilt), style);
+        canvas.text(disc.at(place(tilt), 65 * kDegree), fmt::format("{}\u00b0", tilt), style);
 }
 
 // ---- coverage
@@ -93,16 +91,16 @@ const Rgb kSeen{0.72, 0.83, 0.93}, kTurned{0.89, 0.94, 0.98}, kUnseen{1, 1, 1};
 const Rgb kLimit{0.75, 0.2, 0.15};
 
 Image seen_image(const PointCoverage& c, int side) {
-    const double cos_reach = std::cos(c.reach * kDegreeOfMaps);
+    const double cos_reach = std::cos(c.reach * kDegree);
     std::vector<double> tilts;
     for (const Vec3d& h : c.half_vectors)
-        tilts.push_back(std::atan2(std::hypot(h[0], h[1]), h[2]) / kDegreeOfMaps);
+        tilts.push_back(std::atan2(std::hypot(h[0], h[1]), h[2]) / kDegree);
     std::sort(tilts.begin(), tilts.end());
     return disc_image(side, [&](double x, double y) {
         const double tilt = std::min(std::hypot(x, y), 1.0) * 90.0, azimuth = std::atan2(y, x);
-        const double sine = std::sin(tilt * kDegreeOfMaps);
+        const double sine = std::sin(tilt * kDegree);
         const Vec3d v = {sine * std::cos(azimuth), sine * std::sin(azimuth),
-                         std::cos(tilt * kDegreeOfMaps)};
+                         std::cos(tilt * kDegree)};
         for (const Vec3d& h : c.half_vectors)
             if (v[0] * h[0] + v[1] * h[1] + v[2] * h[2] >= cos_reach) return kSeen;
         const auto next = std::lower_bound(tilts.begin(), tilts.end(), tilt - c.reach);

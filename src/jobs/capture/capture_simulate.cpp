@@ -11,6 +11,7 @@
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "burnish/version.hpp"
+#include "core/constants.hpp"
 #include "core/files.hpp"
 #include "jobs/map_folder.hpp"
 
@@ -21,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using Metadata = std::map<std::string, std::string>;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 // Where integer pictures clip by default, in units of the radiance of a white diffuser.
 constexpr double kUsualClip = 4.0;
 
@@ -79,7 +79,7 @@ std::string truth_json(const CaptureSimulateRequest& request, const VirtualSampl
                              {"mdf", name_of(lobe.mdf)},
                              {"alpha_along", lobe.alpha_x},
                              {"alpha_across", lobe.alpha_y},
-                             {"turn_deg", lobe.rotation * kDegrees},
+                             {"turn_deg", lobe.rotation * kDegreesPerRadian},
                              {"lean", {lobe.lean_x, lobe.lean_y}}});
         out["distributions"].push_back({{"name", ndf.name}, {"lobes", lobes}});
     }

@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 #include "formats/bsdf/rgl_brdf.hpp"
 #include "formats/bsdf/tensor_file.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 std::string angles_text(std::span<const double> angles) {
     std::vector<std::string> words;

@@ -14,7 +14,7 @@ namespace burnish {
 
 namespace {
 
-constexpr int kSide = 512;
+constexpr int kClothSide = 512;
 constexpr int kSamples = 4;  // a pixel's side
 constexpr double kCloseYarns = 6.0;
 
@@ -24,12 +24,12 @@ using Sample = std::function<glm::vec3(int x, int y)>;
 // what `sample` says of its texels.
 Image window(const WeaveMaps& maps, const WeaveMapSettings& settings, double side_mm,
              const Sample& sample) {
-    const double x_scale = maps.width / settings.width_mm() * side_mm / (kSide * kSamples);
-    const double y_scale = maps.height / settings.height_mm() * side_mm / (kSide * kSamples);
-    Image image(kSide, kSide, 3);
-    for (int y = 0; y < kSide * kSamples; ++y) {
-        const int up = static_cast<int>((kSide * kSamples - 1 - y + 0.5) * y_scale) % maps.height;
-        for (int x = 0; x < kSide * kSamples; ++x) {
+    const double x_scale = maps.width / settings.width_mm() * side_mm / (kClothSide * kSamples);
+    const double y_scale = maps.height / settings.height_mm() * side_mm / (kClothSide * kSamples);
+    Image image(kClothSide, kClothSide, 3);
+    for (int y = 0; y < kClothSide * kSamples; ++y) {
+        const int up = static_cast<int>((kClothSide * kSamples - 1 - y + 0.5) * y_scale) % maps.height;
+        for (int x = 0; x < kClothSide * kSamples; ++x) {
             const int right = static_cast<int>((x + 0.5) * x_scale) % maps.width;
             const glm::vec3 value = sample(right, maps.height - 1 - up);
             float* to = image.at(x / kSamples, y / kSamples);

@@ -5,19 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <numbers>
 #include <set>
 
 #include "burnish/error.hpp"
 #include "burnish/shading_names.hpp"
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 #include "core/text.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 constexpr std::array<double, 3> kCurvesNear = {30, 50, 70};
 constexpr int kLeastSamples = 200, kMostSamples = 200000;
 

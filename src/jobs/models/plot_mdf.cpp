@@ -16,8 +16,8 @@ using plot::MdfSubject;
 using plot::Panel;
 using plot::PanelRow;
 
-constexpr std::array<std::string_view, 3> kKinds = {"disk", "grid", "profile"};
-constexpr std::size_t kMostColumns = 5;  // a figure of 1400 px: as wide as a screen shows
+constexpr std::array<std::string_view, 3> kMdfKinds = {"disk", "grid", "profile"};
+constexpr std::size_t kMostMdfColumns = 5;  // a figure of 1400 px: as wide as a screen shows
 constexpr double kDiskSide = 260;
 
 constexpr std::string_view kAboutDisk =
@@ -66,7 +66,7 @@ void add_disk_row(const MdfPlotRequest& request, const std::vector<MdfSubject>& 
     PanelRow row{label, {}, plot::disk_bar(subjects, request.scale, request.high)};
     for (std::size_t i = 0; i < subjects.size(); ++i)
         row.panels.push_back(disk_of(request, subjects[i], row.bar->scale, titles[i]));
-    add_rows(figure, row, kMostColumns);
+    add_rows(figure, row, kMostMdfColumns);
 }
 
 void add_disks(const MdfPlotRequest& request, Figure& figure) {
@@ -187,7 +187,7 @@ plot::Metadata parameters_of(const MdfPlotRequest& request) {
 }  // namespace
 
 std::span<const std::string_view> mdf_plot_kind_names() {
-    return kKinds;
+    return kMdfKinds;
 }
 
 Figure mdf_figure(const MdfPlotRequest& request) {

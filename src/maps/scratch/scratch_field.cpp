@@ -1,13 +1,12 @@
 #include "maps/scratch/scratch_field.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/constants.hpp"
 
 namespace burnish {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 DoubleAngle of_angle(double radians) {
     return {std::cos(2.0 * radians), std::sin(2.0 * radians)};

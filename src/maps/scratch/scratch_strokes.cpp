@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 #include "maps/scratch/scratch_field.hpp"
 
@@ -13,7 +13,6 @@ namespace burnish {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kGrain = 512;
 
 // Numbers that belong to one scratch: counted from its own key, so that any thread may make any

@@ -6,13 +6,10 @@
 #include <utility>
 
 #include "burnish/f32.hpp"
+#include "core/index_of.hpp"
 
 namespace burnish {
 namespace {
-
-std::size_t index_of(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 // The mean over [low, high] of values a unit wide: weights of the first and the last, and the sum.
 template <typename Value>

@@ -18,7 +18,7 @@ constexpr float kRadius = 0.22f, kRim = 0.14f;
 
 // Positions of the cloth's nodes, `nodes` a side, row after row: columns along the warp (+x at
 // rest), rows along the weft (+z at rest).
-struct Cloth {
+struct Sheet {
     int nodes = 0;
     std::vector<glm::vec3> now, before;
 
@@ -43,7 +43,7 @@ constexpr Threads kThreads[] = {{1, 0, 1.0f},  {0, 1, 1.0f}, {1, 1, 0.7f},
 
 // `backwards` walks the nodes in the opposite order: alternating keeps the order from pushing the
 // cloth off its plinth.
-void pull(Cloth& cloth, const Threads& threads, bool backwards) {
+void pull(Sheet& cloth, const Threads& threads, bool backwards) {
     const float rest = cloth.spacing() * std::hypot(static_cast<float>(threads.columns),
                                                     static_cast<float>(threads.rows));
     const int first = std::max(0, -threads.columns);
@@ -66,7 +66,7 @@ void pull(Cloth& cloth, const Threads& threads, bool backwards) {
 }
 
 // Out of the plinth: an endless column with a rounded rim. What touches it sticks by friction.
-void push_out(Cloth& cloth) {
+void push_out(Sheet& cloth) {
     constexpr float kFriction = 0.3f;
     for (std::size_t i = 0; i < cloth.now.size(); ++i) {
         glm::vec3& p = cloth.now[i];
@@ -88,7 +88,7 @@ void push_out(Cloth& cloth) {
 
 // Position-based dynamics (Mueller et al. 2007, "Position based dynamics"): Verlet steps, then
 // passes over the threads, always in the same order so that every run gives the same cloth.
-void simulate(Cloth& cloth, int steps, int passes) {
+void simulate(Sheet& cloth, int steps, int passes) {
     constexpr float kStep = 1.0f / 60.0f, kGravity = -1.5f, kKept = 0.97f;
     for (int step = 0; step < steps; ++step) {
         for (std::size_t i = 0; i < cloth.now.size(); ++i) {
@@ -105,8 +105,8 @@ void simulate(Cloth& cloth, int steps, int passes) {
 
 // Flat above the table and off its middle, with a hint of waves: perfect symmetry would give folds
 // that no cloth has.
-Cloth lay_out(int nodes) {
-    Cloth cloth;
+Sheet lay_out(int nodes) {
+    Sheet cloth;
     cloth.nodes = nodes;
     for (int row = 0; row < nodes; ++row) {
         for (int column = 0; column < nodes; ++column) {
@@ -135,7 +135,7 @@ Weights spline_weights(float t) {
 }
 
 // A node, or beyond the hem the mirror image of the inner one in the hem: the surface ends there.
-glm::vec3 control_point(const Cloth& cloth, int column, int row) {
+glm::vec3 control_point(const Sheet& cloth, int column, int row) {
     const int last = cloth.nodes - 1;
     const int c = std::clamp(column, 0, last), r = std::clamp(row, 0, last);
     const glm::vec3 hem = cloth.now[cloth.index(c, r)];
@@ -144,20 +144,20 @@ glm::vec3 control_point(const Cloth& cloth, int column, int row) {
                                               std::clamp(2 * r - row, 0, last))];
 }
 
-struct SurfacePoint {
+struct SheetPoint {
     glm::vec3 position, along_u, along_v;
 };
 
 // The surface whose control points are the nodes: curvature is continuous, so highlights are
 // smooth at any resolution, and the tangents are its exact derivatives.
-SurfacePoint surface_at(const Cloth& cloth, float u, float v) {
+SheetPoint surface_at(const Sheet& cloth, float u, float v) {
     const float x = u * static_cast<float>(cloth.nodes - 1);
     const float y = v * static_cast<float>(cloth.nodes - 1);
     const int column = std::min(static_cast<int>(x), cloth.nodes - 2);
     const int row = std::min(static_cast<int>(y), cloth.nodes - 2);
     const Weights wx = spline_weights(x - static_cast<float>(column));
     const Weights wy = spline_weights(y - static_cast<float>(row));
-    SurfacePoint out{glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};
+    SheetPoint out{glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < 4; ++i) {
             const glm::vec3 p = control_point(cloth, column + i - 1, row + j - 1);
@@ -169,8 +169,8 @@ SurfacePoint surface_at(const Cloth& cloth, float u, float v) {
     return out;
 }
 
-Cloth refined(const Cloth& coarse, int nodes) {
-    Cloth fine;
+Sheet refined(const Sheet& coarse, int nodes) {
+    Sheet fine;
     fine.nodes = nodes;
     for (int row = 0; row < nodes; ++row)
         for (int column = 0; column < nodes; ++column)
@@ -183,8 +183,8 @@ Cloth refined(const Cloth& coarse, int nodes) {
 }
 
 // Coarse first: long waves need many steps, and there they are cheap.
-Cloth hang() {
-    Cloth cloth = lay_out(25);
+Sheet hang() {
+    Sheet cloth = lay_out(25);
     simulate(cloth, 300, 12);
     cloth = refined(cloth, 49);
     simulate(cloth, 90, 10);
@@ -196,7 +196,7 @@ Cloth hang() {
 }  // namespace
 
 Mesh make_drape(int triangles) {
-    static const Cloth cloth = hang();
+    static const Sheet cloth = hang();
     const double quads = (triangles > 0 ? triangles : 40000) / 2.0;
     const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(quads))));
     Mesh mesh;
@@ -204,7 +204,7 @@ Mesh make_drape(int triangles) {
         for (int column = 0; column <= side; ++column) {
             const float u = static_cast<float>(column) / static_cast<float>(side);
             const float v = static_cast<float>(row) / static_cast<float>(side);
-            const SurfacePoint at = surface_at(cloth, u, v);
+            const SheetPoint at = surface_at(cloth, u, v);
             const glm::vec3 tangent = glm::normalize(at.along_u);
             mesh.positions.push_back(at.position);
             mesh.normals.push_back(glm::normalize(glm::cross(at.along_v, at.along_u)));

@@ -3,13 +3,12 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 #include "scene/light/cube_map.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // A fourth number beside every radiance: a texel is then one register.
 struct LatLong {

@@ -5,12 +5,11 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::size_t texel_count(int size) {
     return 6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size);

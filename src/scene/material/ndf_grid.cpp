@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/constants.hpp"
+#include "core/index_of.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Parts of a cell along u and phi for integrals of the table as it is read: fewer where cells are
 // small. Odd along phi, so that they lie symmetrically about the columns.
@@ -23,10 +23,6 @@ int parts_along_phi(const NdfGrid& grid) {
 
 // A table is large where its lobe is, and there g is not small.
 constexpr float kLeastArea = 1e-6F;
-
-std::size_t index_of(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 double theta_of_u(double u) {
     return u * u * (kPi / 2);

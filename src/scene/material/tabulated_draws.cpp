@@ -5,16 +5,14 @@
 #include <cstddef>
 #include <numbers>
 
+#include "core/index_of.hpp"
+
 namespace burnish {
 namespace {
 
 // Of all draws, evenly over the projected hemisphere: weights stay bounded where the table is 0 and
 // a method reads it elsewhere.
 constexpr double kEven = 0.02;
-
-std::size_t index_of(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 // The mean over a cell and its neighbours.
 double blurred(const NdfGrid& grid, const float* table, int ring, int column) {

@@ -7,14 +7,11 @@
 #include <string>
 
 #include "burnish/error.hpp"
+#include "core/index_of.hpp"
 #include "scene/material/tabulated_draws.hpp"
 
 namespace burnish {
 namespace {
-
-std::size_t index_of(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 int rows_of_areas(const NdfGrid& grid) {
     return kAreaGrid.rings + (grid.rings + kAreaGrid.azimuths - 1) / kAreaGrid.azimuths;
