@@ -10,7 +10,6 @@
 namespace burnish {
 namespace {
 
-using test::kPi;
 using test::Random;
 
 const NdfGrid kGrid{32, 96};

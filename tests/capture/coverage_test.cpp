@@ -5,13 +5,12 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <random>
+
+#include "core/constants.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 
 Vec3d direction(double theta_deg, double phi_deg) {
     const double t = theta_deg * kDegree, p = phi_deg * kDegree;

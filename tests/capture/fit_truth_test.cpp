@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
 
 #include "capture/model/parametric_fit.hpp"
 #include "capture/solve/capture_fit.hpp"
+#include "core/constants.hpp"
 #include "support/program.hpp"
 #include "truth_metrics.hpp"
 
@@ -19,7 +19,6 @@ namespace burnish::test {
 namespace {
 
 constexpr int kSize = 24;
-constexpr double kPi = std::numbers::pi;
 
 VirtualSample classes_sample() {
     VirtualSettings settings;

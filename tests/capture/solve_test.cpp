@@ -13,7 +13,6 @@ namespace burnish {
 namespace {
 
 using test::Double3;
-using test::kPi;
 using test::Random;
 
 const NdfGrid kGrid{32, 96};

@@ -6,15 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "burnish/ndf_grid.hpp"
+#include "core/constants.hpp"
 
 namespace burnish::test {
-
-inline constexpr double kPi = std::numbers::pi;
 
 inline std::size_t cell(const NdfGrid& grid, int ring, int column) {
     const int c = ((column % grid.azimuths) + grid.azimuths) % grid.azimuths;

@@ -1,13 +1,12 @@
 #include "tabulate_sample.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/constants.hpp"
 
 namespace burnish::test {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 void append_table(const VirtualNdf& ndf, const NdfGrid& grid, std::vector<float>& to) {
     const std::size_t first = to.size();

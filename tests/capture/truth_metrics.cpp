@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "burnish/f64.hpp"
 #include "burnish/image_io.hpp"
+#include "core/constants.hpp"
 
 namespace burnish::test {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double median(std::vector<double> values, double share = 0.5) {
     if (values.empty()) return 0.0;

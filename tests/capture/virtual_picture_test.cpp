@@ -11,8 +11,6 @@
 namespace burnish {
 namespace {
 
-using test::kPi;
-
 // A uniform sample; `albedo` in all channels.
 VirtualSample uniform(int side, double albedo, double specular) {
     VirtualSample out;

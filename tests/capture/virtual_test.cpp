@@ -12,7 +12,6 @@
 namespace burnish {
 namespace {
 
-using test::kPi;
 using test::Random;
 
 Vec3d direction(double theta, double phi) {

@@ -6,19 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <sstream>
 
 #include "burnish/image_io.hpp"
 #include "burnish/relight.hpp"
 #include "burnish/tabulated_file.hpp"
 #include "capture/tabulate_sample.hpp"
+#include "core/constants.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kAlong = 0.06, kAcross = 0.35, kRound = 0.25;
 
 // Brushed at `grain`, and round in the last two columns.

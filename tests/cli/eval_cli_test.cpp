@@ -5,18 +5,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "jobs/models/eval.hpp"
 #include "support/program.hpp"
 
 namespace burnish::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // The last `count` fields of every row after the header.
 std::vector<std::vector<std::string>> added_fields(const std::string& table, std::size_t count) {

@@ -6,15 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 
 namespace burnish::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 using Dir = Direction<double>;
 
 Dir towards(double theta, double phi) {

@@ -4,14 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "burnish/virtual_ndf.hpp"
+#include "core/constants.hpp"
 
 namespace burnish::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::vector<float> table_of(const NdfGrid& grid, const VirtualNdf& ndf, double turn) {
     std::vector<float> table;

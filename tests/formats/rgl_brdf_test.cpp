@@ -6,9 +6,9 @@
 
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <random>
 
+#include "core/constants.hpp"
 #include "formats/bsdf/spectral_rgb.hpp"
 #include "support/bsdf_writer.hpp"
 #include "support/test_folder.hpp"
@@ -17,7 +17,6 @@ namespace burnish::test {
 namespace {
 
 using Dir = Direction<double>;
-constexpr double kPi = std::numbers::pi;
 
 RglBrdf parse(const std::vector<TensorPart>& parts) {
     const std::string text = tensor_text(parts);

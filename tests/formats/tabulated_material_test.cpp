@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "burnish/f64.hpp"
 #include "burnish/image_io.hpp"
 #include "burnish/rgl_material.hpp"
 #include "burnish/tabulated_file.hpp"
+#include "core/constants.hpp"
 #include "core/files.hpp"
 #include "image/image_parts.hpp"
 #include "support/bsdf_writer.hpp"
@@ -21,8 +21,6 @@
 
 namespace burnish::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Colours that half floats hold.
 float color_of(int i) {

@@ -6,6 +6,7 @@
 #include "burnish/f64.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/renderer.hpp"
+#include "core/constants.hpp"
 #include "gpu_fixture.hpp"
 #include "test_scene.hpp"
 
@@ -13,8 +14,6 @@ namespace burnish::test {
 namespace {
 
 using f64::vec3;
-
-constexpr double kPi = 3.14159265358979323846;
 
 vec3 to_f64(glm::vec3 v) {
     return {v.x, v.y, v.z};

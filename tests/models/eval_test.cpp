@@ -4,16 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "burnish/brdf_models.hpp"
 #include "burnish/mdf.hpp"
+#include "core/constants.hpp"
 #include "shading/brdf_cases.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Numbers that mean about the same roughness (0.2, 0.5) whatever the distribution.
 std::array<double, 2> numbers_of(Mdf mdf) {

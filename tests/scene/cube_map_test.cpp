@@ -5,12 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/constants.hpp"
 #include "gpu/test_scene.hpp"
 
 namespace burnish::test {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Int L dw over the cells of a lat-long map, each of constant radiance.
 double latlong_integral(const Image& map) {

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "burnish/f64.hpp"
+#include "core/constants.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double lobe_value(const f64::Lobe& lobe, double theta, double phi) {
     const f64::Perturbation p = f64::perturb_make(f64::kMethodNone, {0, 0, 1}, true, false);

@@ -9,12 +9,11 @@
 #include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
 #include "burnish/shading_names.hpp"
+#include "core/constants.hpp"
 
 namespace burnish::test {
 
 using f64::vec3;
-
-inline constexpr double kPi = 3.14159265358979323846;
 
 struct LobeCase {
     int mdf;

@@ -1,13 +1,12 @@
 #include "bsdf_writer.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "core/constants.hpp"
 
 namespace burnish::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 template <typename Number>
 void append(std::string& text, Number value) {
