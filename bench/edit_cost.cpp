@@ -10,6 +10,7 @@
 #include "burnish/context.hpp"
 #include "burnish/environments.hpp"
 #include "burnish/image_io.hpp"
+#include "burnish/prepared_environment.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/renderer.hpp"
 #include "report.hpp"

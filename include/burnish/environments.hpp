@@ -6,11 +6,9 @@
 // nothing else.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "burnish/api.hpp"
-#include "burnish/progress.hpp"
 #include "burnish/scene.hpp"
 
 namespace BURNISH_API burnish {
@@ -18,15 +16,5 @@ namespace BURNISH_API burnish {
 // .hdr, .exr (or any allowed image) lat-long, or "builtin:studio" (soft boxes in a dark room; the
 // default), "builtin:white" (constant 1, the furnace), "builtin:black".
 Environment load_environment(const std::string& path_or_builtin);
-
-// An environment and the maps that a renderer draws from: a cube of radiance with its mips and one
-// of irradiance. It never changes, so that several threads and renderers may share it.
-struct PreparedEnvironment;
-
-// Works out those maps on the processor; no context is needed, so that a thread of its own may do
-// it while frames are drawn. Throws Error for an empty picture, Interrupted when `progress` is
-// cancelled.
-std::shared_ptr<const PreparedEnvironment> prepare_environment(Environment environment,
-                                                               const Progress& progress = {});
 
 }  // namespace burnish

@@ -26,7 +26,7 @@
 #include "burnish/api.hpp"
 #include "burnish/context.hpp"
 #include "burnish/display.hpp"
-#include "burnish/environments.hpp"
+#include "burnish/prepared_environment.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "burnish/environments.hpp"
+#include "burnish/prepared_environment.hpp"
 
 namespace burnish {
 
