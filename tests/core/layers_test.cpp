@@ -131,6 +131,7 @@ const std::map<std::string, std::string> kPublic = {
     {"weave_maps", "maps"},
     {"mesh", "scene"},
     {"parameters", "scene"},
+    {"prepared_environment", "scene"},
     {"render_settings", "scene"},
     {"scene", "scene"},
     {"surface", "scene"},
