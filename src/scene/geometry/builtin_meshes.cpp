@@ -134,6 +134,7 @@ Mesh make_cylinder(int triangles) {
         8, static_cast<int>(std::lround((triangles > 0 ? triangles : 50000) / (2.0 * kRings))));
     const double flat = kRadius - kFillet, straight = kHalfHeight - kFillet;
     std::vector<ProfilePoint> profile;
+    profile.reserve(kRings + 1);
     for (int i = 0; i < kCapSteps; ++i)
         profile.push_back({flat * i / kCapSteps, kHalfHeight, 0.0, 1.0, 0.0});
     add_fillet(profile, flat, straight, kFillet, 0.0, kFilletSteps);

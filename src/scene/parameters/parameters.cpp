@@ -30,7 +30,7 @@ using Kind = ParameterKind;
 // The start of an error line: `where` itself when it already ends in the parameter's name (a flag,
 // a key path of a scene file), else `where` and the name, else the flag.
 std::string place_of(std::string_view name, std::string_view where) {
-    const std::string flag = flag_of(name);
+    std::string flag = flag_of(name);
     if (where.empty()) return flag;
     const std::string_view dashed = std::string_view(flag).substr(2);
     if (where.ends_with(name) || where.ends_with(dashed)) return std::string(where);
