@@ -78,6 +78,7 @@ DeviceScene::Placement DeviceScene::placement(const Instances& instances,
                                               const std::vector<MeshSlot>& meshes,
                                               std::size_t materials) const {
     std::vector<Bounds> boxes;
+    boxes.reserve(meshes.size());
     for (const MeshSlot& mesh : meshes) boxes.push_back(mesh.bounds);
     std::vector<DrawItem> items = draw_items(instances, boxes, materials, name_);
     const Bounds bounds = gpu::bounds_of(items);
