@@ -14,13 +14,13 @@ namespace burnish {
 namespace {
 
 // Value of each base64 digit, -1 for everything else.
-constexpr std::array<signed char, 256> base64_values() {
-    std::array<signed char, 256> values{};
+constexpr std::array<int, 256> base64_values() {
+    std::array<int, 256> values{};
     values.fill(-1);
     constexpr std::string_view kDigits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t i = 0; i < kDigits.size(); ++i)
-        values[static_cast<unsigned char>(kDigits[i])] = static_cast<signed char>(i);
+        values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
     return values;
 }
 constexpr auto kBase64 = base64_values();
