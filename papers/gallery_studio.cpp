@@ -62,7 +62,7 @@ PictureSpec PictureSpec::with(const std::vector<std::pair<std::string, std::stri
     PictureSpec copy = *this;
     for (const auto& [name, value] : more) {
         const auto found = std::find_if(copy.parameters.begin(), copy.parameters.end(),
-                                        [&](const auto& p) { return p.first == name; });
+                                        [&key = name](const auto& p) { return p.first == key; });
         if (found != copy.parameters.end())
             found->second = value;
         else
