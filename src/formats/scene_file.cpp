@@ -165,16 +165,16 @@ LightType read_light_type(const JsonPlace& place) {
 
 Light read_light(const JsonPlace& place) {
     using Keys = std::vector<std::string_view>;
-    static const Keys kDirectional = {"type", "color", "intensity", "direction"};
-    static const Keys kPoint = {"type", "color", "intensity", "position", "range"};
-    static const Keys kSpot = {"type",  "color",     "intensity",      "position",
-                               "range", "direction", "inner_cone_deg", "outer_cone_deg"};
+    static const Keys directional_keys = {"type", "color", "intensity", "direction"};
+    static const Keys point_keys = {"type", "color", "intensity", "position", "range"};
+    static const Keys spot_keys = {"type",  "color",     "intensity",      "position",
+                                   "range", "direction", "inner_cone_deg", "outer_cone_deg"};
     place.require_object();
     Light light;
     light.type = read_light_type(place.at("type"));
     const bool directional = light.type == LightType::directional;
     const bool spot = light.type == LightType::spot;
-    place.require_object(directional ? kDirectional : spot ? kSpot : kPoint);
+    place.require_object(directional ? directional_keys : spot ? spot_keys : point_keys);
     if (place.has("color")) light.color = read_color(place.at("color"));
     if (place.has("intensity"))
         light.intensity = static_cast<float>(place.at("intensity").number(0.0, 1e9));

@@ -42,6 +42,7 @@ class Numbering {
 
 std::vector<int> numbers_of(const std::vector<glm::vec3>& colors, Numbering<Code>& table) {
     std::vector<int> numbers;
+    numbers.reserve(colors.size());
     for (const glm::vec3& color : colors) numbers.push_back(table(code_of(color)));
     return numbers;
 }
@@ -65,6 +66,7 @@ std::string palette_text(const std::vector<Code>& codes) {
 
 std::vector<bool> column(const Draft& draft, int end) {
     std::vector<bool> ups;
+    ups.reserve(static_cast<std::size_t>(draft.picks));
     for (int pick = 0; pick < draft.picks; ++pick) ups.push_back(draft.is_warp_up(end, pick));
     return ups;
 }
@@ -85,6 +87,7 @@ std::string liftplan_text(const Draft& draft, const std::vector<std::vector<bool
 std::string wif_text(const Draft& draft) {
     Numbering<std::vector<bool>> shafts;
     std::vector<int> threading;
+    threading.reserve(static_cast<std::size_t>(draft.ends));
     for (int end = 0; end < draft.ends; ++end) threading.push_back(shafts(column(draft, end)));
     Numbering<Code> table;
     const std::vector<int> warp = numbers_of(draft.warp_colors, table);
