@@ -88,8 +88,7 @@ float direct_match(const Tables& t, std::size_t p, std::size_t e) {
 // of every exemplar, the nearest ones compared directly at their turn.
 class SlidesSearch {
   public:
-    explicit SlidesSearch(const Tables& t, std::size_t exemplars)
-        : tables_(t), exemplars_(exemplars) {
+    SlidesSearch(const Tables& t, std::size_t exemplars) : tables_(t) {
         const auto cells = static_cast<Eigen::Index>(kGrid.cells());
         const auto count = static_cast<Eigen::Index>(exemplars);
         Eigen::MatrixXf rows(count, cells);
@@ -158,7 +157,6 @@ class SlidesSearch {
     }
 
     const Tables& tables_;
-    std::size_t exemplars_;
     Eigen::MatrixXf basis_, codes_;
     Eigen::VectorXf norms_;
 };

@@ -50,6 +50,7 @@ void measure_loading(Report& report) {
     const TemporaryFolder folder;
     const auto path = folder.write("large.glb", large_glb());
     std::vector<double> times;
+    times.reserve(kRuns);
     for (int i = 0; i < kRuns; ++i) times.push_back(seconds_of([&] { load_gltf(path); }));
     report.rows.push_back(row_of("load a 1 M-triangle glb with four 4096x4096 PNGs", 3.0, times));
 }
@@ -61,6 +62,7 @@ void measure_first_picture(Report& report) {
         "--normal-map builtin:bumps --metal steel -o \"{}\" > /dev/null",
         BURNISH_PROGRAM, (folder.path() / "first.png").string());
     std::vector<double> times;
+    times.reserve(kRuns);
     for (int i = 0; i < kRuns; ++i)
         times.push_back(seconds_of([&] {
             if (std::system(command.c_str()) != 0) throw std::runtime_error("render failed");

@@ -109,6 +109,7 @@ std::span<const Technique> techniques() {
 
 const Technique& technique_named(std::string_view name, std::string_view where) {
     std::vector<std::string_view> names;
+    names.reserve(kTechniques.size());
     for (const Technique& technique : kTechniques) names.push_back(technique.name);
     const int index = index_of_name(names, name, "technique", where);
     return kTechniques[static_cast<std::size_t>(index)];
