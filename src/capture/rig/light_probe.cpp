@@ -118,6 +118,7 @@ void average(const std::vector<Pixel>& spot, std::size_t core, const View& view,
     const double solid_angle = 4.0 * static_cast<double>(core) / (circle.radius * circle.radius);
     const double least_cosine = 1.0 - 1.5 * solid_angle / (2.0 * std::numbers::pi);
     std::vector<Vec3d> directions;
+    directions.reserve(spot.size());
     for (const Pixel& pixel : spot)
         directions.push_back(
             probe_reflection(circle, view.left + pixel.x + 0.5, view.top + pixel.y + 0.5));

@@ -93,7 +93,7 @@ class Reader {
     std::string kind() const {
         if (!has("lightConfiguration")) return has("directions") ? "directional" : "lights3d";
         const JsonPlace place = root_.at("lightConfiguration");
-        const std::string name = place.text();
+        std::string name = place.text();
         if (std::find(kKinds.begin(), kKinds.end(), name) == kKinds.end())
             place.fail("directional, spherical or lights3d");
         return name;

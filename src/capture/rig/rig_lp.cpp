@@ -128,12 +128,12 @@ class Reader {
     // The file may have been written on another machine, with its folders: what is there of them is
     // followed, as far as the name alone.
     std::filesystem::path find_image(std::string name) const {
-        const std::filesystem::path given = folder_ / name;
+        std::filesystem::path given = folder_ / name;
         if (is_there(given)) return given;
         for (char& c : name)
             if (c == '\\') c = '/';
         for (std::size_t start = 0; start < name.size();) {
-            const std::filesystem::path here = folder_ / name.substr(start);
+            std::filesystem::path here = folder_ / name.substr(start);
             if (is_there(here)) return here;
             const std::size_t slash = name.find('/', start);
             if (slash == name.npos) break;

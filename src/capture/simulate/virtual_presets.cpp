@@ -165,6 +165,7 @@ Vec3d waving_normal(double u, double v, double tilt_deg) {
 std::span<const VirtualPreset> virtual_presets() {
     static const std::vector<VirtualPreset> all = [] {
         std::vector<VirtualPreset> list;
+        list.reserve(kEntries.size());
         for (const Entry& entry : kEntries) list.push_back(entry.preset);
         return list;
     }();
@@ -173,6 +174,7 @@ std::span<const VirtualPreset> virtual_presets() {
 
 VirtualSample make_virtual_sample(std::string_view preset, const VirtualSettings& settings) {
     std::vector<std::string_view> names;
+    names.reserve(kEntries.size());
     for (const Entry& entry : kEntries) names.push_back(entry.preset.name);
     const int index = index_of_name(names, preset, "material", "capture simulate");
     const Recipe recipe = kEntries[static_cast<std::size_t>(index)].make();
