@@ -11,7 +11,7 @@
 #include "burnish/renderer.hpp"
 #include "gpu_fixture.hpp"
 #include "maps/weave/weave_cells.hpp"
-#include "scene/material/material_lobe.hpp"
+#include "scene/material/material_values.hpp"
 #include "tabulated_scenes.hpp"
 #include "test_scene.hpp"
 

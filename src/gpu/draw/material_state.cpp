@@ -7,7 +7,7 @@
 #include "burnish/f32.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "gpu/upload/cloth_maps.hpp"
-#include "scene/material/material_lobe.hpp"
+#include "scene/material/material_values.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -21,6 +21,10 @@ std::array<const TextureUse*, kMaterialTextures> uses_of(const Material& m) {
 constexpr std::array<const char*, kMaterialTextures> kSamplers = {
     "u_base_color_map", "u_metallic_roughness_map", "u_normal_map",
     "u_occlusion_map",  "u_emissive_map",           "u_anisotropy_map"};
+
+glm::vec3 of(f32::vec3 v) {
+    return {v.x, v.y, v.z};
+}
 
 // The rows of (u', v', 1) = transform (u, v, 1) that matter.
 glm::vec3 row(const glm::mat3& m, int r) {
@@ -91,11 +95,14 @@ void bind_textures(const Material& material, TextureStore& textures) {
 
 SurfaceVariant variant_of(const Material& m, const TextureStore::Slots& textures,
                           bool with_normal_map) {
+    const auto values = material_values<f32::SurfaceMaterial>(m);
     SurfaceVariant v;
     v.mdf = m.mdf;
     v.brdf = m.brdf;
-    v.conductor = m.conductor.has_value();
-    v.metal = v.conductor || (m.metallic >= 1.0f && !m.metallic_roughness_texture);
+    v.tabulated = tabulated_of(m) != nullptr;
+    v.conductor = values.surface.fresnel == f32::kFresnelConductor;
+    // A texture scales the metallic factor down.
+    v.metal = !values.surface.has_diffuse && (v.conductor || !m.metallic_roughness_texture);
     v.base_color_map = static_cast<bool>(m.base_color_texture);
     v.metallic_roughness_map = static_cast<bool>(m.metallic_roughness_texture);
     v.normal_map = with_normal_map && m.normal_texture;
@@ -106,49 +113,45 @@ SurfaceVariant variant_of(const Material& m, const TextureStore::Slots& textures
     v.emissive_map = static_cast<bool>(m.emissive_texture);
     v.anisotropy_map = static_cast<bool>(m.anisotropy_texture);
     v.lobe_from_texture = gltf_lobe_of(m) && (v.metallic_roughness_map || v.anisotropy_map);
-    const f32::Lobe lobe = lobe_of(m);
-    v.grooves_along_x =
-        v.lobe_from_texture || f32::lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);
+    v.grooves_along_x = v.lobe_from_texture || values.grooves_along_x;
     v.turned = m.anisotropy_rotation != 0.0f || v.anisotropy_map || cloth_of(m);
     v.cloth = with_normal_map && cloth_of(m);
     v.cloth_colors = v.cloth && has_yarn_colors(*cloth_of(m));
-    v.tabulated = tabulated_of(m) != nullptr;
     if (v.tabulated) {
-        v.turned = v.grooves_along_x = true;  // tabulated_texels.glsl turns the lobe to them
-        v.conductor = v.metal = v.lobe_from_texture = false;
+        v.turned = true;  // tabulated_texels.glsl turns the lobe to its grooves
         v.brdf = Brdf::microfacet_separable;
     }
     v.uv_per_texture = uses_differ(m);
     v.alpha_mode = m.alpha_mode;
     // Without a perturbed normal all methods are one.
-    v.method = v.normal_map || v.cloth || v.tabulated ? drawn_method(m) : Method::none;
-    v.conserve = m.conserve && v.method == Method::deform_smooth;
+    v.method = v.normal_map || v.cloth || v.tabulated ? values.method : Method::none;
+    v.conserve = values.conserve && v.method != Method::none;
     return v;
 }
 
 void set_material(Program& program, const Material& m, const TextureStore& textures,
                   float lod_bias) {
-    const f32::Lobe lobe = lobe_of(m);
+    const auto values = material_values<f32::SurfaceMaterial>(m);
+    const f32::SurfaceMaterial& surface = values.surface;
     const GltfLobe gltf = gltf_lobe_of(m) ? *gltf_lobe_of(m) : GltfLobe{};
-    const Conductor conductor = m.conductor.value_or(Conductor{});
-    // Yarns bring their own.
-    program.set("u_base_color",
-                cloth_of(m) ? glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a) : m.base_color);
-    program.set("u_metallic", m.metallic);
+    program.set("u_base_color", glm::vec4(of(values.base_color), m.base_color.a));
+    program.set("u_metallic", values.metallic);
     program.set("u_roughness", gltf.roughness);
     program.set("u_anisotropy", gltf.anisotropy_strength);
-    program.set("u_anisotropy_direction",
-                glm::vec2(std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation)));
+    program.set("u_anisotropy_direction", glm::vec2(values.stretch.x, values.stretch.y));
     program.set("u_emissive", m.emissive);
     program.set("u_occlusion_strength", m.occlusion_strength);
     program.set("u_normal_scale",
                 glm::vec2(m.normal_scale, m.flip_green ? -m.normal_scale : m.normal_scale));
+    const f32::Lobe& lobe = surface.lobe;
     program.set("u_lobe", glm::vec4(lobe.p0, lobe.p1, lobe.paper_norm, lobe.projected_norm));
-    program.set("u_eta", conductor.eta);
-    program.set("u_k", conductor.k);
-    program.set("u_dielectric_f0", m.dielectric_f0);
-    program.set("u_ks", m.ks.value_or(-1.0f));
-    program.set("u_lafortune_c", m.lafortune_c);
+    program.set("u_eta", of(surface.eta));
+    program.set("u_k", of(surface.k));
+    program.set("u_dielectric_f0", surface.dielectric_f0);
+    program.set("u_ks", surface.ks);
+    program.set("u_lafortune_c", of(surface.c));
+    // Refractive index (0: no Fresnel) and 1/F at normal incidence.
+    program.set("u_tabulated_fresnel", glm::vec2(surface.eta.x, surface.k.x));
     program.set("u_alpha_cutoff", m.alpha_cutoff);
     program.set("u_lod_bias", lod_bias);
     // Phong's exponent from the mean alpha, for the Gouraud variant.

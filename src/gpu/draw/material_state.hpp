@@ -5,7 +5,6 @@
 #include "gpu/device/program.hpp"
 #include "gpu/draw/surface_variant.hpp"
 #include "gpu/upload/texture_upload.hpp"
-#include "scene/material/material_lobe.hpp"
 
 namespace burnish::gpu {
 

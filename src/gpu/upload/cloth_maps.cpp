@@ -11,7 +11,7 @@
 #include "burnish/error.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "maps/weave/cloth_levels.hpp"
-#include "scene/material/material_lobe.hpp"
+#include "scene/material/material_values.hpp"
 
 namespace burnish::gpu {
 namespace {

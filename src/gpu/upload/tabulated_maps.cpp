@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "burnish/f32.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "scene/material/tabulated_images.hpp"
 
@@ -79,8 +78,6 @@ void TabulatedMaps::bind(Program& program) const {
     program.set("u_tabulated_columns", columns_);
     program.set("u_tabulated_area_rows", area_rows_);
     program.set("u_tabulated_one", m.texels() == 1 ? 1 : 0);
-    const auto eta = static_cast<float>(m.eta);
-    program.set("u_tabulated_fresnel", glm::vec2(eta, f32::fresnel_inverse_at_normal(eta)));
 }
 
 }  // namespace burnish::gpu

@@ -1,9 +1,7 @@
-#include <cmath>
-
 #include "burnish/error.hpp"
 #include "burnish/surface.hpp"
 #include "core/text.hpp"
-#include "scene/material/material_lobe.hpp"
+#include "scene/material/material_values.hpp"
 
 namespace burnish {
 namespace {
@@ -14,28 +12,6 @@ f64::vec3 of(glm::dvec3 v) {
 
 glm::dvec3 of(f64::vec3 v) {
     return {v.x, v.y, v.z};
-}
-
-// The values that the renderer's uniforms and constants hold (gpu/draw/material_state.cpp), in
-// double precision.
-f64::SurfaceMaterial values_of(const Material& m) {
-    const int brdf = static_cast<int>(m.brdf);
-    const int mdf = f64::brdf_mdf(brdf, static_cast<int>(m.mdf));
-    const glm::vec2 alpha = alpha_of(m);
-    const f64::Lobe lobe =
-        f64::lobe_from_alpha(mdf, static_cast<double>(alpha.x), static_cast<double>(alpha.y));
-    f64::SurfaceMaterial s =
-        f64::surface_material(brdf, lobe, static_cast<double>(m.ks.value_or(-1.0f)),
-                              of(glm::dvec3(m.lafortune_c)), static_cast<double>(m.dielectric_f0));
-    s = f64::surface_colored(s, of(glm::dvec3(glm::vec3(m.base_color))),
-                             static_cast<double>(m.metallic));
-    s.has_diffuse = !m.conductor && m.metallic < 1.0f;
-    if (m.conductor) {
-        s.fresnel = f64::kFresnelConductor;
-        s.eta = of(glm::dvec3(m.conductor->eta));
-        s.k = of(glm::dvec3(m.conductor->k));
-    }
-    return s;
 }
 
 void require_point(const Material& m) {
@@ -62,16 +38,15 @@ Method method_named(std::string_view name) {
     return static_cast<Method>(index_of_name(method_names(), name, "method", "method"));
 }
 
-SurfacePoint::SurfacePoint(const Material& material, glm::dvec3 normal)
-    : material_(values_of(material)), normal_(of(normal)) {
+SurfacePoint::SurfacePoint(const Material& material, glm::dvec3 normal) : normal_(of(normal)) {
     require_point(material);
-    const auto rotation = static_cast<double>(material.anisotropy_rotation);
-    stretch_ = f64::vec2(std::cos(rotation), std::sin(rotation));
+    const auto values = material_values<f64::SurfaceMaterial>(material);
+    material_ = values.surface;
+    stretch_ = values.stretch;
     const bool bent = normal.x != 0.0 || normal.y != 0.0;
-    method_ = static_cast<int>(bent ? drawn_method(material) : Method::none);
-    grooves_along_x_ =
-        f64::lobe_grooves_along_x(material_.lobe.mdf, material_.lobe.p0, material_.lobe.p1);
-    conserve_ = material.conserve && material.method == Method::deform_smooth;
+    method_ = static_cast<int>(bent ? values.method : Method::none);
+    grooves_along_x_ = values.grooves_along_x;
+    conserve_ = values.conserve;
 }
 
 f64::vec3 SurfacePoint::local(glm::dvec3 w) const {
