@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 
 #include "edited_scenes.hpp"
 #include "gpu/device/gl.hpp"
@@ -15,41 +16,60 @@ namespace {
 using gpu::Context;
 using gpu::Renderer;
 
-// The host: its own EGL display, context and habits.
+// The host: a context and habits of its own, on the device that a Context of ours is made on. So it is
+// there wherever one of ours is.
 class Host {
   public:
-    explicit Host(bool es) {
-        if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return;
-        display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-        if (!eglInitialize(display_, nullptr, nullptr)) return;
-        if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return;
-        const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
-                                              EGL_RENDERABLE_TYPE,
-                                              es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
+    // Throws Error where no context of the API can be made.
+    explicit Host(bool es) : ours_(-1, es ? gpu::GlApi::es : gpu::GlApi::desktop) {
+        display_ = eglGetCurrentDisplay();
+        const EGLContext model = eglGetCurrentContext();
+        const bool with_surface = eglGetCurrentSurface(EGL_DRAW) != EGL_NO_SURFACE;
+        EGLint id = 0, found = 0;
+        eglQueryContext(display_, model, EGL_CONFIG_ID, &id);
+        const std::array<EGLint, 3> same = {EGL_CONFIG_ID, id, EGL_NONE};
         EGLConfig config = nullptr;
-        EGLint found = 0;
-        if (!eglChooseConfig(display_, wanted.data(), &config, 1, &found) || found < 1) return;
+        eglChooseConfig(display_, same.data(), &config, 1, &found);
+        eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
         const std::array<EGLint, 5> version = {EGL_CONTEXT_MAJOR_VERSION, 3,
                                                EGL_CONTEXT_MINOR_VERSION, es ? 0 : 3, EGL_NONE};
         context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version.data());
+        if (with_surface) {
+            const std::array<EGLint, 5> one_pixel = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+            surface_ = eglCreatePbufferSurface(display_, config, one_pixel.data());
+        }
     }
     ~Host() {
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+        release();
+        eglDestroyContext(display_, context_);
+        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);
     }
-    bool make_current() const {
-        return context_ != EGL_NO_CONTEXT &&
-               eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
-    }
+    Host(const Host&) = delete;
+    Host& operator=(const Host&) = delete;
+
+    bool make_current() const { return eglMakeCurrent(display_, surface_, surface_, context_); }
     void release() const {
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
     bool is_current() const { return eglGetCurrentContext() == context_; }
+    Context& ours() { return ours_; }
 
   private:
+    Context ours_;
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
+    EGLSurface surface_ = EGL_NO_SURFACE;
 };
+
+// Skips in words where there is no context, as every test of a GPU.
+std::unique_ptr<Host> host_of(bool es) {
+    try {
+        return std::make_unique<Host>(es);
+    } catch (const Error& error) {
+        [&] { GTEST_SKIP() << "SKIPPED, nothing was tested: " << error.what(); }();
+        return nullptr;
+    }
+}
 
 // The state that Context::adopt_current promises to restore, by its names.
 std::map<GLenum, std::array<GLint, 4>> host_state(bool es) {
@@ -137,8 +157,9 @@ class Adopt : public testing::TestWithParam<bool> {};
 
 TEST_P(Adopt, DrawsAsInAContextOfOurOwnAndLeavesTheHostItsState) {
     const bool es = GetParam();
-    const Host host(es);
-    if (!host.make_current()) GTEST_SKIP() << "SKIPPED, nothing was tested: no such context";
+    const std::unique_ptr<Host> host = host_of(es);
+    if (!host) return;
+    ASSERT_TRUE(host->make_current());
     const Scene scene = busy_scene();
     const Environment sky = sky_environment();
     RenderSettings o = small_picture(40, 30, 2);
@@ -178,18 +199,10 @@ TEST_P(Adopt, DrawsAsInAContextOfOurOwnAndLeavesTheHostItsState) {
         glGetIntegerv(GL_SAMPLER_BINDING, &sampler);
         EXPECT_EQ(sampler, 0);
     }
-    EXPECT_TRUE(host.is_current());  // neither destroyed nor put away
+    EXPECT_TRUE(host->is_current());  // neither destroyed nor put away
     EXPECT_NE(glGetString(GL_VERSION), nullptr);
-    host.release();
-    const auto api = es ? gpu::GlApi::es : gpu::GlApi::desktop;
-    std::unique_ptr<Context> own;
-    try {
-        own = std::make_unique<Context>(-1, api);
-    } catch (const Error& error) {
-        GTEST_SKIP() << "SKIPPED in part: " << error.what();
-    }
-    if (!own->is_software()) GTEST_SKIP() << "SKIPPED in part: the host's device is another";
-    Renderer renderer(*own, scene, &sky);
+    host->release();
+    Renderer renderer(host->ours(), scene, &sky);
     EXPECT_TRUE(equal_pictures(found, renderer.render(camera, o)));
 }
 
@@ -197,19 +210,22 @@ INSTANTIATE_TEST_SUITE_P(Api, Adopt, testing::Bool(),
                          [](const auto& es) { return es.param ? "es" : "desktop"; });
 
 TEST(AdoptNothing, IsRefusedInWords) {
-    if (const Host host(false); host.make_current()) host.release();
-    EXPECT_THROW(Context::adopt_current(), Error);
+    if (const std::unique_ptr<Host> host = host_of(false)) {
+        host->release();
+        EXPECT_THROW(Context::adopt_current(), Error);
+    }
 }
 
 TEST(AdoptTwo, ACallUnderAnotherContextIsRefusedInWords) {
-    const Host first(false), second(false);
-    if (!second.make_current() || !first.make_current())
-        GTEST_SKIP() << "SKIPPED, nothing was tested: no such context";
+    const std::unique_ptr<Host> first = host_of(false), second = host_of(false);
+    if (!first || !second) return;
+    ASSERT_TRUE(second->make_current());
+    ASSERT_TRUE(first->make_current());
     Context context = Context::adopt_current();
     Renderer renderer(context, busy_scene(), nullptr);
-    second.make_current();
+    ASSERT_TRUE(second->make_current());
     EXPECT_THROW(renderer.render(camera_on_z(), small_picture(8, 8)), Error);
-    first.make_current();
+    ASSERT_TRUE(first->make_current());
     EXPECT_NO_THROW(renderer.render(camera_on_z(), small_picture(8, 8)));
 }
 
