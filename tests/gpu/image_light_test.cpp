@@ -67,7 +67,7 @@ TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
     o.background_color = glm::vec3(0);
     o.image_light_samples = 32;
     gpu::Renderer renderer(*context, scene, &furnace);
-    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+    for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         scene.materials[0].method = static_cast<Method>(method);
         renderer.set_materials(scene.materials);
         const Image image = renderer.render(camera_on_z(), o);

@@ -219,7 +219,7 @@ TEST_F(PrefilteredLight, HostileNormalsStayFiniteAndGainNothing) {
     scene.materials[0].normal_texture.nearest = true;
     gpu::Renderer renderer(*context, scene, &furnace);
     for (const glm::vec2 alpha : {glm::vec2(1e-3f, 1.0f), glm::vec2(0.2f, 0.6f)}) {
-        for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+        for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
             scene.materials[0].lobe = AlphaLobe{alpha};
             scene.materials[0].method = static_cast<Method>(method);
             renderer.set_materials(scene.materials);

@@ -64,14 +64,14 @@ TEST_F(Robustness, TexelsThatAreNoNormalsLeaveTheSurfaceUnperturbed) {
 TEST_F(Robustness, ExtremeTiltsInEveryMethodStayFinite) {
     Scene scene = lit_sphere();
     scene.materials[0].normal_scale = 1000.0f;
-    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+    for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         scene.materials[0].method = static_cast<Method>(method);
         expect_finite(scene, name_of(static_cast<Method>(method)).data());
     }
 }
 
 TEST_F(Robustness, ExtremeLobesStayFinite) {
-    for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
+    for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
         for (const glm::vec2 alpha : {glm::vec2(0.0f), glm::vec2(1.0f), glm::vec2(0.001f, 1.0f)}) {
             Scene scene = lit_sphere();
             scene.materials[0].mdf = static_cast<Mdf>(mdf);

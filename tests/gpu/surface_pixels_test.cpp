@@ -148,7 +148,7 @@ TEST_F(SurfacePixels, EveryModelUnderEveryMethod) {
         const bool plain = kind < f32::kMdfGgx;
         const auto mdf = static_cast<Mdf>(plain ? kind : f32::kMdfGgx);
         const auto brdf = static_cast<Brdf>(plain ? 0 : kind - f32::kMdfGgx);
-        for (int method = 0; method <= f32::kMethodDeformSmooth; ++method) {
+        for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
             if (!f32::brdf_takes_method(static_cast<int>(brdf), method)) continue;
             const Material m = material_of(brdf, mdf, static_cast<Method>(method));
             const f32::SurfaceMaterial surface = surface_of(m, glm::vec3(m.base_color));
@@ -172,7 +172,7 @@ TEST_F(SurfacePixels, TabulatedUnderEveryMethod) {
     t.diffuse.pixels = {0.25f, 0.125f, 0.5f};
     t.specular.pixels = {0.5f, 0.25f, 0.75f};
     const std::vector<float> areas = ndf_areas(t.grid, t.table(0));
-    for (int method = 0; method <= f32::kMethodDeformSmooth; ++method) {
+    for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         Material m = material_of(Brdf::microfacet_separable, Mdf::ggx, static_cast<Method>(method));
         m.metallic = 0.0f;
         m.lobe = Tabulated{std::make_shared<const TabulatedMaterial>(t), {}};
@@ -208,7 +208,7 @@ TEST_F(SurfacePixels, TabulatedUnderEveryMethod) {
 
 // A yarn at a point: its fibres are the stretch, its surface the normal.
 TEST_F(SurfacePixels, YarnsUnderEveryMethod) {
-    for (int method = 0; method <= f32::kMethodDeformSmooth; ++method) {
+    for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         for (const Brdf brdf : {Brdf::microfacet, Brdf::phong}) {
             if (!f32::brdf_takes_method(static_cast<int>(brdf), method)) continue;
             Material m = material_of(brdf, Mdf::ggx, static_cast<Method>(method));

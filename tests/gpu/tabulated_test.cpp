@@ -149,7 +149,7 @@ TEST_F(TabulatedLookUp, DrawsHaveTheDensityThatTheySay) {
                                              std::floor(i * 2654435769.0 / 4294967296.0)),
                           0.0f});
     }
-    for (int method = 0; method < 9; ++method) {
+    for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         const f64::Perturbation p = f64::perturb_make(
             method, f64::normalize(f64::vec3(0.2564, -0.2267, 0.9396)), true, false);
         double exact[2] = {0, 0};

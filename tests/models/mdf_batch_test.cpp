@@ -80,9 +80,9 @@ double allowed(double value, double peak) {
 
 template <typename Float>
 void expect_as_scalar(std::size_t count) {
-    for (int mdf = 0; mdf < 4; ++mdf) {
+    for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
         Columns<Float> columns = cases<Float>(static_cast<Mdf>(mdf), count);
-        for (int method = 0; method < 9; ++method) {
+        for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
             mdf_values(static_cast<Mdf>(mdf), static_cast<Method>(method), columns.rows(),
                        columns.results());
             for (std::size_t i = 0; i < count; ++i) {
@@ -152,9 +152,9 @@ TEST(MdfBatch, OneLobeForAllIsTheSameAsInEveryRow) {
 // The kernels that other processors get.
 TEST(MdfBatch, BaselineAgreesWithTheBestInstructions) {
     constexpr std::size_t count = 203;
-    for (int mdf = 0; mdf < 4; ++mdf) {
+    for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
         Columns<double> columns = cases<double>(static_cast<Mdf>(mdf), count);
-        for (int method = 0; method < 9; ++method) {
+        for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
             mdf_values(static_cast<Mdf>(mdf), static_cast<Method>(method), columns.rows(),
                        columns.results());
             std::vector<double> D(count), D_proj(count), D_conserving(count);

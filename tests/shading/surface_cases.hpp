@@ -177,7 +177,7 @@ inline SurfaceCase surface_case(const std::string& name, int brdf, int mdf, doub
 // Wide enough that quadrature on a fixed grid finds them.
 inline std::vector<SurfaceCase> surface_cases() {
     std::vector<SurfaceCase> cases;
-    for (int mdf = 0; mdf <= f64::kMdfGgx; ++mdf) {
+    for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
         cases.push_back(surface_case("microfacet " + std::to_string(mdf), f64::kBrdfMicrofacet, mdf,
                                      0.25, 0.6, 0.3));
     }

@@ -29,7 +29,7 @@ SurfaceVariant with_everything() {
 // Every method with one lobe, every lobe with one method, every switch at least once each way.
 std::vector<SurfaceVariant> variants() {
     std::vector<SurfaceVariant> list;
-    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+    for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         SurfaceVariant v;
         v.method = static_cast<Method>(method);
         v.normal_map = true;
@@ -41,8 +41,8 @@ std::vector<SurfaceVariant> variants() {
         v.image_light = 3;
         list.push_back(v);
     }
-    for (int brdf = 0; brdf <= static_cast<int>(Brdf::lafortune); ++brdf) {
-        for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
+    for (int brdf = 0; brdf < static_cast<int>(brdf_names().size()); ++brdf) {
+        for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
             SurfaceVariant v;
             v.brdf = static_cast<Brdf>(brdf);
             v.mdf = static_cast<Mdf>(mdf);
@@ -64,7 +64,7 @@ std::vector<SurfaceVariant> variants() {
             list.push_back(v);
         }
     }
-    for (int method = 0; method <= static_cast<int>(Method::deform_smooth); ++method) {
+    for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         SurfaceVariant v = method % 2 == 0 ? with_everything() : SurfaceVariant();
         v.method = static_cast<Method>(method);
         v.tabulated = v.turned = true;
@@ -77,7 +77,7 @@ std::vector<SurfaceVariant> variants() {
     }
     SurfaceVariant v = with_everything();
     list.push_back(v);
-    for (int mdf = 0; mdf <= static_cast<int>(Mdf::ggx); ++mdf) {
+    for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
         v.mdf = static_cast<Mdf>(mdf);
         v.normal_moments = true;
         list.push_back(v);
