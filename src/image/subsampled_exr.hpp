@@ -1,5 +1,5 @@
 // OpenEXR pictures of luminance and subsampled chroma (channels Y, RY, BY), which OpenImageIO 2.4
-// refuses; release 3 reads them, and this file can go with it. Private to the image reader.
+// refuses. Private to the image reader.
 #pragma once
 
 #include <cstddef>
