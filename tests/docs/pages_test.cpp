@@ -191,6 +191,27 @@ TEST(Pages, CodeSpansEndOnTheirLine) {
     expect_none(faults);
 }
 
+// The segments of a JPEG file before its picture: names of tables, sizes, the file type, and Adobe's.
+// Others hold texts about the machine and the command that made it.
+TEST(Pages, PicturesCarryNoMetadata) {
+    int pictures = 0;
+    for (const fs::path& file : files_below(kRoot / "docs")) {
+        if (file.extension() != ".jpg") continue;
+        ++pictures;
+        std::ifstream stream(file, std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        const auto byte = [&](std::size_t i) {
+            return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0xda;
+        };
+        for (std::size_t i = 2; byte(i + 1) != 0xda; i += 2 + 256u * byte(i + 2) + byte(i + 3)) {
+            const int marker = byte(i + 1);
+            const bool text = marker == 0xfe || (marker > 0xe0 && marker <= 0xef && marker != 0xee);
+            EXPECT_FALSE(text) << file << " has the segment " << std::hex << marker;
+        }
+    }
+    EXPECT_GT(pictures, 0);
+}
+
 TEST(Pages, TheContentsOfTheSiteNameEveryPage) {
     std::ifstream in(kRoot / "mkdocs.yml");
     const std::string contents(std::istreambuf_iterator<char>(in), {});
