@@ -174,13 +174,15 @@ std::vector<int> member_counts(const Exemplars& all, const std::vector<Candidate
     return counts;
 }
 
+// The one with the most members stays, even without any: where no point shows a highlight.
 void drop_small(Exemplars& all, const std::vector<Candidate>& assigned) {
     const std::vector<int> counts = member_counts(all, assigned);
-    const int fewest =
-        std::min<int>(kFewestMembers, *std::max_element(counts.begin(), counts.end()));
+    const auto largest = std::max_element(counts.begin(), counts.end());
+    const int fewest = std::clamp(*largest, 1, kFewestMembers);
     std::vector<int> kept;
     for (int e = 0; e < all.count; ++e)
-        if (counts[static_cast<std::size_t>(e)] >= std::max(fewest, 1)) kept.push_back(e);
+        if (counts[static_cast<std::size_t>(e)] >= fewest) kept.push_back(e);
+    if (kept.empty()) kept.push_back(static_cast<int>(largest - counts.begin()));
     all = only(all, kept);
 }
 

@@ -39,6 +39,9 @@ std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
 // its largest value when that value is the largest of the whole stack and at least this many of the
 // picture's samples have it: samples of an unclipped sensor hardly ever agree in all bits.
 inline constexpr int kRepeatsOfClipping = 8;
+// The same for the largest share of a picture's samples: a picture of one value shows an even card
+// rather than the end of its sensor.
+inline constexpr double kMostOfClipping = 0.5;
 
 struct StackCensus {
     double clipped_share = 0.0;  // of all samples within the mask

@@ -99,9 +99,11 @@ void write_stack(int file, const std::string& name, const StackSource& source,
         write_light(file, header, k, coded.codes, name);
     }
     std::vector<std::uint8_t> clips(scales.size(), 0);
+    const double per_picture =
+        counted / static_cast<double>(std::max<std::size_t>(scales.size(), 1));
     for (std::size_t k = 0; k < scales.size(); ++k)
         if (static_cast<double>(scales[k]) == header.brightest && at_top[k] >= kRepeatsOfClipping &&
-            scales[k] > 0.0f) {
+            at_top[k] <= kMostOfClipping * per_picture && scales[k] > 0.0f) {
             clips[k] = 1;
             clipped += at_top[k];
         }
