@@ -17,11 +17,11 @@ namespace burnish {
 
 namespace {
 
-// Pixels whose sums are added together: sums of tiles are merged in order, so that they do not
-// depend on the threads.
+// Pixels of a tile. The sums of tiles are merged in order, so that results do not depend on the
+// number of threads.
 constexpr std::size_t kTile = 64;
 
-// Of luminance, over the samples that count.
+// Errors of luminance over the valid samples.
 struct Sums {
     std::vector<SquaredError> errors;  // of the material, then of each analytic model
     double peak = 0.0;                 // the brightest photographed sample

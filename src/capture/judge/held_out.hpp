@@ -1,5 +1,5 @@
-// How well a fit predicts pictures that took no part in it, those of the lights that were held out,
-// beside the analytic models that were fitted to the same pictures.
+// Errors of a fit on the pictures of held-out lights, which took no part in it, and the same errors
+// of the analytic models that were fitted to the same pictures.
 #pragma once
 
 #include <string>
@@ -12,19 +12,19 @@
 
 namespace burnish {
 
-// Of luminance, over the samples of held-out lights that are not clipped and whose light stands
-// above the point's horizon.
+// Errors of luminance over the valid samples of held-out lights: not clipped, and of a light above
+// the point's horizon.
 struct HeldOutError {
     std::string model;        // "tabulated" or one of parametric_model_names()
-    std::size_t samples = 0;  // that count
+    std::size_t samples = 0;  // the number of valid samples
     double peak = 0.0;        // the brightest of them, in the pictures' units
     double rmse = 0.0;        // in the pictures' units; 0 without samples
     double psnr =
         0.0;  // dB relative to `peak`: infinite for an RMSE of 0, not a number without samples
 };
 
-// `keep`: 1 for lights that took part (fitted_lights). Models whose maps the material lacks are
-// left out; without a held-out light the list is empty.
+// `keep`: 1 for lights that took part (fitted_lights). Omits models whose maps the material lacks;
+// returns an empty list if no light was held out.
 std::vector<HeldOutError> held_out_errors(const ImageStack& stack, const Rig& rig,
                                           const TabulatedMaterial& material,
                                           const std::vector<std::uint8_t>& keep,

@@ -16,8 +16,8 @@ Vec3d normal_of(const TabulatedMaterial& m, std::size_t texel) {
     return {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
 }
 
-// `v` in the frame of the table: the frame of the sample after the shortest rotation from z to the
-// normal, rotated about the normal by the texel's angle.
+// Transforms directions to the frame of the table: the frame of the sample after the shortest
+// rotation from z to the normal, then rotated about the normal by the texel's angle.
 class TableFrame {
   public:
     TableFrame(const Vec3d& n, double angle)
@@ -37,7 +37,7 @@ class TableFrame {
 };
 
 double table_at(const NdfGrid& grid, const float* table, const Vec3d& h) {
-    // From the tangent: near the normal a cosine loses the angle's digits.
+    // From the tangent: the cosine loses the angle's digits near the normal.
     const double theta = std::atan2(std::hypot(h[0], h[1]), h[2]);
     return static_cast<double>(ndf_lookup(grid, table,
                                           static_cast<float>(std::sqrt(theta * (2 / kPi))),

@@ -1,5 +1,5 @@
-// How far rendered pictures are from those of a stack: RMSE and PSNR, a light at a time, so that
-// neither stack is ever in memory.
+// RMSE and PSNR between rendered pictures and those of a stack, one light at a time, so that
+// neither stack is completely in memory.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace burnish {
 
 struct LightError {
-    std::size_t samples = 0;  // that count: within the mask and not clipped
+    std::size_t samples = 0;  // valid samples: within the mask and not clipped
     double rmse = 0.0;        // 0 without samples
     double psnr = 0.0;        // dB, infinite for an RMSE of 0; not a number without samples
 };
@@ -22,10 +22,10 @@ struct LightError {
 struct StackError {
     std::vector<LightError> lights;
     std::size_t samples = 0;
-    double peak = 0.0;  // the brightest sample that counts: what PSNR is relative to
+    double peak = 0.0;  // the brightest valid sample, the reference of PSNR
     double rmse = 0.0;  // over all samples
     double psnr_median = 0.0, psnr_mean = 0.0, psnr_worst = 0.0;  // of lights with samples
-    std::size_t worst = 0;                                        // light
+    std::size_t worst = 0;                                        // index of that light
 };
 
 class StackComparison {
@@ -34,15 +34,15 @@ class StackComparison {
     // material or cannot be read.
     StackComparison(const Rig& stack, const TabulatedMaterial& material);
 
-    // Reads the picture of the light and adds up.
+    // Reads the picture of the light and adds the errors of `rendered`.
     void add(std::size_t light, const Image& rendered);
 
-    // After all lights. Throws Error when no sample counts or all are black.
+    // After all lights. Throws Error if no sample is valid or all are black.
     StackError result() const;
 
   private:
-    // Samples at the light's largest value are summed apart: whether they are clipped can be told
-    // only once all pictures are known (kRepeatsOfClipping in image_stack.hpp).
+    // Samples at the light's largest value are summed separately: only after all pictures it is
+    // known whether they are clipped (kRepeatsOfClipping in image_stack.hpp).
     struct Sums {
         SquaredError all, at_top;
         double top = 0.0, next = 0.0;  // the largest value, and the largest below it

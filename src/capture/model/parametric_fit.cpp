@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kNames = {"ward-isotropic", "ward", "ggx",
                                                     "ashikhmin-shirley"};
-// Bounds of both alphas. Lights a few degrees apart resolve nothing narrower than the least; wider
-// than the most, a lobe cannot be told from diffuse light.
+// Bounds of both alphas. Lights a few degrees apart do not resolve a lobe narrower than the lower
+// bound. A lobe wider than the upper bound cannot be distinguished from diffuse light.
 constexpr float kLeastAlpha = 0.01f, kMostAlpha = 1.2f;
 
 // ln alpha along the groove, ln alpha across it, the groove in radians.
@@ -29,7 +29,7 @@ bool is_ward(ParametricModel model) {
 struct Lobe {
     int brdf;
     f32::Lobe lobe;
-    float cosine, sine;  // of the groove
+    float cosine, sine;  // of the groove's angle
     float eta;
 };
 
@@ -56,7 +56,8 @@ float shape(const Lobe& l, const f32::Perturbation& flat, const Vec3f& i, const 
     return f32::brdf_eval(l.brdf, l.lobe, flat, wi, wo);
 }
 
-// One point's samples of luminance beside what a model with given alphas and groove makes of them.
+// The luminance samples of one point and the model's prediction of them for given alphas and
+// groove.
 class Problem {
   public:
     Problem(ParametricModel model, const PointSamples& samples, float eta)
@@ -81,7 +82,7 @@ class Problem {
             shape_[q] = fresnel_[q] * shape(lobe, flat_, samples_.to_light[q], samples_.to_eye);
     }
 
-    // Samples less the model with the strengths that fit best.
+    // Samples minus the model's values, with the strengths that minimize the sum of their squares.
     void residuals(const Parameters& p, Eigen::VectorXd& out) {
         shapes(p);
         float diffuse = 0.0f, specular = 0.0f;
@@ -92,7 +93,8 @@ class Problem {
                 samples_.value[q] - samples_.received[q] * (diffuse / std::numbers::pi_v<float> + specular * shape_[q]));
     }
 
-    // d, s >= 0 that make sum (value - received (d/pi + s b))^2 least, for the last shapes.
+    // Finds d, s >= 0 that minimize sum (value - received (d/pi + s b))^2, b from the last
+    // shapes().
     void strengths(const std::vector<float>& received, const std::vector<float>& value,
                    float& diffuse, float& specular) const {
         double uu = 0.0, uv = 0.0, vv = 0.0, uy = 0.0, vy = 0.0;
@@ -120,8 +122,8 @@ class Problem {
     double square_ = 0.0;
 };
 
-// What Descent minimizes. N is 3: ln alpha along, ln alpha across, groove; or 1 for a lobe that is
-// round.
+// The function that Descent minimizes. N is 3 (ln alpha along, ln alpha across, groove) or 1 (ln
+// alpha of an isotropic lobe).
 template <int N>
 class Residuals {
   public:
@@ -159,15 +161,15 @@ class Residuals {
     }
 
   private:
-    // Of ln alpha, or of the groove in radians: the residuals are single precision, of which
-    // forward differences of this size keep five digits.
+    // Step of the forward differences, in ln alpha or in radians of the groove. The residuals are
+    // single precision, and differences of this size keep five of their digits.
     static constexpr double kDifference = 0.01;
 
     Problem& problem_;
     Eigen::VectorXd moved_;
 };
 
-// Searches from `p`, which receives where it ended; returns the sum of squares there.
+// Searches from `p`, which receives the minimum found; returns the sum of squares there.
 template <int N>
 double descend(Problem& problem, Parameters& p, int steps) {
     using Search = Residuals<N>;
@@ -179,7 +181,7 @@ double descend(Problem& problem, Parameters& p, int steps) {
     rules.least_damping = 1e-9;
     rules.trace_share = 1e-6;
     rules.most_step = 0.5;  // alphas by a factor of 1.6
-    // A ten thousandth of the error is far less than what the model itself leaves.
+    // A gain of 1e-4 of the error is far below the error of the model itself.
     rules.least_gain = 1e-4;
     Vector low = Vector::Constant(-HUGE_VAL), high = Vector::Constant(HUGE_VAL);
     for (int k = 0; k < std::min(N, 2); ++k) {
@@ -203,7 +205,8 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
     ParametricFit fit = start;
     if (samples.size() == 0) return fit;
     Problem problem(model, samples, eta);
-    // From the given lobe; from two round ones, should that lead nowhere.
+    // Starts from the given lobe, then from two nearly isotropic lobes in case the first finds a
+    // poor minimum.
     const float along = std::log(start.alpha_along), across = std::log(start.alpha_across);
     const float round = 0.5f * (along + across);
     const std::array<Parameters, 3> starts = {
@@ -232,7 +235,7 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
     fit.alpha_along = std::exp(best[0]);
     fit.alpha_across = std::exp(best[1]);
     fit.groove = best[2];
-    if (fit.alpha_along > fit.alpha_across) {  // the groove is where the lobe is narrow
+    if (fit.alpha_along > fit.alpha_across) {  // the lobe is narrow along the groove
         std::swap(fit.alpha_along, fit.alpha_across);
         fit.groove += 0.5f * std::numbers::pi_v<float>;
     }

@@ -1,7 +1,7 @@
-// Analytic models fitted to one point's samples: for comparison with the tables, and as maps for
-// engines that cannot draw tables. Least squares on the pictures' values, all weighted alike, in
-// four parameters at most; diffuse and specular strengths are solved for within (variable
-// projection).
+// Fits analytic models to the samples of one point. The fits are compared with the tables and
+// exported as maps for engines that cannot draw tables. Least squares on the pictures' values with
+// equal weights, in three nonlinear parameters at most; the linear diffuse and specular strengths
+// are solved for within each step (variable projection).
 #pragma once
 
 #include <array>
@@ -20,10 +20,11 @@ struct ParametricFit {
     float alpha_along = 0.3f, alpha_across = 0.3f;  // of the groove; equal for ward-isotropic
     float groove = 0.0f;                         // radians, in [0, pi), counter-clockwise from +x
     std::array<float, 3> diffuse{}, specular{};  // albedo; k_s F(1)
-    float error = 1.0f;                          // of PointFit's kind, without its weights
+    float error = 1.0f;                          // as PointFit::error, with equal weights
 };
 
-// How long to search: from `start` alone or from rounder lobes too; steps from each.
+// Effort of a search: whether it also starts from nearly isotropic lobes, and the steps from each
+// start.
 struct ParametricEffort {
     bool elsewhere = true;
     int steps = 12;
@@ -33,8 +34,8 @@ struct ParametricEffort {
 ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples, float eta,
                              const ParametricFit& start, const ParametricEffort& effort = {});
 
-// rho of the fitted model, luminance-free: the specular shape b of rho = diffuse/pi + specular b,
-// for unit directions in the normal's frame.
+// The specular shape b of the fitted rho = diffuse/pi + specular b, for unit directions in the
+// frame of the normal.
 float parametric_shape(ParametricModel model, const ParametricFit& fit, float eta,
                        const Vec3f& to_light, const Vec3f& to_eye);
 

@@ -1,5 +1,5 @@
-// The analytic models of a material's maps (`fit`'s fourth stage, parametric_fit.hpp) as models of
-// its texels: what they hold, and what they look like under a light of a rig.
+// Reads the analytic models of a material's maps (from parametric_fit.hpp) texel by texel and
+// renders them under a light of a rig.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,21 @@
 
 namespace burnish {
 
-// A model of which the material has all maps; they are the material's.
+// An analytic model all of whose maps the material has. The pointers refer to the material's maps.
 struct ParametricMaps {
     ParametricModel model;
     std::string name;
     const std::vector<float>*along, *across, *groove_deg, *diffuse, *specular;
 
-    // Alphas and groove of a texel. Strengths, of luminance, are left to the maps.
+    // Alphas and groove of a texel. Leaves the strengths at 0; the maps hold their luminance.
     ParametricFit lobe(std::size_t texel) const;
 };
 
 // In the order of parametric_model_names; models that lack a map are left out.
 std::vector<ParametricMaps> parametric_maps(const TabulatedMaterial& material);
 
-// As Relighter::picture. The maps hold luminances, which are tinted as the material's own diffuse
-// and specular colours are, at the same luminance.
+// As Relighter::picture. The maps hold luminances; each is tinted with the hue of the material's
+// own diffuse or specular color.
 Image parametric_picture(const TabulatedMaterial& material, const ParametricMaps& maps,
                          const Rig& rig, std::size_t light);
 

@@ -1,5 +1,5 @@
-// How much of a point's light is diffuse and how much specular, when the specular's shape is known:
-// least squares of two unknowns that are never negative.
+// Separates a point's light into diffuse and specular light when the shape of the specular lobe is
+// known: nonnegative least squares in two unknowns.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,12 @@ struct Strengths {
     double diffuse = 0.0, specular = 0.0;
 };
 
-// The d, s >= 0 that make |y - d u - s v|^2 least, from its sums of products.
+// Finds d, s >= 0 that minimize |y - d u - s v|^2, from the inner products of u, v and y.
 inline Strengths solve_strengths(double uu, double uv, double vv, double uy, double vy) {
     const double determinant = uu * vv - uv * uv;
     double d = 0.0, s = -1.0;
-    // Below this share u and v are the same to rounding, and all light counts as diffuse.
+    // Below this relative determinant u and v are parallel within rounding, and all light counts as
+    // diffuse.
     if (determinant > 1e-9 * uu * vv) {
         d = (uy * vv - vy * uv) / determinant;
         s = (vy * uu - uy * uv) / determinant;

@@ -1,6 +1,6 @@
-// Products of small matrices, one after another on the calling thread. A BLAS would do, but its
-// number of threads is a setting of the whole process, which a library must not change behind its
-// caller's back; these products are as fast (bench/results) and need no setting and no lock.
+// Products of small matrices on the calling thread. A BLAS would be as fast (bench/results), but
+// its number of threads is a setting of the whole process, which a library must not change. These
+// products need no setting and no lock.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@ double dot(const Vec3d& a, const Vec3d& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// From the chord, which keeps its digits where the cosine is near 1.
+// Uses the chord: the cosine loses its digits near 1.
 double angle(const Vec3d& a, const Vec3d& b) {
     const double chord = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     return 2.0 * std::asin(std::min(0.5 * chord, 1.0));
@@ -35,7 +35,8 @@ Vec3d half_vector(const Vec3d& a, const Vec3d& b) {
     return {sum[0] / size, sum[1] / size, sum[2] / size};
 }
 
-// Sorted by height, so that the search for the nearest ends where height alone is too far.
+// Sorts by height: the search for the nearest vector stops when the height difference alone is too
+// large.
 std::vector<Vec3d> distinct(std::vector<Vec3d> vectors) {
     std::sort(vectors.begin(), vectors.end(),
               [](const Vec3d& a, const Vec3d& b) { return a[2] < b[2]; });
@@ -72,7 +73,7 @@ double median_spacing_deg(const std::vector<Vec3d>& by_height) {
     return *middle;
 }
 
-// Counted on points of equal solid angle: a spiral with equal steps in height, golden steps around.
+// Counts points of equal solid angle on a spiral: equal steps in height, golden angles in azimuth.
 double covered_share(const std::vector<Vec3d>& by_height, double reach_deg) {
     constexpr int kPoints = 20000;  // a cap of one degree holds three
     const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -95,9 +96,10 @@ double covered_share(const std::vector<Vec3d>& by_height, double reach_deg) {
     return static_cast<double>(covered) / kPoints;
 }
 
-// Turned about the normal a half vector is a ring: bands of height, whose share is their height.
+// A half vector that is rotated about the normal covers a ring. A ring's share of the hemisphere is
+// its extent in height.
 double turned_share(const std::vector<Vec3d>& by_height, double reach_deg) {
-    double share = 0.0, low = 1.0;  // the bands come from the top down
+    double share = 0.0, low = 1.0;  // the rings are visited from the top down
     for (auto h = by_height.rbegin(); h != by_height.rend(); ++h) {
         const double theta = tilt_deg(*h);
         const double top = std::cos(std::max(theta - reach_deg, 0.0) * kDegree);
@@ -109,7 +111,7 @@ double turned_share(const std::vector<Vec3d>& by_height, double reach_deg) {
 }
 
 double azimuth_spread_deg(const Rig& rig) {
-    constexpr double kUpright = 1.0;  // degrees; lights so near the normal have no azimuth
+    constexpr double kUpright = 1.0;  // degrees; closer to the normal an azimuth means nothing
     std::vector<double> azimuths;
     for (const RigLight& light : rig.lights) {
         const Vec3d i = direction_to(light.place, {0.0, 0.0, 0.0});
@@ -137,7 +139,8 @@ std::vector<std::string> diagnose(const RigCoverage& all) {
         lines.push_back("one light: nothing can be fitted");
         return lines;
     }
-    // Lights all round an upright view make the same half vectors whichever way the grain runs.
+    // If the camera is on the normal and lights surround it, rotating the grain gives the same half
+    // vectors.
     if (center.theta_view < kOnTheNormal && all.azimuth_spread >= kAllRound)
         lines.push_back("camera on the normal: turning adds nothing, completion is impossible");
     if (center.covered_turned < 0.99)

@@ -20,7 +20,8 @@ double luminance(const Image& image, int x, int y) {
     return f64::luminance({double{p[0]}, double{p[1]}, double{p[2]}});
 }
 
-// The part of the picture in which the ball shows directions with z > 0; elsewhere -1.
+// The part of the picture where the ball reflects directions with z > 0; -1 elsewhere in the
+// rectangle.
 struct View {
     int left = 0, top = 0, width = 0, height = 0;
     std::vector<double> values;
@@ -33,7 +34,7 @@ struct View {
 };
 
 View cut_out(const Image& image, const ProbeCircle& circle, const std::string& name) {
-    // n.z = 1/sqrt(2) turns the view by 90 degrees: lights farther out are behind the ball.
+    // At n.z = 1/sqrt(2) the reflected direction has z = 0: lights farther out are behind the ball.
     const double radius = circle.radius * std::numbers::sqrt2 / 2.0;
     const auto clamped = [](double value, int size) {
         return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
@@ -69,7 +70,7 @@ struct Pixel {
     double weight;
 };
 
-// Connected pixels above `threshold`, which are taken out of the view.
+// Connected pixels above `threshold`; they are removed from the view.
 std::vector<Pixel> take_spot(View& view, int x, int y, double threshold) {
     std::vector<Pixel> spot;
     const auto take = [&](int px, int py) {
@@ -94,7 +95,7 @@ double weight_of(const std::vector<Pixel>& spot) {
     return weight;
 }
 
-// The pixels that the lamp covers in part, whose values say how much.
+// Adds the pixels that the lamp covers partly; their values weight their directions.
 void add_rim(std::vector<Pixel>& spot, View& view) {
     for (std::size_t k = 0, inside = spot.size(); k < inside; ++k) {
         const Pixel from = spot[k];
@@ -107,11 +108,12 @@ void add_rim(std::vector<Pixel>& spot, View& view) {
     }
 }
 
-// A mirror ball seen from far away maps solid angle to area evenly (d omega = 4 dA / R^2), so that
-// the mean over the spot's pixels is the mean over the lamp. The lens draws streaks from a lamp
-// that outshines the picture's range, mostly to one side: what lies outside a round lamp of 1.5
-// times the solid angle of the spot without its rim is left out, round and round as the middle
-// moves. (1.5: a round lamp itself keeps its rim, of which pixels show a staircase.)
+// Averages the directions of a spot's pixels. A mirror ball seen from far away maps solid angle to
+// area evenly (d omega = 4 dA / R^2), so that the mean over the pixels is the mean over the lamp.
+// The lens draws streaks from a lamp that exceeds the picture's range, mostly to one side. They are
+// excluded: pixels count within a circle about the mean direction of 1.5 times the solid angle of
+// the spot's core, and the mean and the circle are updated alternately. With 1.5 a round lamp keeps
+// its rim, which pixels resolve as a staircase.
 void average(const std::vector<Pixel>& spot, std::size_t core, const View& view,
              const ProbeCircle& circle, ProbeLight& light) {
     constexpr int kRounds = 20;
@@ -136,7 +138,7 @@ void average(const std::vector<Pixel>& spot, std::size_t core, const View& view,
             x += spot[k].weight * (view.left + spot[k].x + 0.5);
             y += spot[k].weight * (view.top + spot[k].y + 0.5);
         }
-        if (all == 0.0) return;  // a ring of light around the middle: the mean of all stays
+        if (all == 0.0) return;  // the spot is a ring around its mean: the mean of all pixels stays
         const double size = std::hypot(sum[0], sum[1], sum[2]);
         light.direction = {sum[0] / size, sum[1] / size, sum[2] / size};
         light.x = x / all;
@@ -172,7 +174,8 @@ ProbeLight light_from_probe(const Image& image, const ProbeCircle& circle,
         throw Error(name, "circle", "a circle of at least 4 pixels",
                     fmt::format("radius {:g}", circle.radius));
     View view = cut_out(image, circle, name);
-    // A highlight is a lamp; twice the rest of the ball is a room.
+    // A highlight is a lamp if it is more than twice the median of the ball; else it is part of the
+    // room.
     if (!(view.most > 0.0 && view.most > 2.0 * view.middle))
         throw Error(
             name, "", "a highlight on the ball",

@@ -1,4 +1,4 @@
-// What is the same for rigs of all formats: checks, what the caller overrides, the geometry.
+// Steps shared by rigs of all formats: checks, the caller's overrides, the geometry.
 #include "burnish/rig.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,8 @@ double length(const Vec3d& v) {
 
 Vec3d normalized(const Vec3d& v) {
     const double size = length(v);
-    // Dividing what is unit but for rounding would change its last digits at every reading.
+    // Normalizing a vector that is already unit within rounding would change its last digits at
+    // every read.
     if (std::abs(size - 1.0) < 1e-15) return v;
     return {v[0] / size, v[1] / size, v[2] / size};
 }
@@ -69,7 +70,7 @@ Reading read_any(const std::filesystem::path& path, bool needs_images, bool has_
     return read_rig_json(request);
 }
 
-// One response holds for all pictures.
+// The response of the first picture, for all pictures; warns of a picture of another kind.
 RigResponse common_response(Rig& rig) {
     std::optional<RigResponse> usual;
     bool warned = false;
@@ -94,14 +95,14 @@ void flip_y(Rig& rig) {
     }
 }
 
-// The first picture says how high the sample is for its width.
+// Computes the missing height from the aspect ratio of the first picture.
 void find_size(Rig& rig, bool needs_images, const RigOverrides& overrides) {
     double height_by_width =
         rig.width_mm > 0.0 && rig.height_mm > 0.0 ? rig.height_mm / rig.width_mm : 0.0;
     if (needs_images) {
         const ImageInfo info = read_image_info(rig.lights.front().images.front().image);
         const double of_picture = static_cast<double>(info.height) / info.width;
-        // A pixel of one picture in a hundred may be rounding of what somebody measured.
+        // A difference of 1 % (one pixel in a hundred) may be rounding of a measured size.
         if (!overrides.width_mm && height_by_width > 0.0 &&
             std::abs(height_by_width / of_picture - 1.0) > 0.01)
             rig.warnings.push_back(fmt::format(
@@ -117,7 +118,7 @@ void find_size(Rig& rig, bool needs_images, const RigOverrides& overrides) {
 
 void require_above(const Rig& rig, const std::string& where, const RigPlace& place,
                    std::string_view what) {
-    // A thousandth of a millimetre keeps 1/r^2 finite everywhere on the sample.
+    // A height of at least 0.001 mm keeps 1/r^2 finite everywhere on the sample.
     if (place.near ? place.at[2] >= kSmallest : place.at[2] > 0.0) return;
     throw Error(rig.file.string(), where, fmt::format("{} above the sample (z > 0)", what),
                 fmt::format("z = {:g}", place.at[2]));
@@ -131,7 +132,8 @@ void check_places(const Rig& rig) {
     }
 }
 
-// One picture of two lights is a slip; two pictures of one light are just one too many.
+// Throws for a picture that two lights name, which is a mistake; warns of two lights in one place,
+// which is harmless.
 void check_duplicates(Rig& rig) {
     std::map<std::filesystem::path, std::string> pictures;
     std::map<std::tuple<bool, Vec3d, Vec3d>, std::string> places;
@@ -157,7 +159,8 @@ void check_duplicates(Rig& rig) {
 
 }  // namespace rig_reading
 
-// JPEG and 8-bit PNG hold display values; the others are what cameras' raw data are turned into.
+// JPEG and 8-bit PNG hold display values; the other formats are the usual targets of raw
+// converters.
 RigResponse usual_response(const std::filesystem::path& picture) {
     const std::string extension = rig_reading::lower_extension(picture);
     const bool linear =
@@ -187,8 +190,8 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images, const RigOver
 bool is_rig_file(const std::filesystem::path& path) {
     const std::string extension = rig_reading::lower_extension(path);
     if (extension == ".lp" || extension == ".dome") return true;
-    // Enough for "format" to come up; JSON that is broken still counts, so that the error is about
-    // that.
+    // Enough bytes to contain "format". Broken JSON with "format" counts as a rig, so that the
+    // reader reports the JSON error.
     constexpr std::size_t kLookedAt = 65536;
     if (!rig_reading::is_there(path)) return false;
     const std::vector<std::byte> bytes = read_file_head(path, kLookedAt);

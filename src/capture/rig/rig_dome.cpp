@@ -1,5 +1,5 @@
-// .dome files of relight: the lights of a dome, without pictures. docs/reference/rig-file.md says
-// what is read.
+// .dome files of relight: the lights of a dome, without pictures. docs/reference/rig-file.md lists
+// the keys.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kKinds = {"directional", "spherical", "lights3d"};
-// The keys that are read, and those that do not describe the light.
+// All keys without a warning: those that are read and those that do not describe the light.
 constexpr std::array<std::string_view, 13> kKeys = {
     "lightConfiguration", "directions",        "positions",  "positions3d",
     "positionsSphere",    "domeDiameter",      "imageWidth", "verticalOffset",
@@ -66,7 +66,7 @@ class Reader {
         root_.require_object();
         warn_of_unknown_keys();
         if (has("imageWidth")) rig_.width_mm = root_.at("imageWidth").number(0.0, kLargest);
-        if (rig_.width_mm < kSmallest) rig_.width_mm = 0.0;  // 0: relight's word for unknown
+        if (rig_.width_mm < kSmallest) rig_.width_mm = 0.0;  // unknown: relight writes 0
         read_lights();
         read_colors();
         if (request_.needs_images) take_pictures();
@@ -78,7 +78,7 @@ class Reader {
         return root_.has(key) && !root_.at(key).value().is_null();
     }
 
-    // Programs add keys of their own, so that these are no errors.
+    // Unknown keys only warn: other programs add keys of their own.
     void warn_of_unknown_keys() {
         for (const std::string& key : root_.keys()) {
             if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) continue;
@@ -129,8 +129,9 @@ class Reader {
         }
     }
 
-    // Directions are seen from the middle of the picture, which is the origin; the sphere's centre
-    // is `verticalOffset` above it: |t d - c| = r for t > 0.
+    // Moves the lights from directions onto the dome's sphere. The directions start at the origin,
+    // the middle of the picture; the sphere's center c is `verticalOffset` above it: |t d - c| = r
+    // for t > 0.
     void onto_the_sphere() {
         const double radius = 0.5 * root_.at("domeDiameter").number(kSmallest, kLargest);
         const double offset =
@@ -146,7 +147,8 @@ class Reader {
         }
     }
 
-    // Both are factors that bring the picture to what an even light would have made of it.
+    // Both keys hold factors that correct a picture to uniform light; intensities are their
+    // inverses.
     void read_colors() {
         for (const char* key : {"ledAdjust", "lightsCalibration"}) {
             if (!has(key)) continue;

@@ -1,4 +1,4 @@
-// Our rig JSON, read: docs/reference/rig-file.md is the schema in words.
+// Reads our rig JSON; docs/reference/rig-file.md has the schema.
 #include <fmt/format.h>
 
 #include <array>
@@ -58,7 +58,7 @@ class Reader {
     }
 
     void read_camera() {
-        // Only where every light has its own camera is there none to be common.
+        // A common camera may be missing only if every light has its own or the caller gives one.
         bool all_have = true;
         for (const RigLight& light : rig_.lights) all_have = all_have && light.camera;
         if (!root_.has("camera") && (request_.has_camera || all_have)) return;
@@ -83,7 +83,7 @@ class Reader {
         const Vec3d v = place.double_triple(-kFarthest, kFarthest);
         const double size = length(v);
         if (!(size > kShortest)) place.fail("a direction that is not zero");
-        if (size > 2.0)  // [1, 1, 1] is what people write for a direction
+        if (size > 2.0)  // [1, 1, 1] is a usual way to write a direction
             rig_.warnings.push_back(fmt::format(
                 "{}: a direction of length {:.4g}: is it a position?", place.path(), size));
         return normalized(v);
@@ -117,7 +117,8 @@ class Reader {
         const Vec3d to_light = direction_to(light.place, {0.0, 0.0, 0.0});
         double cosine = 0.0;
         for (std::size_t i = 0; i < 3; ++i) cosine -= light.emission_axis[i] * to_light[i];
-        // Of a light under the sample the place is wrong, not the axis: check_places says so.
+        // For a light below the sample the position is the error, not the axis; check_places
+        // reports it.
         if (!(cosine > 0.0) && light.place.at[2] >= kSmallest)
             axis.fail("an axis that points from the light to the sample");
     }
@@ -127,7 +128,7 @@ class Reader {
         if (one && bracket) throw Error(file_, place.path(), "\"image\" or \"exposures\"", "both");
         if (one) return {{read_file(place.at("image")), 1.0}};
         if (!bracket) {
-            if (request_.needs_images) place.at("image");  // says that there is none
+            if (request_.needs_images) place.at("image");  // throws: the key is missing
             return {};
         }
         constexpr std::array<std::string_view, 2> kKeys = {"image", "exposure"};

@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-// The last word, which is cut off `line`.
+// Returns the last word of `line` and removes it from `line`.
 std::string_view take_last_word(std::string_view& line) {
     line = trimmed(line);
     const std::size_t blank = line.find_last_of(kBlanks);
@@ -31,7 +31,7 @@ std::string_view take_last_word(std::string_view& line) {
     return word;
 }
 
-// from_chars and not strtod: the decimal point does not depend on the locale.
+// from_chars instead of strtod, whose decimal point depends on the locale.
 std::optional<double> number(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0.0;
@@ -40,7 +40,7 @@ std::optional<double> number(std::string_view word) {
     return value;
 }
 
-// "0,577" as some languages write it
+// "0,577", the notation of some locales
 bool has_decimal_comma(std::string_view word) {
     const std::size_t comma = word.find(',');
     if (comma == word.npos || word.find(',', comma + 1) != word.npos) return false;
@@ -125,8 +125,8 @@ class Reader {
         return light;
     }
 
-    // The file may have been written on another machine, with its folders: what is there of them is
-    // followed, as far as the name alone.
+    // The name may contain folders of another machine. Tries the whole path first, then drops
+    // leading folders one by one until a file exists.
     std::filesystem::path find_image(std::string name) const {
         std::filesystem::path given = folder_ / name;
         if (is_there(given)) return given;
@@ -144,7 +144,7 @@ class Reader {
     }
 
     void warn_of_lengths() {
-        // These files have four digits: a smaller difference is rounding, and no warning is due.
+        // These files have about four digits: a smaller difference is rounding.
         if (worst_off_ > 1e-3)
             rig_.warnings.push_back(fmt::format(
                 "{}: the direction's length is off by {:.2g} %: all directions are made unit",

@@ -1,4 +1,4 @@
-// Our rig JSON and .lp files, written.
+// Writes our rig JSON and .lp files.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -51,7 +51,7 @@ ordered_json light_of(const RigLight& light, const fs::path& folder) {
     return out;
 }
 
-// A line for each light: people compare these files.
+// Writes one line for each light, so that two files can be compared line by line.
 std::string text_of(const fs::path& path, const Rig& rig) {
     const fs::path folder = fs::absolute(path).parent_path();
     ordered_json head = {{"format", "burnish-rig"},
@@ -80,7 +80,7 @@ void write_rig(const fs::path& path, const Rig& rig) {
     std::string text;
     try {
         text = text_of(path, rig);
-    } catch (const nlohmann::json::exception&) {  // JSON holds no other text
+    } catch (const nlohmann::json::exception&) {  // JSON strings must be UTF-8
         throw Error(path.string(), "lights", "names of pictures in UTF-8", "other bytes");
     }
     write_text_file(path, text);
@@ -94,7 +94,7 @@ void write_lp(const fs::path& path, const Rig& rig) {
             throw Error(path.string(), light.where, "a direction and one picture",
                         "something else");
         const std::string name = relative_to(folder, light.images[0].image);
-        // A line ends the entry, and blanks at the ends of a name are not its own.
+        // A newline would end the entry, and readers trim blanks at both ends of a name.
         rig_reading::require_name(path.string(), light.where, name);
         if (name.empty() || name.front() == ' ' || name.back() == ' ')
             throw Error(path.string(), light.where, "a name without blanks at its ends",

@@ -25,14 +25,14 @@ double leaning_D(const VirtualLobe& lobe, const Vec3d& h) {
     return f64::lobe_D(lobe_of(lobe), flat, direction) * ratio * ratio * ratio * ratio;
 }
 
-// Int max(k.m + k_z, 0) P(m) dm of the lobe at rest, for a k that need not be unit and may lie
-// below the horizon: k_z (1 + Lambda), and the same less k_z mirrored (Smith; Heitz 2014 section
-// 5).
+// Int max(k.m + k_z, 0) P(m) dm over the slopes m of the lobe without its lean. k need not be unit
+// and may lie below the horizon. Above it the integral is k_z (1 + Lambda); below it, that of the
+// mirrored k less the mirrored k's z (Smith; Heitz 2014 section 5).
 double resting_area(const VirtualLobe& lobe, const Vec3d& k) {
     const double z = std::abs(k[2]);
     const double lateral = std::hypot(k[0], k[1]);
     if (lateral <= 1e-12 * z) return std::max(k[2], 0.0);
-    // Lambda z has a limit at the horizon; 1e-9 keeps Lambda itself finite.
+    // Lambda z has a finite limit at the horizon; a z of at least 1e-9 keeps Lambda itself finite.
     const f64::vec3 up(k[0], k[1], std::max(z, 1e-9 * lateral));
     const double lambda_z = f64::smith_lambda(lobe_of(lobe), up) * up.z;
     return lambda_z + std::max(k[2], 0.0);

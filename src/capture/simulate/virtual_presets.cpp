@@ -26,7 +26,7 @@ VirtualNdf two_lobes() {
             {{.weight = 0.6, .alpha_x = 0.12, .alpha_y = 0.45},
              {.weight = 0.4, .alpha_x = 0.12, .alpha_y = 0.30, .rotation = kPi / 2}}};
 }
-// Scratches worn on one side: a part of the facets leans across the groove.
+// Scratches with one worn side: some facets lean across the groove.
 VirtualNdf asymmetric() {
     return {"asymmetric",
             {{.weight = 0.6, .alpha_x = 0.10, .alpha_y = 0.25},
@@ -41,7 +41,7 @@ VirtualNdf satin(double along, double across) {
               .alpha_y = 0.35,
               .rotation = kPi / 2}}};
 }
-// A pile that stands up and leans: bright towards the edge, dark from above.
+// A leaning pile: bright at grazing angles, dark from above.
 VirtualNdf velvet() {
     return {"velvet",
             {{.weight = 0.45, .alpha_x = 0.35, .alpha_y = 0.45, .lean_x = 0.2, .lean_y = 0.7},
@@ -52,7 +52,7 @@ VirtualNdf plain(const char* name, double alpha) {
     return {name, {{.alpha_x = alpha, .alpha_y = alpha}}};
 }
 
-// A texel as a function of its place (u, v) in [0, 1]^2, v upwards.
+// A texel as a function of its position (u, v) in [0, 1]^2, v up.
 using Paint = std::function<VirtualTexel(double u, double v)>;
 
 struct Recipe {
@@ -69,11 +69,11 @@ VirtualTexel texel(int ndf, double grain, Vec3d diffuse, double specular) {
     return t;
 }
 
-// Grain in every direction: brushed in rings about a point off the middle.
+// Grain angles in all directions: brushed rings about a point away from the middle.
 double rings(double u, double v) {
     return std::atan2(v - 0.42, u - 0.55) + kPi / 2;
 }
-// Slow waves of shade, so that no two texels are alike.
+// Slow waves of albedo, so that no two texels are equal.
 double shade(double u, double v) {
     return 0.8 + 0.2 * std::sin(7.0 * u + 2.0) * std::cos(5.0 * v);
 }

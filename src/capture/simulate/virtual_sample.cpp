@@ -134,7 +134,7 @@ double white_level(const VirtualSample& sample, const Rig& rig) {
 Rig make_bar_rig(const VirtualSample& sample, int leds, int steps,
                  const VirtualRigSettings& settings) {
     constexpr double kHeight = 40.0;  // W08: about 4 cm above the sample
-    // Lights reach to 75 degrees from the middle, and as far beyond the sample's edge.
+    // Lights extend to 75 degrees from the normal at the middle of the sample.
     const double reach = kHeight * std::tan(75.0 * std::numbers::pi / 180.0);
     Rig rig = empty_rig(sample, settings);
     const auto place = [](int k, int count, double half) {
@@ -144,7 +144,7 @@ Rig make_bar_rig(const VirtualSample& sample, int leds, int steps,
         for (int led = 0; led < leds; ++led) {
             RigLight light;
             light.place = {true, {place(led, leds, reach), place(step, steps, reach), kHeight}};
-            // A white diffuser in the middle under a lamp above it shows 1.
+            // This intensity gives a white diffuser a radiance of 1 directly below the lamp.
             light.intensity = {kHeight * kHeight, kHeight * kHeight, kHeight * kHeight};
             light.emission_exponent = 1.0;
             rig.lights.push_back(light);

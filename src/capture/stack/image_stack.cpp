@@ -73,7 +73,7 @@ class OpenFile {
         return static_cast<std::uint64_t>(::lseek(number_, 0, SEEK_END));
     }
 
-    // A file without a name, in memory where the system has such files.
+    // An unnamed file: in memory if the system supports that, else temporary.
     static OpenFile unnamed() {
 #ifdef __linux__
         const int memory = ::memfd_create("burnish-stack", MFD_CLOEXEC);

@@ -1,5 +1,5 @@
-// The pictures of a capture, one light each, read into one flat file from which a band of pixels is
-// read for all lights at once, however large the stack is.
+// The pictures of a capture, one for each light, converted to one flat file. A band of pixels is
+// read from it for all lights at once, so that a stack may be larger than memory.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,27 @@ namespace burnish {
 
 struct LightImage {
     Image rgb;  // linear, brackets merged, divided by the flat field; never negative
-    // Codes of integer pictures end somewhere: samples that every exposure shows at its last code.
-    std::vector<std::uint8_t> clipped;  // one a sample; empty: none
-    bool coded = false;                 // some exposure is of integers: `clipped` is complete
+    // 1 where every exposure of an integer picture holds the largest code.
+    std::vector<std::uint8_t> clipped;  // one for each sample; empty: none
+    bool coded = false;                 // an exposure has integer samples: `clipped` is complete
 };
 
-// `white`: empty, or the flat field (as read_flat_field gives it). Throws Error for pictures that
-// cannot be read or are of another size than width x height (0: any size).
+// `white`: the flat field (read_flat_field), or empty. Throws Error for pictures that cannot be
+// read or whose size is not width x height (0: any size).
 LightImage read_light_image(const Rig& rig, const RigLight& light, const Image& white, int width,
                             int height);
 
-// The rig's flat field scaled to a mean of 1, its dark places held at 1 % of that; empty: none
-// given.
+// The rig's flat field scaled to a mean of 1, with values of at least 0.01; empty if the rig has
+// none.
 Image read_flat_field(const Rig& rig);
 
-// The rig's mask, 1 where the sample is to be measured, a pixel each; 1 everywhere without one.
+// The rig's mask, one value for each pixel: 1 where the sample is to be measured; all 1 if the rig
+// has none.
 std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
 
-// A file of floats does not say at which value its sensor clips. A picture is taken as clipped at
-// its largest value when that value is the largest of the whole stack and at least this many of the
-// picture's samples have it: samples of an unclipped sensor hardly ever agree in all bits.
+// Number of samples at a float picture's maximum from which they count as clipped. A file of floats does not
+// state at which value its sensor clips. The maximum must also be that of the whole stack. Samples
+// of an unclipped sensor hardly ever agree in all bits.
 inline constexpr int kRepeatsOfClipping = 8;
 // The same for the largest share of a picture's samples: a picture of one value shows an even card
 // rather than the end of its sensor.
@@ -45,7 +46,7 @@ inline constexpr double kMostOfClipping = 0.5;
 
 struct StackCensus {
     double clipped_share = 0.0;  // of all samples within the mask
-    double black_share = 0.0;    // exactly 0
+    double black_share = 0.0;    // of all samples within the mask: exactly 0
     double brightest = 0.0;
 };
 
@@ -55,30 +56,31 @@ struct StackBand {
     std::vector<std::uint16_t> codes;  // lights x pixels x 3
 };
 
-// The pictures of a stack, wherever they are. Functions are called from one thread, once a light
-// and in order.
+// The source of a stack's pictures. The functions are called from one thread, once for each light
+// in order.
 struct StackSource {
     std::size_t lights = 0;
-    // The picture of one light; width 0: the first one, of any size.
+    // The picture of one light; width 0: any size, for the first picture.
     std::function<LightImage(std::size_t light, int width, int height)> picture;
     std::function<std::vector<std::uint8_t>(int width, int height)> mask;  // as read_mask
 };
 StackSource files_of(const Rig& rig);
 
-// Pictures in memory, one a light in the order of the rig: linear, RGB or grey, all of one size.
-// `mask`: 1 channel of that size, above 0.5 is measured; empty: everything. Refers to all three.
-// Throws Error, in words, for pictures that do not fit the rig or hold values that are not finite.
+// Pictures in memory, one for each light in the order of the rig: linear, RGB or gray, all of one
+// size. `mask`: 1 channel of that size, to be measured where above 0.5; empty: everything. Keeps
+// references to all three arguments. Throws Error for pictures that do not fit the rig or hold
+// values that are not finite.
 StackSource images_of(const Rig& rig, std::span<const Image> pictures, const Image& mask);
 
 class ImageStack {
   public:
-    // Reads every picture once and writes `cache`, unless it holds them already (same rig, same
-    // files by size and time of change). `band_bytes`: size of a band of a cache that is written,
-    // one of at least 16 pixels. Throws Error.
+    // Reads every picture once and writes `cache`, unless the cache already holds them (same rig,
+    // same files by size and time of change). `band_bytes`: size of a band of the cache, which
+    // holds at least 16 pixels. Throws Error.
     ImageStack(const Rig& rig, const std::filesystem::path& cache, const Progress& progress,
                std::size_t band_bytes = kUsualBandBytes);
-    // The same without a file that anyone sees: the samples are in memory, or in an unnamed
-    // temporary file where the system has no such files in memory.
+    // The same without a cache file: the samples are in memory, or in an unnamed temporary file if
+    // the system has no files in memory.
     ImageStack(const StackSource& source, const Progress& progress,
                std::size_t band_bytes = kUsualBandBytes);
     ImageStack(const ImageStack&) = delete;
@@ -103,7 +105,7 @@ class ImageStack {
     void decode(const StackBand& band, std::size_t from, std::size_t count, float* out) const;
 
   private:
-    bool open(int file, std::uint64_t bytes);  // takes the file over when it answers true
+    bool open(int file, std::uint64_t bytes);  // takes ownership of `file` if it returns true
     bool open_cache(const std::filesystem::path& cache);
 
     int width_ = 0, height_ = 0;
@@ -111,7 +113,7 @@ class ImageStack {
     std::uint64_t identity_ = 0;
     StackCensus census_;
     std::vector<float> scale_;         // of each light: a sample is scale (code / kMostCode)^2
-    std::vector<std::uint8_t> clips_;  // of each light: 1 where its largest value means "clipped"
+    std::vector<std::uint8_t> clips_;  // of each light: 1 if its largest value is clipped
     std::vector<std::uint8_t> mask_;
     int file_ = -1;
     std::uint64_t data_start_ = 0;  // of the samples in the file, in bytes

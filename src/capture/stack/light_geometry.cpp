@@ -55,7 +55,7 @@ NormalFrame::NormalFrame(const Vec3f& normal) {
 
 namespace {
 
-// `at` in rings, cut to those there are.
+// Splits `at`, in rings, into a ring and a fraction; clamped to the grid's rings.
 inline GridPlace place_at(const NdfGrid& grid, float at, float x, float y) {
     at = std::clamp(at, 0.0f, static_cast<float>(grid.rings - 1));
     const int ring = static_cast<int>(at);
@@ -63,7 +63,7 @@ inline GridPlace place_at(const NdfGrid& grid, float at, float x, float y) {
             f32::tabulated_turns(x, y) * static_cast<float>(grid.azimuths)};
 }
 
-// The angle with the normal in quarter turns, 0 to 1; (x, y, z) of any length.
+// The angle to the normal in quarter turns, 0 to 1; (x, y, z) may have any length.
 inline float slant(float x, float y, float z) {
     return f32::quarter_turns(std::max(z, 0.0f), std::sqrt(x * x + y * y));
 }
@@ -94,14 +94,14 @@ GridPlace area_place(float x, float y, float z) {
 
 namespace {
 
-// Directions that are worked on at a time: a multiple of the numbers of a vector register, small
-// enough for the first-level cache.
+// Directions in one block: a multiple of the lanes of a vector register, small enough for the
+// first-level cache.
 constexpr std::size_t kBlock = 64;
 struct Block {
     std::array<float, kBlock> x, y, z;
 };
 
-// grid_place or area_place of each of a block.
+// grid_place or area_place of each direction of a block.
 template <bool kAreas>
 void places(const NdfGrid& grid, const Block& d, std::size_t count, GridPlace* out) {
     std::array<float, kBlock> at, column;
@@ -165,7 +165,7 @@ void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<co
 
 namespace {
 
-// Which of `values` thin_samples keeps, in their order.
+// Chooses the indices of `values` that thin_samples keeps, in increasing order.
 void choose_samples(const std::vector<float>& values, std::size_t most,
                     std::vector<std::size_t>& chosen) {
     const std::size_t bright = std::max<std::size_t>(most / 2, 1), rest = values.size() - bright,

@@ -1,5 +1,6 @@
-// Directions of light and view at the pixels of a stack, and the samples made from them, as fits
-// read them: one array for each quantity, single precision, places on polar grids worked out once.
+// Light and view directions at the pixels of a stack, and the samples made from them in the layout
+// of the fits: one array for each quantity, single precision, positions on polar grids computed
+// once.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ namespace burnish {
 
 using Vec3f = std::array<float, 3>;
 
-// Directions in sample space and what arrives along them, for one point.
+// Directions in sample space and the light received from them, for one point.
 struct PointLights {
     Vec3f to_eye{0.0f, 0.0f, 1.0f};
     std::vector<float> x, y, z;                  // towards each light, unit
@@ -36,24 +37,24 @@ class LightGeometry {
     PointLights far_;
 };
 
-// A place on a polar grid: between rings `ring` and `ring` + 1, at `column` (not whole, from 0 to
-// the azimuths).
+// A position on a polar grid: between rings `ring` and `ring` + 1, at the fractional `column` in
+// [0, azimuths).
 struct GridPlace {
     int ring = 0;
     float fraction = 0.0f;
     float column = 0.0f;
 };
-// (x, y, z) of any length.
+// (x, y, z) may have any length.
 GridPlace grid_place(const NdfGrid& grid, float x, float y, float z);
 
-// Likewise on the nodes that ndf_areas has its values at.
+// The same on the nodes of the areas that ndf_areas computes.
 GridPlace area_place(float x, float y, float z);
 
-// ndf_lookup at a place worked out before, the table rotated by `shift` columns.
+// ndf_lookup at a precomputed position, with the table rotated by `shift` columns.
 inline float lookup(const NdfGrid& grid, const float* table, const GridPlace& place, float shift) {
     const auto columns = static_cast<float>(grid.azimuths);
-    // `shift` brought into one circle: the same for all places of a loop, out of which compilers
-    // take it.
+    // Reduces `shift` to one circle. It is the same for all positions of a loop, so that compilers
+    // move it out of the loop.
     float rotation = shift - columns * static_cast<float>(static_cast<int>(shift / columns));
     if (rotation < 0.0f) rotation += columns;
     float c = place.column - rotation;
@@ -69,13 +70,14 @@ inline float lookup(const NdfGrid& grid, const float* table, const GridPlace& pl
     return a + place.fraction * (b - a);
 }
 
-// g of a direction with this z, from what ndf_areas made.
+// g of a direction with this z, from the areas of ndf_areas.
 inline float area_at(const float* areas, const GridPlace& place, float z, float shift) {
     const float g = z + lookup(kAreaGrid, areas, place, shift);
-    return g > 1e-6f ? g : 1e-6f;  // as ndf_area_lookup
+    return g > 1e-6f ? g : 1e-6f;  // the lower bound of ndf_area_lookup
 }
 
-// Directions of sample space in a frame about a normal, which shading's shortest arc makes.
+// Transforms directions of sample space to the frame of a normal, made by the shortest rotation
+// from +z.
 class NormalFrame {
   public:
     explicit NormalFrame(const Vec3f& normal);
@@ -92,15 +94,15 @@ class NormalFrame {
     Vec3f t_, b_, n_;
 };
 
-// The samples of one point in the frame of its normal: of lights above its horizon that are not
-// clipped.
+// The samples of one point in the frame of its normal: those of lights above its horizon that are
+// not clipped.
 struct PointSamples {
-    std::vector<int> light;       // which light each sample is of
+    std::vector<int> light;       // index of each sample's light
     std::vector<GridPlace> half;  // of h, on the exemplars' grid
     std::vector<GridPlace> in;    // of i, on the nodes of areas
-    GridPlace out;                // of o, likewise
+    GridPlace out;                // of o, on the nodes of areas
     std::vector<float> cosine_ih;
-    std::vector<float> weight_rgb[3];    // I = (rho) * this: n.i L cos^m / r^2
+    std::vector<float> weight_rgb[3];    // I = rho * this: n.i L cos^m / r^2
     std::vector<float> value_rgb[3];     // I
     std::vector<float> received, value;  // luminance of both
     Vec3f to_eye{};                      // in the normal's frame
@@ -110,16 +112,16 @@ struct PointSamples {
     void resize(std::size_t count);
 };
 
-// Cosine to the normal below which a light is left out (6 degrees above the surface): an error of
-// the normal by a few degrees would change its sample by as much as the sample is.
+// Least cosine between light and normal of a sample, 6 degrees above the surface: below it, an
+// error of the normal by a few degrees changes the predicted sample by as much as its value.
 inline constexpr float kLeastLightCosine = 0.1f;
 
 // `values`: lights x 3, infinite where clipped. `keep`: lights to take part (empty: all).
 void gather_samples(const PointLights& lights, const Vec3f& normal, std::span<const float> values,
                     std::span<const std::uint8_t> keep, const NdfGrid& grid, PointSamples& out);
 
-// At most `most` of the samples: half of them the brightest, the others spread over the rest in the
-// order of lights.
+// Keeps at most `most` samples: half of them the brightest, the others evenly spread over the
+// remaining ones in the order of lights.
 void thin_samples(const PointSamples& samples, std::size_t most, PointSamples& out);
 
 // F(c) / F(1) of a dielectric of index eta; 1 for eta = 0 (docs/theory/capture-model.md).

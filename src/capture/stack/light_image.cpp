@@ -1,4 +1,4 @@
-// Pictures of one light, as a rig names them.
+// Reads and merges the pictures of one light.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,12 +13,13 @@ namespace burnish {
 
 namespace {
 
-// The last code of 8 bits; noise of a clipped 16-bit picture stays within the same share.
+// Values from here on are clipped: the last code of 8 bits, less half a code. In a 16-bit picture
+// the margin covers the noise of clipped samples.
 constexpr float kLastCode = 254.5f / 255.0f;
 
 struct Exposed {
     Image rgb;
-    bool coded = false;  // integers, that end at 1
+    bool coded = false;  // integer samples, which clip at 1
 };
 
 Image with_three_channels(const Image& image) {
@@ -67,7 +68,8 @@ LightImage read_light_image(const Rig& rig, const RigLight& light, const Image& 
                             int height) {
     LightImage out;
     std::vector<float> weights;
-    // Longer exposures count more, as they hold less noise, until they clip.
+    // The merge weights each exposure by its time, since longer exposures hold less noise; clipped
+    // samples are excluded.
     for (const RigExposure& exposure : light.images) {
         Exposed picture = read_exposure(rig, exposure.image);
         require_size(exposure.image, picture.rgb, width, height);

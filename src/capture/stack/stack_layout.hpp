@@ -1,4 +1,4 @@
-// How the samples of a stack lie in its file, and how they are written there.
+// The layout of a stack's file, and its writer.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct StackHeader {
     std::uint64_t width, height, lights, band_pixels;
     double clipped_share, black_share, brightest;
 };
-// The header is followed by the mask (width x height bytes), the scales (lights floats), the flags
-// of clipping pictures (lights bytes) and the samples, band by band.
+// After the header the file holds the mask (width x height bytes), the scales (lights floats), the
+// clipping flags (lights bytes) and the samples, band by band.
 
 inline std::uint64_t data_start(const StackHeader& h) {
     return sizeof(StackHeader) + h.width * h.height + h.lights * (sizeof(float) + 1);

@@ -1,4 +1,4 @@
-// Where the pictures of a stack come from: files that a rig names, or memory.
+// Sources of a stack's pictures: the files of a rig, or memory.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -32,7 +32,7 @@ void write_at(int file, const void* data, std::size_t bytes, std::uint64_t at,
 struct Coded {
     std::vector<std::uint16_t> codes;
     float scale = 0.0f;
-    int at_top = 0;  // samples of a float picture, within the mask, that equal the largest
+    int at_top = 0;  // samples of a float picture within the mask that equal its largest
 };
 
 Coded code_image(const LightImage& image, const std::vector<std::uint8_t>& mask) {
@@ -51,7 +51,7 @@ Coded code_image(const LightImage& image, const std::vector<std::uint8_t>& mask)
     return out;
 }
 
-// Writes one light's codes into its place in every band.
+// Writes the codes of one light into every band of the file.
 void write_light(int file, const StackHeader& header, std::size_t light,
                  std::span<const std::uint16_t> codes, const std::string& name) {
     const std::size_t pixels = header.width * header.height;

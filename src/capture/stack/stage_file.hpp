@@ -1,5 +1,5 @@
-// What a stage of a fit leaves for a later run: arrays of plain numbers under an identity of all
-// that they were made from. Written whole or not at all.
+// Files of intermediate results that a later run continues from: arrays of plain numbers, with an
+// identity hashed from all inputs. A file is written completely or not at all.
 #pragma once
 
 #include <cstddef>
@@ -59,8 +59,8 @@ class StageWriter {
     std::vector<std::byte> bytes_;
 };
 
-// `good()` is false when the file is missing, of another identity or not whole; nothing it gave
-// before is then to be used.
+// `good()` is false if the file is missing, incomplete or of another identity; discard everything
+// that was read then.
 class StageReader {
   public:
     StageReader(const std::filesystem::path& path, std::uint64_t identity) {
