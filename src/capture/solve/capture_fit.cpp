@@ -16,13 +16,13 @@ namespace burnish {
 
 namespace {
 
-// To be raised when the same settings give other numbers or stages have another layout: stages of
-// programs before are then made anew.
+// Version of the method. Raise it if the same settings give other numbers or if the layout of a
+// stage changes: stages of other versions are computed again.
 constexpr int kMethodVersion = 4;
-// How often finished bands are written: an interruption costs at most this time, and one band.
+// Interval between writes of finished bands: an interruption loses at most this time and one band.
 constexpr std::chrono::seconds kSaveEvery{20};
 
-// Calls use(member) for all that the stage of exemplars keeps: the one list of it.
+// Calls use(member) for every member that the stage of exemplars stores.
 template <typename Found, typename Report, typename Use>
 void for_each_of_exemplar_stage(Found& exemplars, Report& report, Use use) {
     use(exemplars.count);
@@ -204,7 +204,7 @@ TabulatedMaterial CaptureFit::material() const {
     return m;
 }
 
-// ---- what is kept between runs
+// ---- files kept between runs
 
 std::uint64_t CaptureFit::identity() const {
     Identity id;
@@ -222,7 +222,7 @@ std::uint64_t CaptureFit::identity() const {
     return id.value();
 }
 
-// Texels depend on the exemplars that were found; how many bands are done, on the size of a band.
+// The texels depend on the exemplars; the number of finished bands depends on the size of a band.
 std::uint64_t CaptureFit::texel_identity() const {
     Identity id;
     id.add(identity());
@@ -260,7 +260,7 @@ void CaptureFit::save_texels(std::size_t bands) const {
     writer.write(stages_ / "texels.bin");
 }
 
-// How many bands an earlier run has done; their texels are taken over.
+// Loads the texels of an earlier run and returns the number of its finished bands.
 std::size_t CaptureFit::load_texels() {
     if (stages_.empty()) return 0;
     StageReader reader(stages_ / "texels.bin", texel_identity());
@@ -275,7 +275,7 @@ std::size_t CaptureFit::load_texels() {
     return bands;
 }
 
-// ---- the library's
+// ---- the functions of burnish/capture_fit.hpp
 
 namespace {
 

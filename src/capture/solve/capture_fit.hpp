@@ -1,5 +1,6 @@
-// From a stack of pictures to a material of measured distributions, in stages that are kept on
-// disk: an interrupted fit continues where it was, and gives what an uninterrupted one gives.
+// Fits a material of measured distributions to a stack of pictures, in stages that are kept on
+// disk. An interrupted fit continues from its last stage and gives the result of an uninterrupted
+// one.
 //
 //   pictures    every picture read once (image_stack.hpp)
 //   exemplars   partial distributions of some points, clustered, solved for, completed; eta
@@ -36,49 +37,51 @@ struct CaptureFitReport {
     double training_error = 0.0;  // root of the mean of the training points' PointFit::error
 };
 
-// A light each: 1 takes part, 0 is held out.
+// One value for each light: 1 takes part, 0 is held out.
 std::vector<std::uint8_t> fitted_lights(std::size_t lights, int hold_out);
 
-// One object per fit; its members must not be called from several threads at a time, and run in
-// parallel themselves. Results do not depend on the number of threads. Members throw Error for
-// files, Interrupted when cancelled; what was written by then is found by the next run.
+// One object for each fit. Call its members from one thread at a time; they run in parallel
+// themselves. Results do not depend on the number of threads. Members throw Error for files and
+// Interrupted when canceled; the next run continues from the stages that were written.
 class CaptureFit {
   public:
-    // Reads the pictures. `stages`: a folder for what is kept between runs; made when it is not
-    // there.
+    // Reads the pictures. `stages`: a folder for the files kept between runs; created if it is
+    // missing.
     CaptureFit(const Rig& rig, const CaptureFitSettings& settings,
                const std::filesystem::path& stages, const Progress& progress);
-    // Of pictures in memory (images_of); nothing is kept between runs.
+    // Fits pictures in memory (images_of); keeps nothing between runs.
     CaptureFit(const Rig& rig, std::span<const Image> pictures, const Image& mask,
                const CaptureFitSettings& settings, const Progress& progress);
     ~CaptureFit();
 
-    // Takes the exemplars from `stages` where an earlier run of the same settings left them.
+    // Finds the exemplars, or loads them from `stages` if an earlier run with the same settings
+    // wrote them.
     void find_exemplars();
 
-    // Every texel; needs the exemplars. Continues after the last band that an earlier run left.
+    // Fits every texel; requires the exemplars. Continues after the last band that an earlier run
+    // wrote.
     void fit_texels();
-    // The same in parts, for several jobs over one folder: the texels of bands [first, last) of
-    // stack().bands(). They are the same as fit_texels finds. Nothing is written.
+    // Fits the texels of bands [first, last) of stack().bands(), for several jobs over one folder.
+    // The texels equal those of fit_texels. Writes nothing.
     Texels fit_bands(std::size_t first, std::size_t last);
-    // Takes the texels of all bands over, as parts of fit_bands merged (Texels::merge), in place of
-    // fit_texels.
+    // Takes the texels of all bands, merged from parts of fit_bands (Texels::merge), instead of
+    // calling fit_texels.
     void take_texels(Texels texels);
 
-    // After all texels.
+    // Requires all texels.
     TabulatedMaterial material() const;
 
-    const Rig& rig() const { return rig_; }  // with the height of the sample filled in
+    const Rig& rig() const { return rig_; }  // with the computed height of the sample
     const ImageStack& stack() const { return *stack_; }
     const Exemplars& exemplars() const { return exemplars_; }
     const CaptureFitReport& report() const { return report_; }
     const CaptureFitSettings& settings() const { return settings_; }
-    // Root of the mean of PointFit::error: of the texels once they are done, else of the training
-    // points.
+    // Root of the mean of PointFit::error: over the texels once they are fitted, before that over
+    // the training points.
     double unexplained() const;
 
   private:
-    void start();  // with the stack in place
+    void start();  // continues construction once the stack is ready
     TexelFitter texel_fitter() const;
     bool load_exemplars();
     void save_exemplars() const;
@@ -89,7 +92,7 @@ class CaptureFit {
 
     Rig rig_;
     CaptureFitSettings settings_;
-    std::filesystem::path stages_;  // empty: nothing is kept
+    std::filesystem::path stages_;  // empty: keeps no files
     Progress progress_;
     std::unique_ptr<ImageStack> stack_;
     std::unique_ptr<LightGeometry> geometry_;

@@ -1,5 +1,6 @@
-// Completion of exemplars (W08, section on synthesis): cells that no rotation of an exemplar's own
-// points reaches are taken from alike exemplars whose points reach them; the rest is extrapolated.
+// Completes exemplars (W08, section on synthesis). Cells that no rotation of an exemplar's own
+// points reaches are taken from similar exemplars whose points reach them; the rest is
+// extrapolated.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,21 +11,21 @@ namespace burnish {
 
 namespace {
 
-// Residual (RotationMatch) up to which an exemplar gives cells to another.
+// Largest residual (RotationMatch) for which an exemplar gives cells to another.
 constexpr float kLargestResidual = 0.05f;
-// Exemplars that give cells to another one at most, the most alike first.
+// Largest number of donors of an exemplar, the most similar first.
 constexpr std::size_t kMostDonors = 4;
-// Bounds of the power of the slope with which a tail falls: GGX's falls with the fourth, a Gaussian
-// faster than with any power.
+// Bounds of the power of the slope in a tail: GGX's tail has the fourth power, a Gaussian falls
+// faster than any power.
 constexpr float kLeastPower = 4.0f, kMostPower = 12.0f;
-// Weight of a cell that was taken from others, beside 1 of one that samples decide.
+// Weight of a cell that was taken from another exemplar; cells determined by samples have weight 1.
 constexpr float kTakenWeight = 0.5f;
 
 std::size_t cells_of(const Exemplars& all) {
     return static_cast<std::size_t>(all.grid.cells());
 }
 
-// Weights averaged over three columns and rings, so that they fall off towards a seam.
+// Weights averaged over three columns and rings, so that they decrease towards a seam.
 std::vector<float> feathered(const NdfGrid& grid, const float* weights) {
     std::vector<float> out(static_cast<std::size_t>(grid.cells()));
     for (int r = 0; r < grid.rings; ++r)
@@ -42,8 +43,8 @@ std::vector<float> feathered(const NdfGrid& grid, const float* weights) {
     return out;
 }
 
-// The mean of the donors' values at every cell, each donor rotated and scaled onto the exemplar;
-// `known` receives the sum of their weights.
+// Sums the donors' values at every cell, each donor rotated and scaled to the exemplar; `known`
+// receives the sum of their weights.
 void gather_donors(const Exemplars& all, const std::vector<Candidate>& donors,
                    const std::vector<float>& scales, std::vector<float>& sum,
                    std::vector<float>& known) {
@@ -67,7 +68,7 @@ void gather_donors(const Exemplars& all, const std::vector<Candidate>& donors,
         if (known[i] > 0.0f) sum[i] /= known[i];
 }
 
-// Fills the cells that `e` lacks and donors have; true when there were any.
+// Fills the cells that `e` lacks and its donors have; returns true if there were any.
 bool take_from_others(const Exemplars& before, int e, const std::vector<Candidate>& donors,
                       const std::vector<float>& scales, Exemplars& after) {
     std::vector<float> sum, known;
@@ -120,7 +121,7 @@ void extrapolate(Exemplars& all, int e) {
     for (int c = 0; c < grid.azimuths; ++c) {
         int last = grid.rings - 1;
         while (last >= 0 && weights[last * grid.azimuths + c] <= 0.0f) --last;
-        // Nothing is known along this azimuth: neighboring columns fill it below.
+        // Nothing is known along this azimuth; it is filled from neighboring columns below.
         if (last < 0) continue;
         const float power = tail_power(all, e, c, last);
         const float t0 = grid.theta(last);
@@ -135,12 +136,13 @@ void extrapolate(Exemplars& all, int e) {
         from /= static_cast<float>(std::max(count, 1));
         for (int r = last + 1; r < grid.rings; ++r) {
             const float t = grid.theta(r);
-            // cos^(power - 4) at the horizon: 0 for what falls faster than GGX.
+            // cos^(power - 4): 0 at the horizon for tails that fall faster than GGX's.
             table[r * grid.azimuths + c] = from * std::pow(std::sin(t0) / std::sin(t), power) *
                                            std::pow(std::cos(t) / std::cos(t0), power - 4.0f);
         }
     }
-    // Gaps below the last known ring, and azimuths without any: from the nearest known azimuths.
+    // Gaps within the last known ring and unknown azimuths are filled from the nearest known
+    // azimuths.
     for (int r = 0; r < grid.rings; ++r)
         for (int c = 0; c < grid.azimuths; ++c) {
             const int i = r * grid.azimuths + c;
@@ -168,8 +170,7 @@ void normalize(Exemplars& all, int e) {
     float* table = all.table(e);
     const double mass = ndf_mass(all.grid, table);
     if (!(mass > 0.0)) {
-        // No highlight was seen, and nothing tells its shape: D is the same everywhere, all
-        // extrapolated.
+        // Without a highlight the shape is unknown: D is constant and all cells are extrapolated.
         std::fill_n(table, cells_of(all), std::numbers::inv_pi_v<float>);
         return;
     }

@@ -8,35 +8,36 @@ namespace burnish {
 
 namespace {
 
-// Rounds of solving: after the first, exemplars are joined; after the next, they are split; after
-// round kSplitRounds they are joined again; after each further one but the last, merged.
+// Rounds of solving. Exemplars are joined after the first, split after each of the next, joined
+// again after round kSplitRounds, and merged after each further round except the last.
 constexpr int kSolveRounds = 8, kSplitRounds = 4;
-// Rounds where normals may tilt: normals, rotations and tables take longer to agree. With 8 rounds
-// some simulated samples stay 10 dB worse.
+// Rounds if normals may tilt: normals, rotations and tables take longer to converge together. With
+// 8 rounds some simulated samples stay 10 dB worse.
 constexpr int kTiltedRounds = 16;
-// Residuals (RotationMatch) below which two exemplars are joined. At first generously, as splits
-// take apart what differs; then as close as 1 % of noise lets equal exemplars come.
+// Residuals (RotationMatch) below which two exemplars are joined. The first is generous, as splits
+// separate exemplars that differ. The last is the residual of equal exemplars with 1 % of noise.
 constexpr float kAlikeAtFirst = 0.03f, kAlikeAtLast = 0.004f;
-// The index of refraction before it is estimated: that of glass, varnish and most polymers.
+// The initial index of refraction: that of glass, varnish and most polymers.
 constexpr double kFirstEta = 1.5;
-// Rounds of solving for each trial of an index, and after the last trial. F and D are told apart
-// only by points that see one facet at different angles, so that tables must follow the index.
+// Rounds of solving for each trial of an index, and after the last trial. Only points that see one
+// facet at different angles separate F from D, so that the tables must be solved for with each
+// index.
 constexpr int kEtaTrialRounds = 3, kEtaLastRounds = 2;
-// Trials of the golden section after its first two: the bracket of sqrt(F(1)), 0.51 wide, ends at
-// 0.018.
+// Trials of the golden section after its first two: they reduce the bracket of sqrt(F(1)) from 0.51
+// to 0.018.
 constexpr int kEtaTrials = 7;
-// Training points for each exemplar that is searched for at first.
+// Initial number of training points for each exemplar.
 constexpr int kPointsPerExemplar = 16;
 
-// `start` with the normals of `now`, which hardly depend on the index and improve with every trial.
+// `start` with the normals of `now`: they hardly depend on the index and improve with every trial.
 SearchState restarted(const SearchState& start, const SearchState& now) {
     SearchState out = start;
     for (std::size_t p = 0; p < out.points.size(); ++p) out.points[p].normal = now.points[p].normal;
     return out;
 }
 
-// Golden section over sqrt(F(1)) = (eta-1)/(eta+1), on which steps change the shape of F evenly.
-// Returns the state to go on from, with the index that explains the points best.
+// Golden section over sqrt(F(1)) = (eta-1)/(eta+1); equal steps of it change the shape of F by
+// about equal amounts. Returns the state with the index that explains the points best.
 SearchState estimate_eta(const SearchInput& input, const PartialTables& partial,
                          const SearchState& start) {
     SearchState now = start;
@@ -85,7 +86,7 @@ SearchState clustered(const SearchInput& input, const PartialTables& partial, Se
     return state;
 }
 
-// What changes after a round.
+// Applies the change of exemplars that follows a round.
 SearchState changed(const SearchInput& input, SearchState state, int round, int rounds) {
     if (round == 0) return join_alike(input, std::move(state), kAlikeAtFirst);
     if (round < kSplitRounds) return split_exemplars(input, std::move(state));

@@ -1,7 +1,6 @@
-// The exemplars of a sample from some of its points, the training points: partial distributions are
-// clustered; then exemplars, rotations and strengths are solved for alternately from the points'
-// samples themselves, while exemplars are joined, split and merged on the way
-// (docs/theory/capture-model.md).
+// Finds the exemplars of a sample from some of its points, the training points. It clusters partial
+// distributions, then solves alternately for exemplars, rotations and strengths from the points'
+// samples. Between rounds, exemplars are joined, split and merged (docs/theory/capture-model.md).
 #pragma once
 
 #include <optional>
@@ -25,11 +24,11 @@ struct FoundExemplars {
     Exemplars exemplars;
     CompletionReport completion;
     double eta = 0.0;
-    double mean_error = 0.0;  // of PointFit::error, each at most 1, over the training points
+    double mean_error = 0.0;  // mean over the training points of PointFit::error, each at most 1
 };
 
-// `pixels`: of the training points; `values`: pixels x lights x 3, as the stack decodes them.
-// Deterministic for a seed, whatever the number of threads. Throws Interrupted.
+// `pixels`: those of the training points; `values`: pixels x lights x 3, as decoded by the stack.
+// Deterministic for a seed, for any number of threads. Throws Interrupted.
 FoundExemplars find_exemplars(const SampleContext& context, const std::vector<std::size_t>& pixels,
                               const std::vector<float>& values,
                               const ExemplarSearchSettings& settings, const Progress& progress);

@@ -9,15 +9,16 @@ namespace burnish {
 
 namespace {
 
-// Weight of the smoothness, as a share of the mean of the equations' diagonal: enough to bridge
-// cells without samples, too little to change cells that have some (tests/capture).
+// Weight of the smoothness term relative to the mean diagonal of the equations: enough to bridge
+// cells without samples, too little to change cells with samples (tests/capture).
 constexpr double kSmoothness = 2e-3;
-// Share of the mean diagonal below which a cell is not decided by samples: that of the smoothness.
+// Ratio of a cell's diagonal to the mean diagonal below which samples do not determine the cell:
+// that of the smoothness term.
 constexpr double kLeastShare = 2e-3;
-// Steps of the conjugate gradients at most; usual tables take a few dozen.
+// Upper bound of conjugate gradient steps; usual tables need a few dozen.
 constexpr int kMostSteps = 200;
-// Square of the residual, as a share of the right side's, at which they end: tables are single
-// precision.
+// Ratio of the squared norms of the residual and the right side at which the steps end: tables are
+// single precision.
 constexpr double kLeastStep = 1e-8;
 
 std::size_t at(const NdfGrid& grid, int ring, int column) {
@@ -25,7 +26,7 @@ std::size_t at(const NdfGrid& grid, int ring, int column) {
     return static_cast<std::size_t>(ring * grid.azimuths + c);
 }
 
-// The cell one ring in, across the pole from the innermost.
+// The next cell inwards; for the innermost ring, the one across the pole.
 std::size_t inwards(const NdfGrid& grid, int ring, int column) {
     return ring > 0 ? at(grid, ring - 1, column) : at(grid, 0, column + grid.azimuths / 2);
 }
@@ -51,12 +52,12 @@ void TableEquations::add(const PointSamples& samples, const PointFitter& fitter,
     for (std::size_t q = 0; q < samples.size(); ++q) {
         const float area_in =
             area_at(tables.areas, samples.in[q], samples.to_light[q][2], rotation);
-        // What a density of 1 at this half vector adds to the sample.
+        // The derivative of the sample by D at this half vector.
         const double a = static_cast<double>(f32::area_brdf(
             samples.received[q] * fit.specular * fitter.fresnel()[q], area_in, area_out));
         const double y = static_cast<double>(samples.value[q] - samples.received[q] * fit.diffuse *
                                                                     std::numbers::inv_pi_v<float>);
-        // Diffuse light of a strength in proportion to the specular one.
+        // Diffuse light with a strength equal to the specular one.
         const double z =
             static_cast<double>(samples.received[q] * fit.specular * std::numbers::inv_pi_v<float>);
         const double w = static_cast<double>(fitter.weights()[q]);
@@ -199,18 +200,19 @@ void TableEquations::solve(float* table, float* weights) const {
         table[i] = static_cast<float>(std::max(x[i], 0.0));
         weights[i] = diagonal_[i] > kLeastShare * mean ? 1.0f : 0.0f;
     }
-    // Cells nearer to the pole than this angle, in radians, count as decided where a cell farther
-    // out on their azimuth is: they are so small that smoothness decides them well enough.
+    // Radius about the pole in radians within which cells count as determined if a cell farther out
+    // on their azimuth, still within the radius, is. The cells are so small that smoothness
+    // determines them well.
     constexpr float kInner = 0.12f;
     for (int c = 0; c < grid_.azimuths; ++c) {
-        int outer = 0;  // the outermost decided ring among them
+        int outer = 0;  // the outermost determined ring within the radius
         for (int r = 0; r < grid_.rings && grid_.theta(r) <= kInner; ++r)
             if (weights[at(grid_, r, c)] > 0.0f) outer = r;
         for (int r = 0; r < outer; ++r) weights[at(grid_, r, c)] = 1.0f;
     }
 }
 
-// Every point's diffuse strength is eliminated: y = received (d / pi + c s F Q / (4 g g)).
+// Eliminates each point's diffuse strength d: y = received (d / pi + c s F Q / (4 g g)).
 void SlideAlong::add(const PointSamples& samples, const PointFitter& fitter,
                      const ExemplarTables& tables, const float* mimic, const PointFit& fit) {
     if (fit.specular <= 0.0f) return;

@@ -1,7 +1,7 @@
-// Tables of exemplars from the pictures themselves: least squares over all samples of all points
-// that an exemplar is assigned to, each at its own rotation, so that the table as it is read
-// (bilinearly) explains them. The push-pull tables that clustering starts from are blurred by their
-// splats; these are not.
+// Solves for the tables of exemplars from the pictures. Least squares over all samples of all
+// points of an exemplar, each point at its own rotation, so that the bilinear lookup of the table
+// predicts the samples. The push-pull tables that clustering starts from are blurred by their
+// splats; these tables are not.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,9 @@
 
 namespace burnish {
 
-// Normal equations of one table. A sample couples the four nodes of one bilinear cell, so that a
-// node has five coefficients. Sums of parts of the points can be made apart and merged.
+// Normal equations of one table. A sample couples the four nodes of one bilinear cell; with
+// symmetry, a node has five coefficients. Partial sums over points can be computed separately and
+// merged.
 class TableEquations {
   public:
     explicit TableEquations(const NdfGrid& grid);
@@ -21,16 +22,16 @@ class TableEquations {
     // Adds one point's samples: I - received d/pi = received s F/(4 g g) D(h rotated back).
     void add(const PointSamples& samples, const PointFitter& fitter, const ExemplarTables& tables,
              const PointFit& fit);
-    // Adds the sums of other points of the same grid. The order of merges decides the rounding.
+    // Adds the sums of other points on the same grid. The order of merges changes the rounding.
     void merge(const TableEquations& other);
 
-    // Solves for the table, starting from its values. A slight smoothness decides cells that no
-    // sample sees; `weights` receives 1 where samples decide, 0 where they do not. No value ends
-    // below 0.
+    // Solves for the table, starting from its values. A weak smoothness term determines cells
+    // without samples. `weights` receives 1 for cells that samples determine and 0 for the others.
+    // Values are nonnegative.
     void solve(float* table, float* weights) const;
-    // The table whose specular light is most like the points' diffuse light: taken from D and given
-    // back as diffuse, it hardly changes any sample. When D and diffuse are solved for alternately,
-    // they converge slowly along it (SlideAlong).
+    // The table whose specular light is closest to the points' diffuse light. Moving light from D
+    // along this table to the diffuse strengths hardly changes any sample, so that solving for D
+    // and diffuse alternately converges slowly along it (SlideAlong).
     std::vector<float> diffuse_mimic() const;
 
   private:
@@ -42,8 +43,8 @@ class TableEquations {
         diffuse_target_;
 };
 
-// How far the table should move along `mimic` (TableEquations::diffuse_mimic) when the points'
-// diffuse strengths are free to follow: least squares over the points that are added.
+// Computes the step of the table along `mimic` (TableEquations::diffuse_mimic) when the points'
+// diffuse strengths may change with it: least squares over the added points.
 class SlideAlong {
   public:
     void add(const PointSamples& samples, const PointFitter& fitter, const ExemplarTables& tables,
@@ -54,13 +55,13 @@ class SlideAlong {
     double bend_ = 0.0, slope_ = 0.0;
 };
 
-// Completes the cells that no sample decides: from alike exemplars, rotated and scaled, blended at
-// the seam; cells that are still missing continue the outermost known ring as a power of the slope,
-// which falls no slower than GGX's tail. Sets `origin`, normalizes the tables and works out their
-// areas.
+// Completes the cells that no sample determines. They are taken from similar exemplars, rotated and
+// scaled, blended at the seam. Cells that are still missing extrapolate the outermost known ring
+// with a power of the slope, which falls at least as fast as GGX's tail. Sets `origin`, normalizes
+// the tables and computes their areas.
 struct CompletionReport {
     int completed = 0;  // exemplars that took cells from others
-    double measured = 0.0, completed_share = 0.0, extrapolated = 0.0;  // of all cells' solid angle
+    double measured = 0.0, completed_share = 0.0, extrapolated = 0.0;  // shares of the solid angle
 };
 CompletionReport complete_exemplars(Exemplars& exemplars);
 

@@ -11,14 +11,14 @@ namespace burnish {
 
 namespace {
 
-// Points that a cluster must have to be kept: one or two may be alike in their noise alone.
+// Fewest points of a cluster: one or two points may share only their noise.
 constexpr int kFewestMembers = 3;
-// Two exemplars are merged when the residual between them is below this share of the smaller of
-// their spreads (the median residual of an exemplar's members). It is below 1 because means of many
-// points differ less than points do.
+// Two exemplars are merged if their residual is below this ratio to the smaller of their spreads
+// (the median residual of an exemplar's members). It is below 1 because means of many points differ
+// less than points do.
 constexpr float kMergeFactor = 0.3f;
-// Rounds in which seeds are drawn. Each costs a match of all points against the new seeds;
-// k-means|| is within a constant of the best seeding after a few.
+// Rounds of drawing seeds. Each matches all points against the new seeds; after a few rounds
+// k-means|| is within a constant factor of the best seeding.
 constexpr int kSeedRounds = 5;
 
 std::size_t cells_of(const NdfGrid& grid) {
@@ -29,7 +29,7 @@ float cell_mass(const NdfGrid& grid, int ring) {
     return std::cos(grid.theta(ring)) * static_cast<float>(grid.solid_angle(ring));
 }
 
-// Scales a table so that its known part holds a mass of 1.
+// Scales a table so that its known part has a mass of 1.
 void normalize_known(const NdfGrid& grid, float* table, const float* weights) {
     double mass = 0.0;
     for (int i = 0; i < grid.cells(); ++i)
@@ -60,8 +60,8 @@ void append_all(Exemplars& all, const Exemplars& more) {
     for (int e = 0; e < more.count; ++e) all.append(more, e);
 }
 
-// Assigns to every point the best of the matcher's exemplars where it is better than the one it
-// has. The matcher's exemplars are numbered from `base`.
+// Assigns the best of the matcher's exemplars to every point for which it is better than the
+// current one. Numbers the matcher's exemplars from `base`.
 void improve(const RotationMatcher& matcher, const MaskedTables& points, int base,
              std::vector<Candidate>& assigned) {
     matcher.match(points, [&](std::size_t p, std::span<const RotationMatch> matches) {
@@ -71,8 +71,8 @@ void improve(const RotationMatcher& matcher, const MaskedTables& points, int bas
     });
 }
 
-// Draws seeds from the points in kSeedRounds rounds, each point with a chance in proportion to its
-// residual so far (k-means||, Bahmani et al. 2012).
+// Draws seeds from the points in kSeedRounds rounds; the probability of a point is proportional to
+// its current residual (k-means||, Bahmani et al. 2012).
 Exemplars seeds(const NdfGrid& grid, const MaskedTables& points, int wanted,
                 std::mt19937_64& random, std::vector<Candidate>& assigned,
                 const Progress& progress) {
@@ -123,8 +123,8 @@ void update(const MaskedTables& points, const std::vector<Candidate>& assigned, 
             for (std::size_t i = 0; i < cells; ++i) masked[i] = w[i] > 0.0f ? w[i] * t[i] : 0.0f;
             rotate_table(grid, masked.data(), -assigned[p].shift, value.data());
             rotate_table(grid, w, -assigned[p].shift, weight.data());
-            // A partial table has no scale of its own: it gets the one that fits the exemplar best,
-            // by least squares over the cells that both know.
+            // The scale of a partial table is unknown: the least-squares fit to the exemplar over
+            // the cells known in both determines it.
             double own = 0.0, both = 0.0;
             const float* c = all.table(static_cast<int>(e));
             const float* cw = all.weight(static_cast<int>(e));
@@ -186,7 +186,7 @@ void drop_small(Exemplars& all, const std::vector<Candidate>& assigned) {
     all = only(all, kept);
 }
 
-// Of each exemplar: the median residual of its members.
+// The median residual of each exemplar's members.
 std::vector<float> spreads(const Exemplars& all, const std::vector<Candidate>& assigned) {
     std::vector<std::vector<float>> residuals(static_cast<std::size_t>(all.count));
     for (const Candidate& own : assigned)
@@ -205,8 +205,7 @@ std::vector<float> spreads(const Exemplars& all, const std::vector<Candidate>& a
     return out;
 }
 
-// Drops exemplars that are alike another one, which has more members, within the spread of their
-// members.
+// Drops exemplars that equal one with more members within the spread of their members.
 void merge_alike(Exemplars& all, const std::vector<Candidate>& assigned) {
     if (all.count < 2) return;
     const std::vector<float> spread = spreads(all, assigned);

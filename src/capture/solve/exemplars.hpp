@@ -1,5 +1,6 @@
-// Exemplars: the distributions that all points of a sample share, each point with its own rotation.
-// Found by masked, rotation-aware k-means on partial distributions; docs/theory/capture-model.md.
+// Exemplars: the distributions shared by all points of a sample, each point with its own rotation.
+// They are found by masked, rotation-aware k-means on partial distributions
+// (docs/theory/capture-model.md).
 #pragma once
 
 #include <cstdint>
@@ -34,13 +35,12 @@ struct Exemplars {
     }
     MaskedTables tables() const { return {D, weights, static_cast<std::size_t>(count)}; }
 
-    // Copies exemplar `index` of `from`, of the same grid, to the end: D, weights and, where it has
-    // them, areas. Its cells count as extrapolated until complete_exemplars. Returns its index
-    // here.
+    // Appends exemplar `index` of `from`, which has the same grid: D, weights and, if present,
+    // areas. Its cells count as extrapolated until complete_exemplars. Returns its new index.
     int append(const Exemplars& from, int index);
 };
 
-// An exemplar that a point may have, and its rotation for that point.
+// A candidate exemplar of a point, and its rotation for that point.
 struct Candidate {
     int exemplar = -1;      // -1: none
     float shift = 0.0f;     // rotation in columns of the grid, counter-clockwise
@@ -53,20 +53,20 @@ struct ClusterSettings {
     std::uint64_t seed = 1;
 };
 
-// `points`: partial distributions. Returns at most `exemplars` tables, fewer where several would be
-// the same within the spread of their points; `assigned` receives the exemplar and rotation of each
-// point. Deterministic for a seed, whatever the number of threads.
+// `points`: partial distributions. Returns at most `exemplars` tables; tables that are equal within
+// the spread of their points are merged. `assigned` receives the exemplar and rotation of each
+// point. Deterministic for a seed, for any number of threads.
 Exemplars cluster_points(const NdfGrid& grid, const MaskedTables& points,
                          const ClusterSettings& settings, std::vector<Candidate>& assigned,
                          const Progress& progress);
 
-// For every point its `most` best exemplars, each at its best rotation, in increasing order of
+// The `most` best exemplars of every point, each at its best rotation, in increasing order of
 // residuals.
 std::vector<std::vector<Candidate>> best_candidates(const RotationMatcher& matcher,
                                                     const MaskedTables& points, std::size_t most);
 
-// Writes `table` rotated counter-clockwise by `shift` columns to `out`, linear between columns;
-// both have grid.cells() values and must not overlap.
+// Writes `table`, rotated counter-clockwise by `shift` columns, to `out`; linear between columns.
+// Both have grid.cells() values and must not overlap.
 void rotate_table(const NdfGrid& grid, const float* table, float shift, float* out);
 
 }  // namespace burnish

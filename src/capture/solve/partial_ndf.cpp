@@ -10,12 +10,12 @@ namespace burnish {
 
 namespace {
 
-// Directions and cells of which areas are worked out: they vary slowly.
-// docs/theory/capture-model.md has the error.
+// Grid of the directions and cells for areas, which vary slowly. docs/theory/capture-model.md has
+// the error.
 constexpr NdfGrid kCoarse = {8, 24};
-// Rounds of solving for D and its areas alternately, at most.
+// Upper bound of the rounds that solve for D and its areas alternately.
 constexpr int kMostRounds = 10;
-// Largest change of an area, which are at most 1, at which the rounds end.
+// Largest change of an area, at most 1, at which the rounds end.
 constexpr float kTolerance = 1e-4f;
 
 Vec3f direction_at(float theta, float phi) {
@@ -44,8 +44,8 @@ Vec3f reflected(const Vec3f& o, const Vec3f& h) {
     return {twice * h[0] - o[0], twice * h[1] - o[1], twice * h[2] - o[2]};
 }
 
-// Side of the picture of half vectors, in pixels. The distance from its middle is theta, so that
-// gaps between samples are as wide everywhere.
+// Side of the picture of half vectors in pixels. The distance from its center is theta, so that
+// gaps between samples have about equal widths everywhere.
 int side_for(float spacing_rad) {
     const float pixel = 0.7f * std::clamp(spacing_rad, 0.01f, 0.3f);
     const float wanted = std::numbers::pi_v<float> / pixel;
@@ -79,7 +79,7 @@ PartialNdfSolver::PartialNdfSolver(const NdfGrid& grid, float spacing_rad, float
             cell_y_.push_back(0.5f * static_cast<float>(side_) + scale * theta * std::sin(phi));
             const auto share = static_cast<float>(grid.solid_angle(r));
             cell_mass_.push_back(std::cos(theta) * share);
-            // The coarse column's middle lies on a fine column.
+            // The center of a coarse column lies on a fine column.
             const int half = grid.azimuths / kCoarse.azimuths / 2;
             const int cc = ((c + half) % grid.azimuths) * kCoarse.azimuths / grid.azimuths;
             cell_block_.push_back(
@@ -116,8 +116,8 @@ void PartialNdfSolver::splat(const PointSamples& samples, float low, PartialNdfW
     push_pull(image, 2);
 }
 
-// Reads the cells of the polar grid from the picture; the weight of a cell is that of the pixels
-// around it.
+// Reads the cells of the polar grid from the picture; the weight of a cell is interpolated from the
+// pixels around it.
 void PartialNdfSolver::read_cells(const PointSamples& samples, PartialNdfWork& work,
                                   float* weights) const {
     const auto side = static_cast<std::size_t>(side_);
@@ -144,7 +144,7 @@ void PartialNdfSolver::read_cells(const PointSamples& samples, PartialNdfWork& w
     }
 }
 
-// g of the coarse directions, from means over blocks of cells; unknown cells count as empty.
+// Computes g of the coarse directions from means over blocks of cells; unknown cells count as 0.
 float PartialNdfSolver::next_areas(const float* table, PartialNdfWork& work) const {
     work.coarse.assign(least_area_.size(), 0.0f);
     for (const auto& cell : work.known)
@@ -158,7 +158,7 @@ float PartialNdfSolver::next_areas(const float* table, PartialNdfWork& work) con
     }
     float change = 0.0f;
     for (std::size_t k = 0; k < work.next.size(); ++k) {
-        // No facet may hide more than all do: g(k) >= k_z, which a part of D alone can miss.
+        // g(k) >= k_z holds for a complete distribution; a partial D can violate it.
         work.next[k] = std::max(work.next[k], least_area_[k]);
         change = std::max(change, std::abs(work.next[k] - work.areas[k]));
     }
@@ -177,8 +177,8 @@ PartialNdf PartialNdfSolver::solve(const PointSamples& samples, PartialNdfWork& 
     splat(samples, low, work);
     read_cells(samples, work, weights);
 
-    // The areas g of both directions are those of D: both are solved for alternately, from no
-    // shadowing, g(k) = k_z.
+    // The areas g of both directions depend on D. D and g are solved for alternately, starting
+    // without shadowing, g(k) = k_z.
     const GridPlace out =
         grid_place(kCoarse, samples.to_eye[0], samples.to_eye[1], samples.to_eye[2]);
     work.areas = least_area_;

@@ -11,24 +11,25 @@ namespace burnish {
 
 namespace {
 
-// Share of the largest D from which cells belong to the peak: within it lobes of all kinds are near
-// a paraboloid in log D.
+// Cells with at least this ratio of D to its maximum belong to the peak: there lobes of all kinds
+// are nearly paraboloids in log D.
 constexpr float kOfPeak = 0.33f;
-// Least bend of a point's own peak. A Gaussian of slopes bends by 2 / alpha^2: this is alpha 0.26.
-// Of a broader lobe a point sees a part, whose middle is not the lobe's; refined_normal finds that.
+// Least curvature of a point's own peak. A Gaussian of slopes has a curvature of 2 / alpha^2; this
+// is alpha 0.26. A point shows only part of a broader lobe, whose center differs from the lobe's;
+// refined_normal corrects that.
 constexpr double kLeastPointBend = 30.0;
-// Times that the normal is corrected: the part of the lobe that is seen depends on the normal.
+// Number of corrections of the normal: the visible part of the lobe depends on the normal.
 constexpr int kRounds = 3;
-// Slopes by which refined_normal tilts to either side: first about the accuracy of peak_normal,
-// then about what is reached.
+// Slope steps of refined_normal's finite differences: first about the error of peak_normal, then
+// about the final error.
 constexpr float kTilts[] = {0.04f, 0.015f};
-// Columns to each side in which the rotation follows a normal that has moved.
+// Half width, in columns, of the search for the rotation after the normal changes.
 constexpr float kFollowColumns = 0.5f;
 
-// The slope at which an error is least if it is a paraboloid, from its values at six slopes `step`
-// apart; at most two steps away. `middle`: the error at slope 0. Both slopes are found at once: a
-// lobe is narrow across its groove and broad along it, so that searching in x and y alternately
-// would hardly move.
+// The slope at the minimum of a paraboloid through the errors at six slopes spaced by `step`, at
+// most two steps from 0. `middle`: the error at slope 0. Both components are solved for at once: a
+// lobe is narrow across its groove and broad along it, and searching in x and y alternately would
+// converge slowly.
 template <typename ErrorAt>
 std::array<float, 2> least_slope(const ErrorAt& error, float middle, float step) {
     const float right = error(step, 0.0f), up = error(0.0f, step);
@@ -41,7 +42,7 @@ std::array<float, 2> least_slope(const ErrorAt& error, float middle, float step)
     if (const float det = xx * yy - xy * xy; xx > 0.0f && det > 0.0f) {
         x = -(yy * gx - xy * gy) / det;
         y = -(xx * gy - xy * gx) / det;
-    } else {  // no minimum: downhill along the axes that bend upwards
+    } else {  // no minimum: descends along the convex axes
         if (xx > 0.0f) x = -gx / xx;
         if (yy > 0.0f) y = -gy / yy;
     }
@@ -69,8 +70,7 @@ std::array<float, 2> peak_slope(const NdfGrid& grid, const float* table, const f
             Eigen::Matrix<double, 6, 1> row;
             row << 1.0, x, y, x * x, x * y, y * y;
             const double value = static_cast<double>(table[i] / most);
-            // An error dD of D is an error dD / D of log D: the weight makes errors of D count
-            // alike.
+            // An error dD of D is an error dD / D of log D; this weight makes errors of D equal.
             const double weight = value * value * grid.solid_angle(r);
             normal += weight * row * row.transpose();
             right += weight * std::log(value) * row;
@@ -93,7 +93,8 @@ std::array<float, 2> peak_slope(const NdfGrid& grid, const float* table, const f
 
 Vec3f tilted_normal(const Vec3f& normal, const std::array<float, 2>& slope) {
     const f32::Frame frame = f32::frame_shortest_arc(f32::vec3(normal[0], normal[1], normal[2]));
-    // Below 40 degrees, what is tilted by 20 stays above the horizon.
+    // Slopes are limited to 40 degrees, so that the half vector stays above the horizon after a
+    // tilt of 20.
     const float steep = std::hypot(slope[0], slope[1]), steepest = std::tan(2.0f * kMostTilt);
     const float part = steep > steepest ? steepest / steep : 1.0f;
     const f32::vec3 m = frame.t * (part * slope[0]) + frame.b * (part * slope[1]) + frame.n;

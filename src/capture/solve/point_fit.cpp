@@ -11,8 +11,8 @@ namespace burnish {
 
 namespace {
 
-// Ratio of the error before and after a search for the best rotation, at most: a rotation that is a
-// column off is no worse than that. A start that is worse is not searched from.
+// Largest ratio of the errors before and after a search for the best rotation. A start one column
+// off has a smaller ratio; starts with a larger ratio are skipped.
 constexpr float kHopeless = 4.0f;
 
 }  // namespace
@@ -25,10 +25,10 @@ PointFitter::PointFitter(const PointSamples& samples, float eta) : samples_(&sam
     RelativeFresnel(eta).of(samples.cosine_ih, fresnel_);
     for (auto* sums : {&weights_, &uv_, &vv_, &vy_}) sums->resize(samples.size());
     for (std::size_t q = 0; q < samples.size(); ++q) {
-        // A point that is black under every light has no weight: nothing can be fitted to it.
+        // A point that is black under every light has weight 0: nothing can be fitted to it.
         const float scale = floor > 1e-18f ? 1.0f / (samples.value[q] + floor) : 0.0f;
         weights_[q] = scale * scale;
-        // With u = received / pi and v = received b, the sums' terms but for b.
+        // The terms of the normal equations without b, for u = received / pi and v = received b.
         const float u = samples.received[q] * std::numbers::inv_pi_v<float>;
         uv_[q] = weights_[q] * u * samples.received[q];
         vv_[q] = weights_[q] * samples.received[q] * samples.received[q];
@@ -46,8 +46,8 @@ PointFit PointFitter::at(const ExemplarTables& tables, float shift) const {
     for (std::size_t q = 0; q < samples_->size(); ++q) {
         const float area_in =
             area_at(tables.areas, samples_->in[q], samples_->to_light[q][2], rotation);
-        // All samples share g(o): with 1/4 in its place this is F D / g(i), and the sums are
-        // multiplied by the rest of b once.
+        // All samples share g(o). Passing 1/4 as g(o) gives b = F D / g(i); the sums are multiplied
+        // by 1 / (4 g(o)) once.
         const float b = f32::area_brdf(
             fresnel_[q] * lookup(tables.grid, tables.D, samples_->half[q], shift), area_in, 0.25f);
         uv += static_cast<double>(uv_[q] * b);

@@ -13,7 +13,7 @@
 
 namespace burnish {
 
-// Error of a fit that does not exist: larger than any fit has, whose errors are at most 1.
+// Error that stands for "no fit": above the errors of all fits, which are at most 1.
 inline constexpr float kNoFit = 2.0f;
 
 // An exemplar's tables, shared by all points: D normalised, areas on kAreaGrid.
@@ -23,7 +23,7 @@ struct ExemplarTables {
     const float* areas = nullptr;
 };
 
-// Columns of the area grid for one column of the exemplar's.
+// Columns of the area grid for `shift` columns of the exemplar's grid.
 inline float area_shift(const NdfGrid& grid, float shift) {
     return shift * static_cast<float>(kAreaGrid.azimuths) / static_cast<float>(grid.azimuths);
 }
@@ -40,28 +40,28 @@ inline float specular_shape(const ExemplarTables& tables, const PointSamples& sa
 struct PointFit {
     float shift = 0.0f;                     // columns of the exemplars' grid
     float diffuse = 0.0f, specular = 0.0f;  // luminance
-    float error = 0.0f;  // weighted mean square of the residuals, 1: nothing explained
+    float error = 0.0f;  // weighted mean square of the residuals; 1: nothing is explained
 };
 
-// The weight of a sample is 1 / (I + mean I)^2: errors count relatively in a bright highlight, so
-// that its peak does not decide alone, and absolutely in the dark. Keeps a pointer to the samples;
+// The weight of a sample is 1 / (I + mean I)^2: errors in a bright highlight are relative, so that
+// its peak does not dominate, and errors in the dark are absolute. Keeps a pointer to the samples;
 // const members may be called from several threads.
 class PointFitter {
   public:
-    // eta: Fresnel's index, 0 for none. `samples` must outlive the fitter.
+    // eta: index of refraction; 0 omits the Fresnel factor. `samples` must outlive the fitter.
     PointFitter(const PointSamples& samples, float eta);
 
-    // Diffuse and specular strength at a given rotation, neither below 0.
+    // Diffuse and specular strength at a given rotation, both nonnegative.
     PointFit at(const ExemplarTables& tables, float shift) const;
-    // The best rotation near `shift` or half a circle from it, to about 0.02 columns, searched
-    // within `width` columns to each side: one camera often sees much the same of a distribution
-    // that is rotated by half a circle. Ends early, away from the best, where the error is above
-    // `give_up` after the first step.
+    // Searches for the best rotation within `width` columns of `shift` and of the rotation half a
+    // circle from it, to about 0.02 columns. A camera often sees nearly the same of a distribution
+    // after half a turn. Returns early, before the minimum, if the error is above `give_up` after
+    // the first step.
     PointFit refined(const ExemplarTables& tables, float shift, float width,
                      float give_up = 1e30f) const;
-    // The best rotation within about 2 `width` columns of `shift`.
+    // Searches for the best rotation within about 2 `width` columns of `shift`.
     PointFit nearby(const ExemplarTables& tables, float shift, float width) const;
-    // Diffuse and specular strength of each channel at a rotation.
+    // Diffuse and specular strength of each channel at a given rotation.
     void colors(const ExemplarTables& tables, float shift, std::array<float, 3>& diffuse,
                 std::array<float, 3>& specular) const;
 
@@ -73,7 +73,7 @@ class PointFitter {
 
     const PointSamples* samples_;
     std::vector<float> weights_, fresnel_;
-    std::vector<float> uv_, vv_, vy_;  // terms of the normal equations that hold at every rotation
+    std::vector<float> uv_, vv_, vy_;  // terms of the normal equations without b
     double uu_ = 0.0, uy_ = 0.0, value_square_ = 0.0;
 };
 

@@ -33,7 +33,7 @@ PushPullImage pulled(const PushPullImage& fine) {
     return coarse;
 }
 
-// Columns of a row that hold anything: [first, last), empty where first >= last.
+// Columns [first, last) of a row that hold samples; none if first >= last.
 struct Extent {
     int first, last;
 };
@@ -48,13 +48,14 @@ Extent extent_of(const PushPullImage& image, int y) {
     return {static_cast<int>(first - row), static_cast<int>(last - row)};
 }
 
-// Bilinear from the coarse level: the nearest has 9/16, its neighbours 3/16, 3/16 and 1/16.
+// Bilinear from the coarse level: weight 9/16 for the nearest pixel, 3/16, 3/16 and 1/16 for its
+// neighbors.
 void push(const PushPullImage& coarse, PushPullImage& fine) {
     std::vector<Extent> extents;
     for (int y = 0; y < coarse.side; ++y) extents.push_back(extent_of(coarse, y));
     for (int y = 0; y < fine.side; ++y) {
         const int cy = y / 2, ny = std::clamp(cy + ((y & 1) ? 1 : -1), 0, coarse.side - 1);
-        // Where neither row holds anything, nor does this one.
+        // If both coarse rows are empty, this row stays empty.
         const Extent a = extents[static_cast<std::size_t>(cy)];
         const Extent b = extents[static_cast<std::size_t>(ny)];
         const int first = std::max(2 * std::min(a.first, b.first) - 1, 0);
@@ -106,7 +107,7 @@ void PushPullImage::splat(float x, float y, float sample) {
         if (px < 0 || py < 0 || px >= side || py >= side) continue;
         const float w = ((k & 1) ? tx : 1.0f - tx) * ((k >> 1) ? ty : 1.0f - ty);
         const std::size_t to = index(side, px, py);
-        // Kept as a running mean, so that splatting needs no pass afterwards.
+        // A running mean needs no normalization pass after the splats.
         const float total = weight[to] + w;
         if (total > 0.0f) value[to] += (sample - value[to]) * (w / total);
         weight[to] = total;

@@ -9,17 +9,17 @@ namespace burnish {
 
 struct PushPullImage {
     int side = 0;               // square, a power of two
-    std::vector<float> value;   // weighted mean at this level or below
+    std::vector<float> value;   // weighted mean of samples at this level or of finer ones
     std::vector<float> weight;  // 0: no sample near; 1: samples at this level
 
     explicit PushPullImage(int side_ = 0);
-    void clear(int side_);  // as if made anew
-    // (x, y) in pixels, pixel centres at whole + 1/2.
+    void clear(int side_);  // as if newly constructed
+    // Coordinates are in pixels, with pixel centers at integers plus 1/2.
     void splat(float x, float y, float sample);
 };
 
-// Fills `image` in place. `reach`: levels that may fill a gap (each doubles the distance); pixels
-// farther from all samples keep weight 0. Others end with weight in (0, 1].
+// Fills `image` in place. `reach`: number of levels that may fill a gap; each doubles the distance.
+// Pixels farther from all samples keep weight 0. All other weights end in (0, 1].
 void push_pull(PushPullImage& image, int reach);
 
 }  // namespace burnish

@@ -37,7 +37,7 @@ void residual_signature(const ExemplarTables& tables, const PointSamples& sample
 
 double main_variation(const std::vector<const Signature*>& signatures, std::vector<float>& place) {
     constexpr std::size_t kCells = std::tuple_size_v<Signature>;
-    // More than enough for the share of the variance to settle to two digits.
+    // Enough iterations for the share of the variance to converge to two digits.
     constexpr int kPowers = 20;
     std::vector<double> mean(kCells, 0.0), axis(kCells), next(kCells);
     for (const Signature* s : signatures)
@@ -47,7 +47,7 @@ double main_variation(const std::vector<const Signature*>& signatures, std::vect
     for (const Signature* s : signatures)
         for (std::size_t i = 0; i < kCells; ++i)
             variance += std::pow(static_cast<double>((*s)[i]) - mean[i], 2);
-    // Any start does that is not orthogonal to the component.
+    // Any start vector works that is not orthogonal to the component.
     for (std::size_t i = 0; i < kCells; ++i) axis[i] = 1.0 + static_cast<double>(i % 7);
     double along = 0.0;
     place.resize(signatures.size());

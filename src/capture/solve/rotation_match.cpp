@@ -12,14 +12,14 @@ namespace burnish {
 
 namespace {
 
-// The products of a table with its weights from which the four sums are made (products()).
+// Number of products of a table with its weights (products()); the four sums are made from them.
 constexpr int kProducts = 3;
-// Points and exemplars that are matched together: the operands of a product of one frequency, 64 x
-// 2 rings each, and its result fit the second-level cache.
+// Points and exemplars of one tile: the operands of a product at one frequency, 64 x 2 rings each,
+// and its result fit the second-level cache.
 constexpr std::size_t kPointTile = 64, kExemplarTile = 64;
 
-// Of one cell of a table: m T^2, m, m T of a point; n, n C, n C^2 of an exemplar. The value of a
-// masked cell may be anything, not a number too.
+// The products of one cell: m T^2, m, m T of a point; n, n C, n C^2 of an exemplar. The value of a
+// masked cell may be anything, even NaN.
 std::array<float, kProducts> products(float value, float weight, bool exemplar) {
     if (weight <= 0.0f) return {0.0f, 0.0f, 0.0f};
     const float first = weight * value, second = first * value;
@@ -27,14 +27,14 @@ std::array<float, kProducts> products(float value, float weight, bool exemplar) 
                     : std::array<float, kProducts>{second, weight, first};
 }
 
-// Number of rotations from 0 to a quarter circle, of a grid with so many frequencies (azimuths / 2
-// + 1).
+// Number of rotations from 0 to a quarter circle, for a grid with this many frequencies (azimuths /
+// 2 + 1).
 std::size_t quarter(std::size_t frequencies) {
     return (frequencies - 1) / 2 + 1;
 }
 
-// The minimum of the parabola through three equidistant values, in steps from the middle one; at
-// most half a step.
+// The minimum of the parabola through three equidistant values, in steps from the middle one;
+// limited to half a step.
 float vertex(float before, float at, float after) {
     const float bend = before - 2.0f * at + after;
     if (!(bend > 0.0f)) return 0.0f;
@@ -73,10 +73,10 @@ std::size_t RotationMatcher::block() const {
     return static_cast<std::size_t>(frequencies_) * 2 * static_cast<std::size_t>(grid_.rings);
 }
 
-// The spectra of one tile of tables, laid out as operands of the products over rings L conj(R), L
-// of a point and R of an exemplar. Of points: out[product][frequency][2 rings][for the real part,
-// for the imaginary part][table]; of exemplars: out[product][frequency][2 rings][table]. The 2
-// rings are the real and the imaginary parts of a table's.
+// Computes the spectra of one tile of tables in the layout of the operands of L conj(R), a product
+// over rings with L of a point and R of an exemplar. Of points: out[product][frequency][2
+// rings][for the real part, for the imaginary part][table]; of exemplars: out[product][frequency][2
+// rings][table]. The 2 rings hold the real and the imaginary parts of a table's rings.
 void RotationMatcher::spectra_of(const MaskedTables& tables, std::size_t first, std::size_t count,
                                  bool exemplar, std::vector<float>& out,
                                  std::vector<float>& sums) const {
@@ -94,7 +94,7 @@ void RotationMatcher::spectra_of(const MaskedTables& tables, std::size_t first, 
         const float* weight = tables.weights.data() + (first + t) * cells;
         for (std::size_t i = 0; i < cells; ++i) {
             const auto p = products(value[i], weight[i], exemplar);
-            // The weight of a ring, cos(theta) dw, enters each product once: with the point.
+            // The weight of a ring, cos(theta) dw, is applied once in each product: to the point.
             const float share = exemplar ? 1.0f : ring_weight_[i / azimuths];
             for (std::size_t k = 0; k < kProducts; ++k)
                 columns[k][i % azimuths * rings + i / azimuths] = share * p[k];
@@ -147,7 +147,7 @@ class RotationMatcher::Tile {
           rings_(static_cast<std::size_t>(matcher.grid_.rings)),
           f_count_(static_cast<std::size_t>(matcher.frequencies_)) {}
 
-    // Spectra and sums as spectra_of made them.
+    // Spectra and sums in the layout of spectra_of.
     void set_exemplars(const float* spectra, const float* sums, std::size_t count) {
         exemplars_ = count;
         exemplar_spectra_ = spectra;
@@ -168,8 +168,8 @@ class RotationMatcher::Tile {
   private:
     // The four sums of the header, as indices of sums_.
     enum Sum : std::size_t { kA, kO, kB, kX, kSums };
-    // Points whose four sums are worked out at all rotations, then compared: those of 4 points and
-    // 64 exemplars, 0.4 MB, are still in the cache when they are compared.
+    // Points whose sums are computed at all rotations, then compared. The sums of 4 points and 64
+    // exemplars take 0.4 MB and stay in the cache until they are compared.
     static constexpr std::size_t kChunk = 4;
 
     // Multiplies spectra: products_[sum][parity of the frequency][frequency / 2][re, im][pair].
@@ -189,10 +189,10 @@ class RotationMatcher::Tile {
         }
     }
 
-    // Number of even (odd = 0) or odd frequencies.
+    // Number of even (odd = 0) or odd (odd = 1) frequencies.
     std::size_t of_parity(std::size_t odd) const { return (f_count_ + 1 - odd) / 2; }
 
-    // Transforms products_[k] of the pairs [first, first + count) of `all` back:
+    // Transforms products_[k] of the pairs [first, first + count) of `all` to rotations:
     // sums_[k][rotation][pair].
     void over_rotations(std::size_t k, std::size_t first, std::size_t count, std::size_t all) {
         const std::size_t quarters = quarter(f_count_);
@@ -209,9 +209,10 @@ class RotationMatcher::Tile {
         for (std::size_t s = 0; s < quarters; ++s) spread(s, count, sums_[k].data());
     }
 
-    // From the sums over even and odd frequencies at s columns to the rotations by s, -s, half - s
-    // and half + s, where half is half a circle: at half - s the cosine of frequency f is (-1)^f
-    // times that at s, and the sine -(-1)^f times (docs/theory/rotation-match.md).
+    // Combines the sums over even and odd frequencies at s columns to the rotations s, -s, half - s
+    // and half + s, where half is half a circle. At half - s the cosine of frequency f is (-1)^f
+    // times the cosine at s, and the sine is -(-1)^f times the sine at s
+    // (docs/theory/rotation-match.md).
     void spread(std::size_t s, std::size_t pairs, float* to) const {
         const auto azimuths = static_cast<std::size_t>(m_.grid_.azimuths);
         const float *ce = cosine_sums_[0].data() + s * pairs,
@@ -265,12 +266,12 @@ class RotationMatcher::Tile {
         return sums_[k].data() + shift * least_.size();
     }
 
-    // Is the overlap large enough for the rotation to count?
+    // Is the overlap large enough for the rotation to be valid?
     bool counts(float o, float least) const { return o >= m_.least_overlap_ * least; }
 
-    // Of one rotation of a pair whose smaller sum of weights is `least`.
+    // The residual of one rotation of a pair; `least` is the smaller of the pair's sums of weights.
     float residual(float a, float o, float b, float x, float least) const {
-        // A positive correlation only: a negative scale would match the shape's opposite.
+        // Only positive correlations: a negative scale would match the inverse of the shape.
         const float cosine = std::max(x, 0.0f);
         const float left = 1.0f - cosine * cosine / std::max(a * b, 1e-30f);
         return counts(o, least) ? std::max(left, 0.0f) : 1.0f;
@@ -306,14 +307,14 @@ void RotationMatcher::match(const MaskedTables& points, const Take& take) const 
     match_range(points, 0, count_, take);
 }
 
-// Exemplars are laid out in tiles and matched by whole tiles: those before `first` are computed and
-// left out.
+// Exemplars are laid out and matched in whole tiles: results before `first` are computed and
+// discarded.
 void RotationMatcher::match_range(const MaskedTables& points, std::size_t first, std::size_t count,
                                   const Take& take) const {
     const std::size_t begin_tile = first / kExemplarTile;
     const std::size_t end = std::min(first + count, count_);
-    // Points of a group are matched against a tile of exemplars while it is in the cache. Two tiles
-    // of points keep the memory of their spectra within 10 MB a worker.
+    // A group of points is matched against a tile of exemplars while the tile is in the cache. With
+    // two tiles of points the spectra of a worker stay below 10 MB.
     constexpr std::size_t kGroup = 2 * kPointTile;
     parallel_for(points.count, kGroup, [&](std::size_t group_begin, std::size_t group_end) {
         const std::size_t group = group_end - group_begin;

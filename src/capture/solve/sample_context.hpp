@@ -1,4 +1,4 @@
-// What turns the values of a pixel into samples of its distribution, for all stages of a fit.
+// Converts the values of a pixel to samples of its distribution, for all stages of a fit.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-// Memory that a worker keeps from one pixel to the next.
+// Memory that a worker reuses from pixel to pixel.
 struct PixelWork {
     PointLights lights;
     PointSamples samples;
@@ -17,12 +17,12 @@ struct PixelWork {
 // Shared by all workers, which only read it. `geometry` must outlive the context.
 struct SampleContext {
     const LightGeometry* geometry = nullptr;
-    std::vector<std::uint8_t> keep;  // a light each: 1 takes part, 0 is held out
+    std::vector<std::uint8_t> keep;  // one value for each light: 1 takes part, 0 is held out
     NdfGrid grid;                    // of the exemplars
     float spacing_rad = 0.05f;       // median distance of neighboring half vectors
 
     // Fills work.samples with the samples of a pixel in the frame of `normal`. `values`: lights x
-    // 3, as the stack decodes them.
+    // 3, as decoded by the stack.
     void gather(std::size_t pixel, const Vec3f& normal, const float* values,
                 PixelWork& work) const {
         geometry->at(pixel, work.lights);

@@ -1,4 +1,4 @@
-// Changes of which exemplars there are: splitting, merging, joining.
+// Steps that change the set of exemplars: splitting, merging, joining.
 #include <algorithm>
 #include <numeric>
 
@@ -8,17 +8,17 @@ namespace burnish {
 
 namespace {
 
-// An exemplar of fewer points is dropped by a split, and a split makes no half of fewer than twice
-// as many.
+// Fewest points of an exemplar: a split drops exemplars with fewer. It splits only exemplars with
+// at least four times as many.
 constexpr std::size_t kFewestPoints = 4;
-// Ratio of the mean errors of the worse and the better half of an exemplar's points from which it
-// is split; noise alone makes 1.1.
+// Least ratio of the mean errors of the worse and the better half of an exemplar's points for a
+// split; noise alone gives 1.1.
 constexpr double kSplitRatio = 1.8;
-// Share of the largest principal component in the variance of the points' residual signatures from
-// which an exemplar is split; noise alone makes a few hundredths.
+// Least variance share of the largest principal component of the points' residual signatures for a
+// split; noise alone gives a few hundredths.
 constexpr double kSplitVariation = 0.15;
-// Ratio of the mean errors of an exemplar's points with other exemplars and with their own up to
-// which the others take them.
+// Largest ratio of the mean errors of an exemplar's points with other exemplars and with their own
+// for which the others take the points.
 constexpr double kMergeRatio = 1.25;
 
 using Members = std::vector<std::vector<std::size_t>>;
@@ -30,7 +30,7 @@ void drop_candidates(SearchState& state) {
     }
 }
 
-// The exemplars that are alive, at least one, under new numbers.
+// Keeps the exemplars that are alive, at least one, and renumbers them.
 SearchState keep_exemplars(SearchState state, std::vector<bool> alive) {
     if (std::none_of(alive.begin(), alive.end(), [](bool a) { return a; })) alive.front() = true;
     Exemplars next;
@@ -57,10 +57,10 @@ std::vector<std::size_t> smallest_first(const Members& members) {
 
 // ---- splitting
 
-// How an exemplar's points fall into two: `second` says of each of `points` whether it is in the
-// second half.
+// The two halves of an exemplar's points: `second[k]` is true if the k-th point is in the second
+// half.
 struct Halves {
-    bool differ = false;  // more than noise makes them
+    bool differ = false;  // by more than noise
     std::vector<bool> second;
 };
 
@@ -77,7 +77,7 @@ Halves halves_of(const SearchState& state, std::vector<std::size_t>& points) {
     };
     std::vector<const Signature*> signatures;
     for (const std::size_t p : points) signatures.push_back(&state.points[p].signature);
-    std::vector<float> place;  // of each point along the main variation
+    std::vector<float> place;  // coordinate of each point along the largest principal component
     const bool uneven = mean(half, points.size()) > kSplitRatio * mean(0, half);
     const bool varied = main_variation(signatures, place) > kSplitVariation;
     Halves out;
@@ -89,8 +89,8 @@ Halves halves_of(const SearchState& state, std::vector<std::size_t>& points) {
 
 // ---- merging
 
-// What a point would have without exemplar `own`: the best of its other candidates that are alive.
-// No candidate: exemplar -1 and an error of 1.
+// The fit of a point without exemplar `own`: the best of its other candidates that are alive.
+// Without such a candidate: exemplar -1 and an error of 1.
 struct Alternative {
     Candidate candidate;
     double error = 1.0;
@@ -110,19 +110,20 @@ Alternative alternative_to(int own, const PointState& point, const std::vector<b
     return out;
 }
 
-// Share of the samples of an exemplar's points that its known cells, which were fitted to them,
-// leave free.
+// Share of free samples of an exemplar's points: 1 - known cells / samples, since the cells were
+// fitted to the samples.
 double freedom_of(const Exemplars& all, int e, std::size_t points, std::size_t lights) {
     const auto known = static_cast<double>(std::count_if(
         all.weight(e), all.weight(e) + all.grid.cells(), [](float w) { return w > 0.0f; }));
     const auto samples = static_cast<double>(points * lights);
-    // 0.9: the share is divided by, and is 0 where there are no more samples than cells.
+    // Limits the share to 0.1: it is a divisor, and it would be 0 if there are no more samples than
+    // cells.
     return 1.0 - std::min(0.9, known / std::max(samples, 1.0));
 }
 
 // ---- joining
 
-// The residuals and rotations between all pairs of exemplars.
+// Matches all pairs of exemplars.
 std::vector<std::vector<RotationMatch>> matches_between(const Exemplars& exemplars) {
     std::vector<std::vector<RotationMatch>> out(static_cast<std::size_t>(exemplars.count));
     RotationMatcher matcher(exemplars.grid);
@@ -164,7 +165,7 @@ SearchState split_exemplars(const SearchInput& input, SearchState state) {
     }
     state.exemplars = std::move(next);
     drop_candidates(state);
-    // The samples of the two halves decide what their tables become.
+    // The samples of each half determine its table.
     return solve_tables(input, std::move(state));
 }
 
@@ -181,8 +182,9 @@ SearchState merge_exemplars(const SearchInput& input, SearchState state) {
             then += other.error;
             move.push_back(other.candidate);
         }
-        // Generalized cross-validation (Craven & Wahba 1979): a table of few points was fitted to
-        // their noise, too, and its error on other samples is larger by the square of its freedom.
+        // Generalized cross-validation (Craven & Wahba 1979): a table of few points is fitted to
+        // their noise too, so that its error on other samples is larger by a factor of 1 /
+        // freedom^2.
         const double freedom = freedom_of(state.exemplars, static_cast<int>(e), own.size(),
                                           input.context.geometry->lights());
         if (!own.empty() && then > kMergeRatio * now / (freedom * freedom)) continue;
@@ -202,7 +204,7 @@ SearchState join_alike(const SearchInput& input, SearchState state, float alike)
     const std::vector<std::size_t> order = smallest_first(members_of(state));
     std::vector<bool> alive(order.size(), true);
     std::vector<Candidate> to(
-        order.size());  // of exemplars that go: where, and the further rotation
+        order.size());  // of removed exemplars: the target and the added rotation
     for (std::size_t place = 0; place < order.size(); ++place) {
         const std::size_t e = order[place];
         float least = alike;

@@ -1,4 +1,4 @@
-// Points and tables, solved for alternately.
+// Solves for points and tables alternately.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,22 +14,22 @@ namespace burnish {
 
 namespace {
 
-// Exemplars that each point is tried with: the right one is among the first of a match by partial
-// tables nearly always.
+// Candidates tried for each point: a match of partial tables nearly always ranks the right exemplar
+// among the first.
 constexpr std::size_t kTrainingCandidates = 6;
-// Columns to each side of a matched rotation in which the best one is searched: partial tables are
-// blurred by about a column.
+// Half width, in columns, of the search around a matched rotation: partial tables are blurred by
+// about a column.
 constexpr float kSearchColumns = 1.5f;
-// Points of an exemplar from which its slide along the diffuse direction is worked out: one number
-// needs no more.
+// Points of an exemplar from which its step along the diffuse direction is computed: enough for one
+// number.
 constexpr std::size_t kSlidePoints = 256;
-// Least bend of a peak (peak_slope) by which an exemplar is centered, that of alpha 1: many points
-// show an exemplar from all sides, so that even broad lobes have a middle.
+// Least curvature of a peak (peak_slope) for centering an exemplar, that of alpha 1. Many points
+// show an exemplar from all sides, so that the center of even a broad lobe is known.
 constexpr double kLeastExemplarBend = 2.0;
-// Points that a worker takes at a time.
+// Points in one work item.
 constexpr std::size_t kPointTile = 32;
 
-// Tries the point's candidates; false when none explains anything.
+// Tries the point's candidates; returns false if none explains any of its light.
 bool assign_best(const SearchState& state, const PixelWork& work, PointState& point) {
     const PointFitter fitter(work.samples, static_cast<float>(state.eta));
     point.fit = {};
@@ -68,8 +68,8 @@ void fit_point(const SearchInput& input, const SearchState& state, std::size_t p
         if (candidate.exemplar == point.assigned.exemplar) candidate.shift = point.fit.shift;
 }
 
-// A tilt of the normals of all its points and a lean of an exemplar the other way explain the same
-// samples: the lean is taken from the exemplar and given to the normals.
+// Centers the exemplars. A tilt of all normals of an exemplar's points and an opposite lean of the
+// exemplar predict the same samples; the lean is moved from the exemplar to the normals.
 SearchState center_exemplars(const SearchInput& input, SearchState state) {
     const auto members = members_of(state);
     const NdfGrid& grid = input.context.grid;

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-// What a search works on; no step changes it.
+// The inputs of a search; no step changes them.
 struct SearchInput {
     const SampleContext& context;
     const std::vector<std::size_t>& pixels;  // of the training points
@@ -33,14 +33,14 @@ struct PartialTables {
     MaskedTables masked() const { return {tables, weights, count}; }
 };
 
-// One training point.
+// The state of one training point.
 struct PointState {
     Vec3f normal{0.0f, 0.0f, 1.0f};
     Candidate assigned;                 // its exemplar and rotation
     PointFit fit;                       // of the assigned exemplar; error 0 before the first round
-    std::vector<Candidate> candidates;  // exemplars of the state that were tried, or will be
-    std::vector<PointFit> trials;       // of each candidate
-    Signature signature{};              // of what the assigned exemplar leaves
+    std::vector<Candidate> candidates;  // exemplars of this state that were tried or will be
+    std::vector<PointFit> trials;       // the fit of each candidate
+    Signature signature{};              // of the assigned exemplar's residuals
 };
 
 struct SearchState {
@@ -54,35 +54,35 @@ struct SearchState {
     }
 };
 
-// The points that each exemplar is assigned to, in increasing order.
+// Lists the points of each exemplar in increasing order.
 std::vector<std::vector<std::size_t>> members_of(const SearchState& state);
-// Of PointFit::error, each at most 1.
+// Mean of PointFit::error, each at most 1, over the points.
 double mean_error(const SearchState& state);
 
 // ---- search_rounds.cpp: points and tables are solved for alternately
 
-// What each point shows by itself, which clustering starts from; the points' first normals.
+// Solves for the partial distribution of each point, the input of clustering, and for its first
+// normal.
 SearchState solve_partial(const SearchInput& input, double eta, PartialTables& partial);
-// Assigns to every point its best candidate, then solves for every exemplar from its points and,
-// where normals may tilt, centers the exemplars. `match`: candidates are found anew, by the partial
-// tables; without, they stay.
+// Assigns its best candidate to every point, then solves for every exemplar from its points and,
+// where normals may tilt, centers the exemplars. `match`: finds new candidates by matching partial
+// tables; otherwise keeps them.
 SearchState solve_round(const SearchInput& input, const PartialTables& partial, SearchState state,
                         bool match);
-// Solves for every exemplar from the samples of its points and completes it.
+// Solves for every exemplar from the samples of its points and completes the table.
 SearchState solve_tables(const SearchInput& input, SearchState state);
 
-// ---- search_changes.cpp: changes of which exemplars there are. Candidates are dropped, as they
-// name exemplars of the state before; tables are solved for at the end.
+// ---- search_changes.cpp: steps that change the set of exemplars. They clear the candidates, which
+// refer to exemplars of the previous state, and end by solving for the tables.
 
-// Gives the worse explained half of an exemplar's points an exemplar of their own where the halves
-// differ more than noise makes them; the next round takes the two apart. Exemplars of hardly any
-// points are dropped.
+// Splits an exemplar if its points form two halves that differ more than by noise: the second half
+// gets a copy, and the next round separates the two tables. Drops exemplars with very few points.
 SearchState split_exemplars(const SearchInput& input, SearchState state);
-// Drops exemplars whose points others explain about as well: those that stay have more points, and
-// more rotations, each. The exemplars with the fewest points are tried first.
+// Drops exemplars whose points others explain about as well, so that each remaining exemplar has
+// more points and rotations. Tries the exemplars with the fewest points first.
 SearchState merge_exemplars(const SearchInput& input, SearchState state);
-// Joins exemplars with a residual (RotationMatch) below `alike`: the one with fewer points gives
-// them to the other.
+// Joins pairs of exemplars with a residual (RotationMatch) below `alike`: the exemplar with fewer
+// points gives them to the other.
 SearchState join_alike(const SearchInput& input, SearchState state, float alike);
 
 }  // namespace burnish

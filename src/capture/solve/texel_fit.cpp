@@ -16,50 +16,50 @@ namespace burnish {
 
 namespace {
 
-// Exemplars that a pixel is tried with, in the order of its match: the right one is nearly always
+// Candidates tried for each pixel, in the order of their match: the right exemplar is nearly always
 // among them.
 constexpr std::size_t kCandidates = 3;
-// Exemplars that a pixel is tried with when none of the first explains it.
+// Candidates tried if none of the first kCandidates explains the pixel.
 constexpr std::size_t kDoubtCandidates = 8;
-// Ratio of a pixel's error and the mean one of the training points from which it is tried again.
+// Ratio of a pixel's error to the mean error of the training points above which the pixel is tried
+// again.
 constexpr float kDoubt = 3.0f;
-// Columns between the rotations that are tried again: half the width within which a search finds
-// the best.
+// Columns between the rotations of the second trial: half the width within which a search finds the
+// minimum.
 constexpr int kDoubtStep = 2;
-// Columns to each side of a matched rotation in which the best is searched: exemplars are no longer
-// blurred, so that matches are this good.
+// Half width, in columns, of the search around a matched rotation: tables of exemplars are not
+// blurred, so that matches have this accuracy.
 constexpr float kTexelColumns = 1.0f;
-// Samples by which candidates are told apart, half of them the brightest: a fifth of the usual
-// capture's.
+// Samples used to compare candidates, half of them the brightest: a fifth of the usual capture's.
 constexpr std::size_t kSearchSamples = 320;
-// Columns to each side in which the best rotation by all samples is searched, from the best by
+// Half width, in columns, of the final search with all samples, around the best rotation with
 // kSearchSamples.
 constexpr float kLastColumns = 0.25f;
-// Ratio of a candidate's error and the least one, by kSearchSamples, up to which all samples
-// decide.
+// Candidates with an error up to this ratio to the least, both with kSearchSamples, are compared
+// with all samples.
 constexpr float kClose = 1.5f;
-// Ratio of a candidate's error and the least one from which, after one step of its search, it is
-// given up: further steps lower an error by less.
+// A candidate's search ends after one step if the ratio of its error to the least is above this:
+// further steps reduce an error by less.
 constexpr float kGiveUp = 4.0f;
-// Times that the normal and the rotation of a pixel are solved for alternately.
+// Alternations between solving for the normal and the rotation of a pixel.
 constexpr int kNormalPasses = 3;
-// Samples that models are fitted to: enough for five numbers; more of them predict held-out lights
-// no better.
+// Samples used to fit the models: enough for five numbers; more samples do not predict held-out
+// lights better.
 constexpr std::size_t kModelSamples = 96;
-// Steps of a model's search: it starts from the exemplar's nearest lobe.
+// Steps of a model's search, which starts from the exemplar's nearest lobe.
 constexpr int kModelSteps = 3;
-// Pixels that a worker takes at a time; they are matched together.
+// Pixels of a tile, which one worker matches together.
 constexpr std::size_t kPixelTile = 16;
-// For searches that never give up.
+// Error limit of searches without an early end.
 constexpr float kNever = 1e30f;
 
-// A candidate with the rotation that is best on a few of the samples, and its error there.
+// A candidate with its best rotation and its error, both with kSearchSamples.
 struct Tried {
     int exemplar;
     PointFit fit;
 };
 
-// The candidates of one pixel, tried on some of its samples and judged by all.
+// The candidates of one pixel: searched with some of its samples, ranked with all.
 class Trials {
   public:
     Trials(const Exemplars& exemplars, const PointFitter& all, const PointFitter& few)
@@ -70,7 +70,7 @@ class Trials {
         add(candidate.exemplar, candidate.shift, kGiveUp * least_);
     }
 
-    // Searches near the best of rotations all around.
+    // Searches near the best of rotations around the whole circle.
     void add_all_around(const Candidate& candidate) {
         PointFit lowest;
         lowest.error = kNoFit;
@@ -81,8 +81,8 @@ class Trials {
         add(candidate.exemplar, lowest.shift, kNever);
     }
 
-    // The best by all samples among those that are close to the best by the few; exemplar -1 when
-    // nothing was added. What all samples say of a rotation differs from what the few say by less
+    // The best with all samples among those with nearly the least error with the few; exemplar -1
+    // if there is no candidate. The best rotations with all and with few samples differ by less
     // than kLastColumns.
     Tried best() const {
         Tried out{-1, {}};
@@ -108,7 +108,7 @@ class Trials {
     const Exemplars& exemplars_;
     const PointFitter &all_, &few_;
     std::vector<Tried> tried_;
-    float least_ = kNoFit;  // error by the few samples
+    float least_ = kNoFit;  // with the few samples
 };
 
 float luminance(const std::array<float, 3>& rgb) {
@@ -121,12 +121,12 @@ float luminance(const std::array<float, 3>& rgb) {
 struct TexelFitter::TileWork {
     std::vector<float> values, tables, weights;
     std::array<PixelWork, kPixelTile> pixels;
-    std::array<Vec3f, kPixelTile> normals;  // before exemplars are known
+    std::array<Vec3f, kPixelTile> normals;  // before the exemplars are known
     PartialNdfWork partial;
     PointSamples few;
 };
 
-// What all workers share.
+// State shared by all workers.
 struct TexelFitter::Shared {
     std::vector<LobeFit> lobes;  // of each exemplar
     RotationMatcher matcher;
@@ -197,8 +197,8 @@ void TexelFitter::gather_tile(const StackBand& band, std::size_t begin, std::siz
     }
 }
 
-// The best exemplar and rotation of a pixel, the k-th of its tile, and its strengths in each
-// channel. A pixel that no candidate explains stays without an exemplar.
+// Fits the best exemplar and rotation of a pixel, the k-th of its tile, and its strengths in each
+// channel. A pixel that no candidate explains has no exemplar.
 void TexelFitter::fit_texel(std::size_t pixel, std::size_t k,
                             const std::vector<Candidate>& candidates, TileWork& tile,
                             Texels& texels) const {
@@ -211,7 +211,8 @@ void TexelFitter::fit_texel(std::size_t pixel, std::size_t k,
     for (std::size_t c = 0; c < std::min(candidates.size(), kCandidates); ++c)
         trials.add(candidates[c]);
     Tried best = trials.best();
-    // Far worse than other points: what the pixel shows looked most like something else.
+    // A much larger error than at the training points: the match may have ranked the right rotation
+    // low.
     if (best.exemplar >= 0 && best.fit.error > shared_->doubt) {
         for (const Candidate& candidate : candidates) trials.add_all_around(candidate);
         best = trials.best();
@@ -223,7 +224,7 @@ void TexelFitter::fit_texel(std::size_t pixel, std::size_t k,
         for (int pass = 0; pass < kNormalPasses; ++pass)
             normal = refined_normal({context_, pixel, values, shared_->eta, own}, normal, work,
                                     best.fit);
-        fitter = PointFitter(work.samples, shared_->eta);  // they were gathered anew
+        fitter = PointFitter(work.samples, shared_->eta);  // the samples were gathered again
     }
     std::array<float, 3> diffuse{}, specular{};
     fitter.colors(own, best.fit.shift, diffuse, specular);

@@ -1,4 +1,4 @@
-// The last stage of a fit: every pixel against the exemplars, band by band.
+// The last stage of a fit: fits the exemplars to every pixel, band by band.
 #pragma once
 
 #include <array>
@@ -17,23 +17,23 @@ namespace burnish {
 
 struct TexelFitSettings {
     bool normals = false;  // the normals of pixels may tilt
-    bool models = true;    // the analytic models of every pixel too
-    double eta = 0.0;      // of Fresnel; 0: none
-    // Root of the mean of PointFit::error of the training points: tells which pixels are fitted
-    // badly.
+    bool models = true;    // also fits the analytic models to every pixel
+    double eta = 0.0;      // index of refraction; 0: no Fresnel factor
+    // Root of the mean of PointFit::error over the training points. Pixels with much larger errors
+    // are tried again.
     double training_error = 0.0;
 };
 
 class TexelFitter {
   public:
     // `context`, `stack` and `exemplars` must outlive the fitter. `lobes`: the nearest GGX lobe of
-    // each exemplar, from which models start.
+    // each exemplar, the start of the models' searches.
     TexelFitter(const SampleContext& context, const ImageStack& stack, const Exemplars& exemplars,
                 std::vector<LobeFit> lobes, const TexelFitSettings& settings);
     ~TexelFitter();
 
-    // Fits the pixels of a band, which lie within `texels`. Runs in parallel; the results do not
-    // depend on the number of threads, nor on which bands were fitted before. One call at a time.
+    // Fits the pixels of a band, which must lie within `texels`. Runs in parallel; the results
+    // depend neither on the number of threads nor on the bands fitted before. One call at a time.
     // Throws Interrupted.
     void fit(const StackBand& band, const Progress& progress, Texels& texels);
 

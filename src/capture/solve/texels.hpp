@@ -1,4 +1,4 @@
-// What a fit finds for each pixel: of a whole sample, or of the bands that one job of several fits.
+// The results of a fit for each pixel: of a whole sample, or of the bands of one of several jobs.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace burnish {
 
-// The numbers of each analytic model and texel, by the names that they have in the material's maps.
+// The map names of each analytic model's numbers; each texel has one value of each.
 inline constexpr std::array<const char*, 5> kModelNumbers = {"alpha_along", "alpha_across",
                                                              "groove_deg", "diffuse", "specular"};
 
-// Pixels [first, first + count) of the row-major picture; arrays hold them in that order.
+// Pixels [first, first + count) of the row-major picture, in that order in all arrays.
 struct Texels {
     std::size_t first = 0, count = 0;
     std::vector<std::uint16_t>
@@ -23,13 +23,13 @@ struct Texels {
     std::vector<float> angle;  // rotation of the exemplar, radians, counter-clockwise
     std::vector<float> error;  // PointFit::error
     std::vector<float> diffuse, specular, normal;  // x 3
-    std::vector<float> models;  // x models x kModelNumbers; empty when models are not wanted
+    std::vector<float> models;  // x models x kModelNumbers; empty without models
 
     Texels() = default;
-    // Pixels without an exemplar, their normals +z.
+    // Pixels without an exemplar; their normals are +z.
     Texels(std::size_t first_pixel, std::size_t pixels, bool with_models);
 
-    // Calls use(member, values a pixel) for each array: the one list of them.
+    // Calls use(member, values per pixel) for each array.
     template <typename Use>
     static void for_each_field(bool with_models, Use use) {
         use(&Texels::exemplar, std::size_t{1});
@@ -43,9 +43,10 @@ struct Texels {
     }
 
     bool has_models() const { return !models.empty(); }
-    // Are all arrays as long as `count` asks?
+    // Do all arrays have the length that `count` requires?
     bool whole(bool with_models) const;
-    // Overwrites the pixels of `part`, which must lie within these and have models where these do.
+    // Overwrites the pixels of `part`, which must lie within these; if these have models, so must
+    // `part`.
     void merge(const Texels& part);
 };
 

@@ -8,18 +8,18 @@ namespace burnish {
 
 namespace {
 
-// Bytes of training values in memory at most, whatever is asked for.
+// Upper bound of the memory of training values in bytes, also for a requested number of points.
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-// Training points by default. The figures of docs/evidence/capture-results.md were reached with a
-// tenth of them.
+// Default number of training points. A tenth of them gave the figures of
+// docs/evidence/capture-results.md.
 constexpr std::size_t kUsualPoints = 8192;
-// Samples of the training points by default, at most: the time that exemplars take is in proportion
-// to them.
+// Upper bound of the samples of the default number of points: the time to find exemplars is
+// proportional to them.
 constexpr std::size_t kUsualSamples = 4000000;
-// Points at least, however many lights there are.
+// Least number of points, for any number of lights.
 constexpr std::size_t kFewest = 16;
 
-// Spread evenly over what is to be fitted.
+// Chooses pixels spread evenly over the mask.
 std::vector<std::size_t> spread_pixels(const ImageStack& stack, int wanted) {
     std::vector<std::size_t> all;
     for (std::size_t p = 0; p < stack.pixels(); ++p)
@@ -35,7 +35,7 @@ std::vector<std::size_t> spread_pixels(const ImageStack& stack, int wanted) {
     std::vector<std::size_t> chosen(most);
     const double step = static_cast<double>(all.size()) / static_cast<double>(most);
     for (std::size_t k = 0; k < most; ++k) {
-        // Multiples of an irrational number do not fall into step with the rows of the picture.
+        // Multiples of an irrational number avoid aliasing with the rows of the picture.
         const double jitter = std::fmod(static_cast<double>(k) * std::numbers::phi, 1.0);
         const auto at = static_cast<std::size_t>((static_cast<double>(k) + jitter) * step);
         chosen[k] = all[std::min(all.size() - 1, at)];

@@ -1,4 +1,4 @@
-// The points of a stack that exemplars are made from.
+// Chooses the points of a stack that exemplars are made from.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,12 @@ namespace burnish {
 
 struct TrainingPoints {
     std::vector<std::size_t> pixels;  // in increasing order
-    std::vector<float> values;        // pixels x lights x 3, as the stack decodes them
+    std::vector<float> values;        // pixels x lights x 3, as decoded by the stack
 };
 
-// Pixels spread evenly over the stack's mask, and their values. `wanted`: at most so many; 0: 8192,
-// and no more than have 4 million samples. The same for the same stack. Throws Error, Interrupted.
+// Chooses pixels spread evenly over the stack's mask and reads their values. `wanted`: upper bound
+// of their number; 0: 8192 or as many as have 4 million samples, whichever is fewer. Deterministic
+// for a stack. Throws Error, Interrupted.
 TrainingPoints training_points(const ImageStack& stack, int wanted, const Progress& progress);
 
 }  // namespace burnish

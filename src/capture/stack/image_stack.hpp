@@ -36,9 +36,9 @@ Image read_flat_field(const Rig& rig);
 // has none.
 std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
 
-// Number of samples at a float picture's maximum from which they count as clipped. A file of floats does not
-// state at which value its sensor clips. The maximum must also be that of the whole stack. Samples
-// of an unclipped sensor hardly ever agree in all bits.
+// Number of samples at a float picture's maximum from which they count as clipped. A file of floats
+// does not state at which value its sensor clips. The maximum must also be that of the whole stack.
+// Samples of an unclipped sensor hardly ever agree in all bits.
 inline constexpr int kRepeatsOfClipping = 8;
 // The same for the largest share of a picture's samples: a picture of one value shows an even card
 // rather than the end of its sensor.
