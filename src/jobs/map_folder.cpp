@@ -20,7 +20,7 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
 
 OutputFolder::~OutputFolder() {
     std::error_code error;
-    if (made_) fs::remove(path_, error);  // refuses when it is not empty
+    if (made_) fs::remove(path_, error);  // fails if the folder is not empty
 }
 
 const std::vector<std::string> kRgb = {"R", "G", "B"};

@@ -1,5 +1,5 @@
-// A folder of maps of one surface, written whole or not at all: what `burnish scratch` and `burnish
-// weave` make.
+// A folder of maps of one surface, the output of `burnish scratch` and `burnish weave`. It is
+// written completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@
 
 namespace burnish {
 
-// The folder, made when it is not there and removed again when nothing came into it. Throws Error
-// when `path` is something else or has no folder to lie in.
+// Creates the folder if it is missing and removes it again if it stays empty. Throws Error if
+// `path` is not a folder or has no parent folder.
 class OutputFolder {
   public:
     explicit OutputFolder(const std::filesystem::path& path);
@@ -38,9 +38,9 @@ extern const std::vector<std::string> kRgb;
 DataPicture picture_of_rows(DataFormat format, std::vector<std::string> channels, int width,
                             int height, std::function<void(int begin, int end, float* to)> rows);
 
-// Writes `others` and the pictures into `folder`, all with `metadata`. The first of `others` gets
-// its name last: where it is, the maps of the same run are. Returns the paths. Interrupted by what
-// `progress` throws it leaves what was there before.
+// Writes `others` and the pictures into `folder`, all with `metadata`. The first of `others` is
+// renamed to its final name last: if it exists, so do the maps of its run. Returns the paths. If
+// `progress` throws, the previous files stay.
 std::vector<std::filesystem::path> write_map_folder(
     const std::filesystem::path& folder, std::vector<FileToWrite> others,
     std::vector<NamedPicture> pictures, const std::map<std::string, std::string>& metadata,

@@ -55,7 +55,7 @@ void check(const RenderRequest& request) {
                          request.output.extension().string());
 }
 
-// What the output cannot hold of what was asked for; empty: nothing.
+// Warns of requested transparency that the output cannot hold; empty: nothing is lost.
 std::string warning_of_lost_transparency(const RenderRequest& request, const Stage& stage) {
     if (stage.settings.background != BackgroundKind::transparent) return "";
     if (!request.compare.empty()) return "--background transparent: a comparison sheet is opaque";
@@ -65,7 +65,7 @@ std::string warning_of_lost_transparency(const RenderRequest& request, const Sta
         request.output.extension().string());
 }
 
-// Part `index` of `count` equal parts of a longer work.
+// Progress of part `index` of `count` equal parts of a longer job.
 Progress part_of(const Progress& whole, std::size_t index, std::size_t count) {
     return whole.with_report([=](std::string_view stage, double done) {
         whole.step(stage, (static_cast<double>(index) + done) / static_cast<double>(count));
@@ -79,7 +79,7 @@ void write_result(const std::filesystem::path& path, const Image& linear, const 
                 metadata);
 }
 
-// Before the first picture of a sheet, not after some of them.
+// Checks all pictures of a sheet before the first one is drawn.
 void require_drawable(const std::vector<Material>& materials, const std::vector<Method>& methods) {
     for (const Method method : methods)
         for (const Material& material : materials) require_drawable(material, method);
@@ -89,7 +89,7 @@ void set_method(std::vector<Material>& materials, Method method) {
     for (Material& material : materials) material.method = method;
 }
 
-// Row 1: the pictures. Row 2: what each changes against the reference, `follow-grain` when it is
+// Row 1: the pictures. Row 2: the difference of each from the reference, `follow-grain` if it is
 // among them, else the last.
 Image comparison_sheet(const std::vector<Method>& methods, const std::vector<Image>& pictures) {
     const auto grain = std::find(methods.begin(), methods.end(), Method::follow_grain);

@@ -1,4 +1,4 @@
-// The parts of `burnish render` that others use; the command itself is include/burnish/render.hpp.
+// Functions of `burnish render` that others use; the command itself is include/burnish/render.hpp.
 #pragma once
 
 #include <filesystem>

@@ -21,8 +21,7 @@
 namespace burnish {
 
 struct RotationMatch {
-    float residual =
-        1.0f;  // at the nearest whole column; 1 if no rotation is valid
+    float residual = 1.0f;  // at the nearest whole column; 1 if no rotation is valid
     // Rotation from the exemplar to the point in columns, from -1/2 to azimuths - 1/2. It is whole
     // if a neighbor of the best rotation is invalid.
     float shift = 0.0f;

@@ -23,7 +23,7 @@ struct Texels {
     std::vector<float> angle;  // rotation of the exemplar, radians, counter-clockwise
     std::vector<float> error;  // PointFit::error
     std::vector<float> diffuse, specular, normal;  // x 3
-    std::vector<float> models;  // x models x kModelNumbers; empty without models
+    std::vector<float> models;                     // x models x kModelNumbers; empty without models
 
     Texels() = default;
     // Pixels without an exemplar; their normals are +z.

@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Degrees between the directions of two balls from which a warning is due: of a lamp that is far
-// away they agree to one degree.
+// Least angle in degrees between the directions of two balls for a warning: for a distant lamp they
+// agree to one degree.
 constexpr double kApart = 3.0;
-// Share of the brightest spot's light from which a second one is taken as another lamp: reflections
-// of a room are dimmer.
+// Least ratio of the second spot's light to the brightest spot's for a warning of two lamps:
+// reflections of a room are dimmer.
 constexpr double kTwoLamps = 0.5;
 
 enum class Format { json, lp };
@@ -42,7 +42,7 @@ void check_request(const CaptureDirectionsRequest& r) {
         throw UsageError("--pictures", "",
                          fmt::format("{}, one for each picture of the ball", r.balls.size()),
                          std::to_string(r.pictures.size()));
-    // One picture of two lights is a slip, which read_rig would refuse.
+    // A picture given twice is a mistake; read_rig would reject the rig.
     for (const auto* list : {&r.balls, &r.pictures}) {
         std::set<fs::path> seen;
         for (const fs::path& path : *list)
@@ -68,7 +68,7 @@ double angle_deg(const Vec3d& a, const Vec3d& b) {
     return 2.0 * std::asin(std::min(chord / 2.0, 1.0)) * kDegreesPerRadian;
 }
 
-// What the balls of one picture say together.
+// The combined result of all balls in one picture.
 struct Found {
     Vec3d direction{};                                       // unit, of the picture
     double spread_deg = 0.0, second = 0.0, apart_deg = 0.0;  // the largest of each
@@ -88,7 +88,7 @@ Found look_at(const Image& image, const std::vector<ProbeCircle>& circles, const
         out.spread_deg = std::max(out.spread_deg, light.spread_deg);
         out.second = std::max(out.second, light.second);
     }
-    // Not zero: every z is above 0.
+    // The sum is not zero: every z is positive.
     const double size = std::hypot(out.direction[0], out.direction[1], out.direction[2]);
     for (double& value : out.direction) value /= size;
     return out;
@@ -106,8 +106,8 @@ void warn_of(const Found& found, const fs::path& path, std::vector<std::string>&
                         path.string(), 100.0 * found.second));
 }
 
-// Warns of outlines that were given by their diameter, or with y counted from the bottom:
-// directions come out of those, too.
+// Warns of outlines that look like diameters or like y counted from the bottom: they would give
+// plausible but wrong directions.
 void warn_of_outlines(const std::vector<ProbeCircle>& circles, const fs::path& path,
                       const Image& image, std::vector<std::string>& warnings) {
     for (const ProbeCircle& c : circles)
@@ -119,7 +119,7 @@ void warn_of_outlines(const std::vector<ProbeCircle>& circles, const fs::path& p
                 path.string(), c.x, c.y, c.radius, image.width, image.height));
 }
 
-// The whole rig except for the places of its lights.
+// The rig except for the directions of its lights.
 Rig rig_without_places(const CaptureDirectionsRequest& request,
                        std::vector<std::string>& warnings) {
     Rig rig;
@@ -144,7 +144,8 @@ Rig rig_without_places(const CaptureDirectionsRequest& request,
     return rig;
 }
 
-// The balls' pictures are those of the sample, or what pictures of their kind are.
+// Is the ball's picture linear? It has the sample's response if it shows the sample too, else the
+// usual response of its file format.
 bool linear_ball(const CaptureDirectionsRequest& request, const fs::path& path) {
     const bool same = request.pictures.empty();
     return (same && request.rig.response ? *request.rig.response : usual_response(path)) ==

@@ -1,4 +1,4 @@
-// burnish capture directions: a rig from pictures of mirror balls (docs/guide/capture.md).
+// burnish capture directions: makes a rig from pictures of mirror balls (docs/guide/capture.md).
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,22 @@
 namespace burnish {
 
 struct CaptureDirectionsRequest {
-    std::vector<std::filesystem::path> balls;  // pictures of the balls, a light each
-    std::vector<ProbeCircle> circles;          // the balls in every one of them; at least one
-    // Of the sample, in the same order; empty: the balls lie beside the sample.
+    std::vector<std::filesystem::path> balls;  // pictures of the balls, one for each light
+    std::vector<ProbeCircle> circles;          // of the balls in every picture; one or more
+    // Pictures of the sample, in the same order; empty: the pictures of the balls show the sample
+    // too.
     std::vector<std::filesystem::path> pictures;
-    // `response`: of the sample's pictures. `camera`: a direction. None: what the pictures usually
-    // are, a camera on the normal, a sample of 1 mm a pixel.
+    // `response`: of the sample's pictures. `camera`: a direction. Defaults: the usual response of
+    // the pictures, a camera on the normal, 1 mm per pixel.
     RigOverrides rig;
     std::filesystem::path output;  // .json or .lp
 };
 
-// What the balls of one picture say of its light.
+// The direction of one light from all balls of its picture.
 struct FoundDirection {
     std::filesystem::path picture;
     Vec3d direction{};        // unit, in the sample's coordinates
-    double spread_deg = 0.0;  // of the highlight about its direction; the largest of the balls
+    double spread_deg = 0.0;  // spread of the highlight about its direction, largest of the balls
     double apart_deg = 0.0;   // largest angle between the directions of two balls; 0 for one ball
 };
 
@@ -36,9 +37,9 @@ struct CaptureDirectionsResult {
     std::vector<std::filesystem::path> written;
 };
 
-// Writes the rig, whole or not at all. Throws UsageError for another ending of `output`, for a
-// size, response or camera that an .lp file cannot say, and where there are not as many pictures as
-// lights; Error naming the picture for what cannot be read or shows no lamp.
+// Writes the rig completely or not at all. Throws UsageError for an unknown extension of `output`,
+// for a size, response or camera that an .lp file cannot hold, and for unequal numbers of pictures
+// and lights; Error naming the picture if it cannot be read or shows no lamp.
 CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request,
                                            const Progress& progress);
 

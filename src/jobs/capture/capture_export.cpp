@@ -27,7 +27,7 @@ bool is_outside(const TabulatedMaterial& m, std::size_t texel) {
     return m.exemplar[texel] == TabulatedMaterial::kNoExemplar;
 }
 
-// Channels of one texel to `to`; 0 outside the mask.
+// Writes the channels of one texel to `to`; 0 outside the mask.
 using TexelValue = std::function<void(std::size_t texel, float* to)>;
 
 DataPicture picture_of_texels(const TabulatedMaterial& m, std::vector<std::string> channels,
@@ -100,7 +100,7 @@ SampleQuad quad_of(const TabulatedMaterial& m, const fs::path& material,
     return quad;
 }
 
-// What glTF has no words for.
+// Warns of properties that glTF cannot hold.
 void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes,
                     const fs::path& material, std::vector<std::string>& warnings) {
     std::size_t texels = 0, dim = 0, bright = 0, other = 0;
@@ -108,10 +108,10 @@ void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobe
         if (is_outside(m, t)) continue;
         const float* s = m.specular.pixels.data() + 3 * t;
         ++texels;
-        // No warning is due for a tenth less than the 4 % of glTF's dielectrics.
+        // A warning starts at 10 % below the F0 of 4 % of glTF's dielectrics.
         dim += f32::luminance(f32::vec3(s[0], s[1], s[2])) < 0.036f;
         bright += std::max({s[0], s[1], s[2]}) > 1.0f;
-        // Beckmann's lobes are 0.23 from the nearest GGX.
+        // The nearest GGX lobe of a Beckmann lobe has a residual of 0.23.
         other += lobes[m.exemplar[t]].residual > 0.3;
     }
     const auto warn = [&](std::size_t count, const char* what) {

@@ -1,5 +1,5 @@
-// burnish capture export: a fitted material as maps for people and as a glTF for other programs
-// (docs/reference/map-folders.md).
+// burnish capture export: writes a fitted material as maps for viewing and as glTF for other
+// programs (docs/reference/map-folders.md).
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace burnish {
 
 struct CaptureExportRequest {
     std::filesystem::path material;
-    std::filesystem::path output;  // a folder, made when it is not there
+    std::filesystem::path output;  // a folder, created if it is missing
     std::string command;           // for metadata
 };
 
@@ -21,7 +21,7 @@ struct CaptureExportResult {
     std::vector<std::string> warnings;
 };
 
-// Writes all files or, when anything fails, none.
+// Writes all files, or none if anything fails.
 CaptureExportResult capture_export(const CaptureExportRequest& request, const Progress& progress);
 
 }  // namespace burnish

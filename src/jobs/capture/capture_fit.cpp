@@ -22,15 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kStages = {"pictures", "exemplars", "texels"};
-// Share of clipped samples from which a warning is due: highlights, which are few samples, miss
-// their tops.
+// Least share of clipped samples for a warning: the few samples of highlights lack their peaks.
 constexpr double kMuchClipped = 0.001;
-// Share of the light from which a warning is due when the fit leaves it unexplained: 5 % of noise
-// leaves less.
+// Least unexplained share of the light for a warning: 5 % of noise leaves less.
 constexpr double kMuchUnexplained = 0.15;
 
-// Warns of what the pictures cannot support before hours are spent on them; throws where nothing
-// can be fitted.
+// Warns of defects of the pictures before the long fit; throws if nothing can be fitted.
 void judge_stack(const ImageStack& stack, const std::string& name,
                  std::vector<std::string>& warnings) {
     const StackCensus& census = stack.census();
@@ -45,8 +42,8 @@ void judge_stack(const ImageStack& stack, const std::string& name,
                         name, 100.0 * census.clipped_share));
 }
 
-// Spread of the rotations of an exemplar's texels about their mean, as lines, in degrees (of a
-// wrapped normal distribution with the same mean resultant).
+// Angular spread in degrees of the rotations of an exemplar's texels about their mean, modulo 180
+// degrees (that of a wrapped normal distribution with the same mean resultant).
 double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels) {
     double x = 0.0, y = 0.0;
     texels = 0;
@@ -81,7 +78,7 @@ ExemplarJudgement judge_exemplars(const CaptureFit& fit, const TabulatedMaterial
     return out;
 }
 
-// What the fit cannot be, given what it was made from.
+// Warns of limits of the fit that follow from its inputs.
 void warn_of_fit(const CaptureFitResult& result, const CaptureFitRequest& request,
                  std::vector<std::string>& warnings) {
     const std::string name = request.stack.string();
@@ -147,7 +144,7 @@ void fit_into(const CaptureFitRequest& request, const Rig& rig, const Progress& 
     write_tabulated_material(request.output, material);
     result.written.push_back(request.output);
     if (!request.keep_stages) {
-        std::error_code ignored;  // the material is written; leftovers do no harm
+        std::error_code ignored;  // the material is written: remaining files are harmless
         fs::remove_all(result.stages, ignored);
     }
 }
@@ -163,13 +160,13 @@ CaptureFitResult capture_fit(const CaptureFitRequest& request, const Progress& p
     require_writable(request.output);
     const Rig rig = read_rig(request.stack, true, request.overrides);
     result.warnings = rig.warnings;
-    if (rig.lights.size() < 3)  // before many pictures are read
+    if (rig.lights.size() < 3)  // before reading many pictures
         throw Error(request.stack.string(), "lights", "at least 3 lights to fit anything",
                     fmt::to_string(rig.lights.size()));
     for (const std::string& line : rig_coverage(rig).diagnosis)
         result.warnings.push_back(fmt::format("{}: {}", request.stack.string(), line));
     result.stages = request.output.string() + ".stages";
-    const OutputFolder folder(result.stages);  // removed again when no stage came to an end
+    const OutputFolder folder(result.stages);  // removed if no stage finished
     try {
         fit_into(request, rig, progress, result);
     } catch (const Interrupted&) {

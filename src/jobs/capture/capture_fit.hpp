@@ -1,4 +1,4 @@
-// burnish capture fit: from a stack of pictures to a material file (docs/guide/capture.md).
+// burnish capture fit: fits a material file to a stack of pictures (docs/guide/capture.md).
 #pragma once
 
 #include <filesystem>
@@ -20,15 +20,15 @@ struct CaptureFitRequest {
     RigOverrides overrides;
     CaptureFitSettings settings;
     std::optional<CaptureStage> until;  // stop after this stage; none: write the material
-    bool keep_stages = false;           // leave what the stages made, for a later run
+    bool keep_stages = false;           // keep the files of the stages for a later run
     std::filesystem::path output;
     std::string command;
 };
 
-// How many exemplars of a material are not what they may seem, of those that texels have.
+// Numbers of exemplars with limited reliability, among those that texels use.
 struct ExemplarJudgement {
     int used = 0;           // by some texel
-    int one_direction = 0;  // all grain within kOneDirectionDeg: nothing could be completed
+    int one_direction = 0;  // all grain within kOneDirectionDeg: completion is impossible
     int narrow = 0;         // narrower than the lights resolve (narrowest_alpha)
     int dark = 0;           // without a highlight under any light
     double narrowest_alpha = 0.0;
@@ -39,19 +39,19 @@ struct CaptureFitResult {
     int width = 0, height = 0;
     std::size_t lights = 0;
     CaptureFitReport fit;      // exemplars 0: stopped before them
-    double unexplained = 0.0;  // share of the light, 0 to 1; with exemplars
+    double unexplained = 0.0;  // of the light, 0 to 1; requires exemplars
     std::filesystem::path stages;
-    // The rest after all stages.
+    // The members below are set after all stages.
     std::size_t held_out_lights = 0;
-    // Of the material and its analytic models; none without such lights.
+    // Errors of the material and its analytic models; empty without held-out lights.
     std::vector<HeldOutError> held_out;
     ExemplarJudgement exemplars;
     std::vector<std::string> warnings;
-    std::vector<std::filesystem::path> written;  // empty when the fit stopped after a stage
+    std::vector<std::filesystem::path> written;  // empty if the fit stopped after a stage
 };
 
-// Stages lie in the folder "<output>.stages" and are removed when the material is written, unless
-// kept. Throws Error; what is done by then is found again by the next run.
+// The stages' files are in the folder "<output>.stages" and are removed once the material is
+// written, unless kept. Throws Error; the next run continues from the finished stages.
 CaptureFitResult capture_fit(const CaptureFitRequest& request, const Progress& progress);
 
 }  // namespace burnish

@@ -33,7 +33,7 @@ Image mask_of(const TabulatedMaterial& m) {
     return out;
 }
 
-// The rig of the pictures that are written: a stack.
+// The rig of the written pictures, which form a stack.
 Rig rendered_rig(const Rig& rig, const TabulatedMaterial& m, const fs::path& folder) {
     Rig out = rig;
     out.response = RigResponse::linear;
@@ -109,7 +109,7 @@ CaptureRelightResult capture_relight(const CaptureRelightRequest& request,
     const std::map<std::string, std::string> metadata = {
         {"burnish:version", std::string(version())}, {"burnish:command", request.command}};
 
-    // The first gets its name last: where rig.json is, all pictures are.
+    // The first file is renamed to its final name last: if rig.json exists, all pictures do.
     std::vector<FileToWrite> files;
     files.push_back(
         {request.output / "rig.json", [&](const fs::path& path) { write_rig(path, rendered); }});
@@ -126,7 +126,7 @@ CaptureRelightResult capture_relight(const CaptureRelightRequest& request,
                              write_image(path, picture, metadata);
                              if (comparison) comparison->add(k, picture);
                          }});
-    // Written last: then all has been compared.
+    // This file is written last, after all pictures have been compared.
     if (comparison)
         files.push_back({request.output / "compare.csv", [&](const fs::path& path) {
                              report.error = comparison->result();

@@ -1,4 +1,4 @@
-// burnish capture relight: pictures of a fitted material under the lights of a rig
+// burnish capture relight: renders a fitted material under the lights of a rig
 // (docs/guide/relight-and-export.md).
 #pragma once
 
@@ -18,23 +18,23 @@ struct CaptureRelightRequest {
     std::filesystem::path material, rig;
     std::optional<std::filesystem::path> compare;  // a rig whose lights name pictures
     RigOverrides overrides;                        // of both rigs
-    std::filesystem::path output;                  // a folder, made when it is not there
+    std::filesystem::path output;                  // a folder, created if it is missing
     std::string command;                           // for metadata
 };
 
 struct CaptureRelightResult {
     std::vector<std::filesystem::path> written;  // rig.json first
     std::vector<std::string> warnings;
-    std::optional<StackError> error;  // where there was something to compare with
+    std::optional<StackError> error;  // set if there were pictures to compare with
 };
 
-// Writes 0000.exr ... and rig.json, which names them, so that they are a stack; with `compare` also
-// compare.csv. All or, when anything fails, none.
+// Writes 0000.exr ... and rig.json, which names them, so that they form a stack; with `compare`
+// also compare.csv. Writes all files, or none if anything fails.
 CaptureRelightResult capture_relight(const CaptureRelightRequest& request,
                                      const Progress& progress);
 
-// Texels lie where the material says, then where the rig says, else 1 mm apart: the rig's size is
-// set, and what does not agree warned of.
+// Sets the rig's size to that of the material, else keeps the rig's, else uses 1 mm per texel.
+// Warns if the material and the rig disagree.
 void take_size_of(const TabulatedMaterial& material, Rig& rig, std::vector<std::string>& warnings);
 
 }  // namespace burnish

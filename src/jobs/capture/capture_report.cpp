@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Before all of them are read.
+// Checks the size before all pictures are read.
 void require_same_size(const Rig& rig, const TabulatedMaterial& m) {
     const fs::path& first = rig.lights.front().images.front().image;
     const ImageInfo info = read_image_info(first);
@@ -33,7 +33,7 @@ void require_same_size(const Rig& rig, const TabulatedMaterial& m) {
                 fmt::format("{} x {}", info.width, info.height));
 }
 
-// The samples of the stack, in a file that has no name any more and is removed when it is closed.
+// Reads the stack into a cache file without a name, which the system removes when it is closed.
 std::unique_ptr<ImageStack> open_stack(const Rig& rig, const fs::path& folder,
                                        const Progress& progress) {
     const fs::path cache = folder / ".pictures.bin";
@@ -42,7 +42,7 @@ std::unique_ptr<ImageStack> open_stack(const Rig& rig, const fs::path& folder,
     return stack;
 }
 
-// What `--hold-out` of the command that made the material was; 0: it does not say.
+// The `--hold-out` of the command that made the material; 0: none recorded.
 int recorded_hold_out(const TabulatedMaterial& m) {
     constexpr std::string_view kFlag = "--hold-out";
     const auto found = m.metadata.find("burnish:command");
@@ -56,7 +56,7 @@ int recorded_hold_out(const TabulatedMaterial& m) {
     return std::max(value, 0);
 }
 
-// Which lights judge, as fitted_lights says.
+// Chooses the lights that judge the fit: 0 in the result of fitted_lights.
 std::vector<std::uint8_t> judges(const CaptureReportRequest& request, const TabulatedMaterial& m,
                                  const Rig& rig, std::string& text) {
     constexpr int kUsual = 10;
@@ -98,7 +98,7 @@ void write_report(const CaptureReportRequest& request, const report::Page& page,
     const std::map<std::string, std::string> metadata = {
         {"burnish:version", std::string(version())}, {"burnish:command", request.command}};
     std::vector<FileToWrite> files;
-    // The first gets its name last: where the page is, its pictures are.
+    // The first file is renamed to its final name last: if the page exists, so do its pictures.
     files.push_back({request.output / "index.html", [&](const fs::path& path) {
                          write_text_file(path, report::page_html(page));
                      }});

@@ -1,5 +1,5 @@
-// burnish capture report: a page of HTML that shows a stack, the fit to it and how well the fit
-// predicts pictures (docs/guide/capture.md).
+// burnish capture report: an HTML page with a stack, the fit to it and the errors of the predicted
+// pictures (docs/guide/capture.md).
 #pragma once
 
 #include <filesystem>
@@ -15,10 +15,10 @@ namespace burnish {
 struct CaptureReportRequest {
     std::filesystem::path material, stack;  // stack: a rig whose lights name pictures
     RigOverrides overrides;
-    std::optional<int> hold_out;  // as the fit had it; none: what the material says of itself
+    std::optional<int> hold_out;  // as in the fit; none: as recorded in the material
     std::string model;            // to render; empty: builtin:sphere and builtin:drape
     int gl_device = -1;
-    std::filesystem::path output;  // a folder, made when it is not there
+    std::filesystem::path output;  // a folder, created if it is missing
     std::string command;
 };
 
@@ -27,9 +27,9 @@ struct CaptureReportResult {
     std::vector<std::string> warnings;
 };
 
-// Writes index.html and its pictures, all or, when anything fails, none. Throws Error when the
-// pictures are of another size than the material, or no light can judge. What the material lacks
-// and a machine that cannot render is said on the page.
+// Writes index.html and its pictures, or none if anything fails. Throws Error if the sizes of the
+// pictures and the material differ, or if no light can judge. The page lists the material's missing
+// parts and a failure to render.
 CaptureReportResult capture_report(const CaptureReportRequest& request, const Progress& progress);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Pictures of held-out lights beside those that the material and other models predict.
+// Compares pictures of held-out lights with the predictions of the material and other models.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,9 +20,9 @@ namespace burnish::report {
 
 namespace {
 
-// Difference, as a share of white, that is shown in full color.
+// Difference relative to white that is shown in full color.
 constexpr double kFullDifference = 0.25;
-// Share of the samples of a picture that are darker than its white.
+// Quantile of a picture's samples that is shown as white.
 constexpr double kWhiteQuantile = 0.995;
 
 double luminance(const float* rgb) {
@@ -30,7 +30,7 @@ double luminance(const float* rgb) {
                                     static_cast<double>(rgb[2])));
 }
 
-// Calls use(texel, values): of all lights, for every texel of the stack that counts.
+// Calls use(texel, values) with the values of all lights, for every texel with an exemplar.
 template <typename Use>
 void for_texels(const ImageStack& stack, const TabulatedMaterial& m, const char* what,
                 const Progress& progress, Use use) {
@@ -52,7 +52,7 @@ void for_texels(const ImageStack& stack, const TabulatedMaterial& m, const char*
     }
 }
 
-// Mean luminance of every light that judges, and the brightest sample of all of them.
+// Mean luminance of every judging light, and the brightest sample of them all.
 struct Levels {
     std::vector<double> mean;
     double peak = 0.0;
@@ -76,7 +76,7 @@ Levels levels_of(const ImageStack& stack, const TabulatedMaterial& m,
     return levels;
 }
 
-// The brightest, the median and the dimmest, of those that are not lower than any fit looks at.
+// Chooses the brightest, the median and the dimmest light, among lights as high as a fit requires.
 std::vector<std::pair<std::size_t, std::string>> chosen(const Rig& rig,
                                                         const std::vector<std::size_t>& lights,
                                                         const Levels& levels) {
@@ -94,7 +94,7 @@ std::vector<std::pair<std::size_t, std::string>> chosen(const Rig& rig,
     return out;
 }
 
-// Infinite where clipped, not a number where nothing was measured.
+// Pictures of the lights; infinite where clipped, NaN where nothing was measured.
 std::vector<Image> real_pictures(const ImageStack& stack, const TabulatedMaterial& m,
                                  const std::vector<LightEntry>& lights, const Progress& progress) {
     std::vector<Image> out(lights.size(),
@@ -121,7 +121,7 @@ constexpr float kMasked = 0.8f;  // display value outside the mask
 Image displayed(const Image& linear, const Image& real, double white) {
     Image shown_at = linear;
     const auto scale = static_cast<float>(1.0 / white);
-    // The mean of large pictures is taken of light, not of display values.
+    // Large pictures are averaged in linear light, not in display values.
     const float masked = linear_from_srgb(kMasked);
     for (std::size_t i = 0; i < shown_at.pixels.size(); ++i)
         shown_at.pixels[i] = std::isnan(real.pixels[i])
@@ -146,8 +146,8 @@ Image difference(const Image& made, const Image& real, double white) {
     return at_viewing_size(out);
 }
 
-// PSNR of luminance. The peak is the brightest sample of this picture: relative to the brightest of
-// all pictures, the error of a dim one would seem to be nothing.
+// PSNR of luminance, relative to the brightest sample of this picture. Relative to the brightest of
+// all pictures, the error of a dim picture would look too small.
 double psnr_of(const Image& made, const Image& real) {
     SquaredError error;
     double peak = 0.0;
@@ -208,7 +208,7 @@ void add_comparison(const ImageStack& stack, const Rig& rig, const TabulatedMate
     add_models(models, page);
     const Relighter relighter(m);
     const std::vector<Image> real = real_pictures(stack, m, page.compared, progress);
-    // As B12's page shows them: measured data, the method, anisotropic and isotropic Ward.
+    // The same columns as B12's page: measured data, the method, anisotropic and isotropic Ward.
     constexpr std::pair<ParametricModel, const char*> kShown[] = {
         {ParametricModel::ward, "Ward, anisotropic"},
         {ParametricModel::ward_isotropic, "Ward, isotropic"}};

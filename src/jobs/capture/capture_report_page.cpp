@@ -1,4 +1,4 @@
-// index.html: no scripts, nothing from elsewhere.
+// Writes index.html, without scripts or external resources.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What the page of a capture consists of. Private to capture_report*.cpp.
+// The parts of a capture's page. Private to capture_report*.cpp.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace burnish::report {
 
-// A file of the folder: display values.
+// A picture file of the folder, in display values.
 struct Picture {
     std::string name;
     Image image;
@@ -38,7 +38,7 @@ struct MapEntry {
     std::string title, text, picture;
 };
 
-// A light's picture, real or made: `psnr` and `difference` not of the real one.
+// A photographed or predicted picture of a light; a photograph has no `psnr` and `difference`.
 struct Shot {
     std::string title, picture, difference;
     double psnr = 0.0;
@@ -46,9 +46,9 @@ struct Shot {
 
 struct LightEntry {
     std::size_t light = 0;
-    std::string rank, source;  // "brightest"; the name of its first picture
+    std::string rank, source;  // "brightest"; the file of its first picture
     double elevation = 0.0, azimuth = 0.0;
-    double white = 0.0;  // what is shown as white
+    double white = 0.0;  // radiance that is shown as white
     std::vector<Shot> shots;
 };
 
@@ -62,22 +62,22 @@ struct Page {
     RigCoverage rig_coverage;
     std::vector<ExemplarEntry> exemplars;  // most used first
     std::vector<MapEntry> maps;
-    std::string held_out_text;  // which lights judge, and whether they took part
+    std::string held_out_text;  // which lights judge, and whether the fit used them
     std::vector<HeldOutError> errors;
-    double peak = 0.0;  // of those lights: the 1 of PSNR
+    double peak = 0.0;  // of the judging lights: the reference of PSNR
     std::vector<LightEntry> compared;
-    std::vector<std::pair<std::string, std::string>> renderings;  // what, picture
+    std::vector<std::pair<std::string, std::string>> renderings;  // title, picture
     std::string device;
-    std::vector<std::string> notes;  // what is missing, and warnings
+    std::vector<std::string> notes;  // missing parts, and warnings
 };
 
 // ---- capture_report_pictures.cpp
 
-// Whole steps larger where it is small, averaged where it is large: linear or display values.
+// Enlarges a small picture by an integer factor and averages a large one; linear or display values.
 Image at_viewing_size(const Image& image);
 
 Picture coverage_picture(const RigCoverage& coverage, const std::vector<std::uint8_t>& keep);
-// Used exemplars, most used first, at most kMostExemplars of them with pictures.
+// The used exemplars, most used first; at most kMostExemplars of them get pictures.
 inline constexpr std::size_t kMostExemplars = 16;
 void add_exemplars(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, Page& page,
                    Pictures& pictures);
@@ -86,7 +86,7 @@ void add_maps(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, Pag
 
 // ---- capture_report_compare.cpp
 
-// Lights with keep 0 judge: three of them in pictures, all in numbers.
+// Lights with keep 0 judge the fit: three of them in pictures, all of them in numbers.
 void add_comparison(const ImageStack& stack, const Rig& rig, const TabulatedMaterial& m,
                     const std::vector<std::uint8_t>& keep, Page& page, Pictures& pictures,
                     const Progress& progress);

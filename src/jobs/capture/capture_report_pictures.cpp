@@ -1,4 +1,4 @@
-// Half vectors, exemplars before and after completion, and maps.
+// Pictures of half vectors, of exemplars before and after completion, and of maps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ using plot::Point;
 using plot::Rgb;
 
 constexpr int kLeastSide = 288, kMostSide = 1024;  // pixels of a picture on the page
-constexpr double kDecades = 5.0;                   // of D that are told apart
-const Rgb kOutside{0.80, 0.80, 0.81};              // the mask
+constexpr double kDecades = 5.0;                   // visible range of D
+const Rgb kOutside{0.80, 0.80, 0.81};              // outside the mask
 const Rgb kExtrapolated{0.90, 0.90, 0.91}, kCompleted{0.84, 0.84, 0.85}, kHatch{0.55, 0.55, 0.58};
 
 void put(Image& image, std::size_t pixel, const Rgb& color) {
@@ -34,14 +34,14 @@ void put(Image& image, std::size_t pixel, const Rgb& color) {
     image.pixels[3 * pixel + 2] = static_cast<float>(std::clamp(color.b, 0.0, 1.0));
 }
 
-// color(x, y) of every pixel of a disc of radius 1 in a square, y up.
+// color(x, y) for every pixel of a disc of radius 1 in a square, y up.
 template <typename Color>
 Image disc_image(int side, Color color) {
     Image image(side, side, 3, 1.0f);
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
             const double x = 2 * (column + 0.5) / side - 1, y = 1 - 2 * (row + 0.5) / side;
-            // A little beyond the rim, which cuts it.
+            // Slightly beyond the rim, where the disc is cut off.
             if (std::hypot(x, y) < 1 + 4.0 / side)
                 put(image, static_cast<std::size_t>(row * side + column), color(x, y));
         }
@@ -69,7 +69,7 @@ Disc draw_disc(Canvas& canvas, const Box& box, const Image& image) {
     return disc;
 }
 
-// Circles of equal angle from the normal, at the radius that `place` gives them.
+// Circles of equal angle to the normal, at the radius place(angle).
 template <typename Place>
 void draw_tilts(Canvas& canvas, const Disc& disc, std::initializer_list<int> tilts, Place place,
                 const plot::Stroke& stroke) {
@@ -138,7 +138,7 @@ Image table_image(const TabulatedMaterial& m, int exemplar, const plot::Scale& s
                 static_cast<int>(std::lround(phi / (2 * kPi) * m.grid.azimuths)) % m.grid.azimuths;
             const NdfOrigin known = origin[ring * m.grid.azimuths + column];
             if (known == NdfOrigin::extrapolated) return kExtrapolated;
-            // Hatched: stripes of a 24th of the disc.
+            // Hatched: stripes of a 24th of the disc's radius.
             if (known == NdfOrigin::completed)
                 return std::fmod(24 * (x + y + 4), 2.0) < 0.5 ? kHatch : kCompleted;
         }
@@ -161,7 +161,7 @@ plot::Panel table_panel(const TabulatedMaterial& m, int exemplar, const LobeFit&
         draw_tilts(canvas, disc, tilts, place,
                    {.color = plot::kWhite, .width = 0.7, .opacity = 0.6});
         label_tilts(canvas, disc, tilts, place);
-        // The groove, outside the rim.
+        // Marks of the groove's direction, outside the rim.
         for (const double end : {0.0, kPi})
             canvas.line(disc.at(1.02, lobe.groove + end),
                         disc.at(1.0 + 12 / disc.radius, lobe.groove + end),
@@ -170,7 +170,7 @@ plot::Panel table_panel(const TabulatedMaterial& m, int exemplar, const LobeFit&
     return panel;
 }
 
-// A hue of its own each, neighbours in rank far apart.
+// A distinct hue for each rank; adjacent ranks differ most.
 Rgb rank_color(std::size_t rank) {
     const double hue = 2 * kPi * std::fmod(0.08 + static_cast<double>(rank) * 0.618034, 1.0);
     const double lightness = 0.78 - 0.12 * static_cast<double>(rank % 3);
@@ -220,7 +220,7 @@ void add_color_map(const TabulatedMaterial& m, const Image& colors, const char* 
                                return static_cast<double>(std::max({c[0], c[1], c[2]}));
                            }),
                  0.995);
-    // To the next tenth of a decade or so, that the number reads well.
+    // Rounded up to a short number.
     double white = 1.0;
     if (high > 1e-6 && std::isfinite(high)) {
         const double step = std::pow(10.0, std::floor(std::log10(high)));
@@ -257,7 +257,7 @@ void add_scalar_map(const TabulatedMaterial& m, const char* file, std::string ti
     add_map(file, std::move(title), std::move(text), figure, page, pictures);
 }
 
-// A hue once around in half a turn, greyer the rounder the lobe.
+// The hue has a period of half a turn; the color is grayer for rounder lobes.
 Rgb grain_color(double groove, double anisotropy) {
     const double chroma = 0.125 * anisotropy;
     return plot::display_of({0.72, chroma * std::cos(2 * groove), chroma * std::sin(2 * groove)});
@@ -324,7 +324,8 @@ Picture coverage_picture(const RigCoverage& coverage, const std::vector<std::uin
                    {.color = plot::kGray, .width = 0.6, .opacity = 0.6});
         canvas.circle(disc.center, disc.radius * c.theta_h_limit / 90.0,
                       {.color = kLimit, .width = 1.8, .dash = {6, 4}});
-        // Within what they cover, where that is wide enough to be seen.
+        // Dots of half vectors stay smaller than their reach where that is wide enough to be
+        // visible.
         const double size = std::clamp(0.55 * c.reach / 90.0 * disc.radius, 1.2, 2.4);
         for (std::size_t k = 0; k < c.half_vectors.size(); ++k) {
             const Vec3d& h = c.half_vectors[k];
@@ -379,7 +380,7 @@ void add_exemplars(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes
         }
         page.exemplars.push_back(entry);
     }
-    // One scale for all: brightness can be compared.
+    // One scale for all exemplars, so that brightness can be compared.
     const plot::Scale scale = plot::scale_to(plot::ScaleKind::log, most, kDecades);
     for (const ExemplarEntry& entry : page.exemplars) {
         if (entry.picture.empty()) continue;

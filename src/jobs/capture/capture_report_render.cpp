@@ -1,4 +1,4 @@
-// The material on models, lit by two lamps.
+// Renders the material on models, lit by two lamps.
 #include <fmt/format.h>
 
 #include <memory>
@@ -38,7 +38,7 @@ void add_renderings(const CaptureReportRequest& request, Page& page, Pictures& p
     if (!request.model.empty()) models = {request.model};
     std::unique_ptr<gpu::Context> context;
     for (std::size_t k = 0; k < models.size(); ++k) {
-        // What is wrong with a model is an error with or without a renderer.
+        // An invalid model is an error even if there is no renderer.
         const Stage stage = set_stage(stage_request(request, models[k]));
         for (const std::string& warning : stage.scene.warnings) page.notes.push_back(warning);
         try {

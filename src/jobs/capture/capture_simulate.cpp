@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Metadata = std::map<std::string, std::string>;
 
-// Where integer pictures clip by default, in units of the radiance of a white diffuser.
+// Default clipping level of integer pictures, in units of the radiance of a white diffuser.
 constexpr double kUsualClip = 4.0;
 
 Rig rig_of(const CaptureSimulateRequest& request, const VirtualSample& sample) {
@@ -44,7 +44,7 @@ const char* extension_of(StackFormat format) {
     return format == StackFormat::exr ? ".exr" : ".png";
 }
 
-// Codes of 0 to 1.
+// Encodes values of 0 to 1 and writes them.
 void write_codes(const fs::path& temporary, const std::string& name, Image image,
                  StackFormat format, const Metadata& metadata) {
     if (format == StackFormat::png8) {
@@ -87,7 +87,7 @@ std::string truth_json(const CaptureSimulateRequest& request, const VirtualSampl
     return out.dump(2) + "\n";
 }
 
-// A picture of three channels from every texel; one channel repeats.
+// A three-channel picture of value(texel) for every texel.
 Image truth_map(const VirtualSample& sample,
                 const std::function<Vec3d(const VirtualTexel&)>& value) {
     Image image(sample.width, sample.height, 3);
@@ -120,7 +120,7 @@ void add_truth(const CaptureSimulateRequest& request, const VirtualSample& sampl
                      }});
 }
 
-// The rig that is written: its pictures, and intensities in the units of their codes.
+// The written rig: its pictures, and intensities in the units of their codes.
 Rig written_rig(const CaptureSimulateRequest& request, const Rig& rig, double level) {
     Rig out = rig;
     out.response = request.format == StackFormat::png8 ? RigResponse::srgb : RigResponse::linear;
@@ -150,7 +150,7 @@ CaptureSimulateResult capture_simulate(const CaptureSimulateRequest& request,
 
     const OutputFolder folder(request.output);
     const OutputFolder images(request.output / "images"), truth(request.output / "truth");
-    // The first gets its name last: where rig.json is, the stack is whole.
+    // The first file is renamed to its final name last: if rig.json exists, the stack is complete.
     std::vector<FileToWrite> files;
     files.push_back(
         {request.output / "rig.json", [&](const fs::path& path) { write_rig(path, written); }});

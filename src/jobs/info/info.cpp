@@ -30,7 +30,7 @@ namespace burnish {
 
 namespace {
 
-// Radiance figures weighted by solid angle, for pictures that could be environments.
+// Radiance statistics weighted by solid angle, for pictures that may be environments.
 std::string describe_radiance(const Image& image) {
     double sum = 0, weights = 0, peak = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -49,7 +49,7 @@ std::string describe_radiance(const Image& image) {
                        sum / weights, peak);
 }
 
-// What OpenImageIO adds for itself, and the OpenEXR window that nobody set.
+// Metadata that OpenImageIO adds, and the default window of OpenEXR.
 bool is_of_the_library(std::string_view key) {
     return key.starts_with("oiio:") || key.starts_with("screenWindow");
 }
@@ -82,7 +82,7 @@ std::string describe_file(const std::string& path) {
     if (!mesh && is_wif_file(path)) return describe_draft(path);
     if (!mesh && is_tabulated_material(path)) return describe_tabulated(path);
     if (!mesh && is_image_file(path)) return describe_image(path);
-    if (!mesh && is_rig_file(path)) return describe_rig(path);  // before scenes, which are JSON too
+    if (!mesh && is_rig_file(path)) return describe_rig(path);  // before scenes: both are JSON
     if (!mesh && is_scene_file(path)) return describe_scene_file(path);
     Scene scene = load_model(path);
     warn_of_odd_normal_maps(scene);

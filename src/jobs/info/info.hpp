@@ -1,15 +1,16 @@
-// `burnish info`: what a model, scene, image, environment, measured material, draft or rig holds,
-// in lines for a person.
+// `burnish info`: the contents of a model, scene, image, environment, measured material, draft or
+// rig, as text lines.
 #pragma once
 
 #include <string>
 
 namespace burnish {
 
-// Several lines, each ended by a newline. Throws Error when the file is none of ours or is broken.
+// Several lines, each ended by a newline. Throws Error if the file is of no known kind or is
+// broken.
 std::string describe_file(const std::string& path_or_builtin);
 
-// The devices EGL offers, one line each, with the index that --gl-device takes.
+// The devices that EGL offers, one line each, with the index for --gl-device.
 std::string describe_devices();
 
 }  // namespace burnish

@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidestDrawdown = 72;  // fits a terminal
 constexpr int kTallestDrawdown = 32;
 
-// As weavers draw it: the first pick at the bottom, filled where the warp is on top.
+// As weavers draw it: the first pick at the bottom, cells filled where the warp is on top.
 std::string drawdown(const Draft& draft) {
     if (draft.ends > kWidestDrawdown || draft.picks > kTallestDrawdown) return {};
     std::string text = "  the warp is on top where there is a #, the first pick is the lowest:\n";

@@ -19,7 +19,7 @@ std::string angles_text(std::span<const double> angles) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// Share of the light from `wo` that comes back, by the material's own sampling on a grid.
+// Albedo for light from `wo`, by the material's own sampling on a grid.
 RglBrdf::Rgb albedo(const RglBrdf& brdf, Direction<double> wo) {
     constexpr int kSide = 32;
     RglBrdf::Rgb sum{};

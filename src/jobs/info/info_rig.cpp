@@ -46,7 +46,7 @@ std::string describe_camera(const Rig& rig, const RigCoverage& coverage) {
 
 std::string describe_pictures(const Rig& rig) {
     std::size_t all = 0, there = 0;
-    std::string missing;  // the first
+    std::string missing;  // the first missing picture
     for (const RigLight& light : rig.lights)
         for (const RigExposure& exposure : light.images) {
             std::error_code error;
@@ -63,7 +63,7 @@ std::string describe_pictures(const Rig& rig) {
                        rig.response == RigResponse::linear ? "linear" : "sRGB");
 }
 
-// "12.3", or "12.3 to 14.5" when the points differ.
+// "12.3", or "12.3 to 14.5" if the points differ.
 std::string range(std::span<const PointCoverage> points, double PointCoverage::*member,
                   double factor, int digits) {
     double low = points.front().*member, high = low;

@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-// Several lines: what the file says and what such a rig can see. Pictures may be missing. Throws as
-// read_rig.
+// Several lines: the contents of the file and the coverage of the rig. Pictures may be missing.
+// Throws as read_rig.
 std::string describe_rig(const std::string& path, const RigOverrides& overrides = {});
 
 }  // namespace burnish

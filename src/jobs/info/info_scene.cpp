@@ -22,8 +22,8 @@ namespace burnish {
 
 namespace {
 
-// What is said of one thing, in words and numbers that alternate: "roughness ", 0.5, ", ..." is
-// {"roughness ", ", ..."} and {0.5}. Things of the same words can share a line.
+// The description of one item: words and numbers alternate. "roughness ", 0.5, ", ..." is stored as
+// {"roughness ", ", ..."} and {0.5}. Items with the same words can share a line.
 struct Description {
     std::string name;
     std::vector<std::string> words{""};
@@ -40,11 +40,11 @@ struct Description {
     }
 };
 
-// So many of one kind are still listed one by one.
+// Up to this many items of one kind are listed one by one.
 constexpr std::size_t kFew = 8;
 
 std::string shown_number(double low, double high) {
-    const auto plain = [](double number) {  // counts keep their digits
+    const auto plain = [](double number) {  // integers keep their digits
         return number == std::floor(number) ? fmt::format("{:.0f}", number)
                                             : fmt::format("{:.3g}", number);
     };
@@ -52,7 +52,7 @@ std::string shown_number(double low, double high) {
     return from == to ? from : fmt::format("{}..{}", from, to);
 }
 
-// The line of those of `all` at `members`: a number that differs becomes a range.
+// The line for the items of `all` at `members`: a number that differs becomes a range.
 std::string line_of(const std::vector<Description>& all, const std::vector<std::size_t>& members,
                     std::string_view kind) {
     const Description& first = all[members.front()];
@@ -71,7 +71,7 @@ std::string line_of(const std::vector<Description>& all, const std::vector<std::
     return text + first.words.back() + '\n';
 }
 
-// One line each, or one for all that differ in numbers alone when they are more than a few.
+// One line for each item, or one shared line for many items that differ only in numbers.
 std::string lines_of(const std::vector<Description>& all, std::string_view kind) {
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -111,7 +111,8 @@ Description describe_mesh(const Mesh& mesh) {
 std::string describe_texture_use(const Scene& scene, std::string_view what, const TextureUse& use) {
     if (!use) return "";
     const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
-    // Textures inside a model are named "model.glb: images[2]": the model is the headline already.
+    // Textures inside a model are named "model.glb: images[2]"; the headline already names the
+    // model.
     const std::size_t inside = texture.name.find(": ");
     const std::string name =
         inside == std::string::npos ? texture.name : texture.name.substr(inside + 2);

@@ -9,11 +9,11 @@
 
 namespace burnish {
 
-// Several lines, each ended by a newline. Meshes and materials that differ in numbers alone share a
-// line when they are many.
+// Several lines, each ended by a newline. Many meshes or materials that differ only in numbers
+// share a line.
 std::string describe_scene(const std::string& path, const Scene& scene);
 
-// The same with what the file says of environment and camera. Throws as load_scene_file.
+// The same with the environment and the camera of the file. Throws as load_scene_file.
 std::string describe_scene_file(const std::string& path);
 
 }  // namespace burnish

@@ -83,7 +83,7 @@ std::string describe_tabulated(const std::string& path) {
             "normals tilted by {:.2g} degrees, all on average\n",
             d[0], d[1], d[2], s[0], s[1], s[2], mean_tilt(m, seen));
     }
-    // As many as fit a screen.
+    // Number of exemplars that fit on a screen.
     constexpr int kShown = 16;
     for (int e = 0; e < std::min(m.exemplars, kShown); ++e)
         text += describe_exemplar(m, e, uses[static_cast<std::size_t>(e)]);

@@ -1,4 +1,4 @@
-// What a tabulated material holds, in lines for a person. Private to `burnish info`.
+// The contents of a tabulated material as text lines. Private to `burnish info`.
 #pragma once
 
 #include <string>

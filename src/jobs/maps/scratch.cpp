@@ -37,7 +37,7 @@ Image read_square(const fs::path& path, int least_channels, const char* channels
     if (info.width != info.height)
         throw Error(path.string(), "size", "a square picture, which is stretched over the tile",
                     fmt::format("{}x{}", info.width, info.height));
-    // Grey with alpha would pass for four channels once it is read.
+    // A gray picture with alpha would have four channels after reading.
     if (info.channels < least_channels)
         throw Error(path.string(), "channels", channels, std::to_string(info.channels));
     return read_image(path, {.as_data = true});
@@ -54,7 +54,7 @@ ScratchInputs read_inputs(const ScratchRecipe& recipe) {
     return inputs;
 }
 
-// Values of the height, put through `value`.
+// Values of the height, converted by `value`.
 DataPicture height_picture(const ScratchMaps& maps, DataFormat format,
                            std::function<float(float)> value) {
     return picture_of_rows(

@@ -1,4 +1,4 @@
-// burnish scratch: from settings to a folder of maps (docs/reference/map-folders.md).
+// burnish scratch: makes a folder of maps from settings (docs/reference/map-folders.md).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-// Settings with the files that go with them: what scratch.json holds.
+// The contents of scratch.json: settings and the files that they refer to.
 struct ScratchRecipe {
     ScratchSettings settings;
     std::filesystem::path wear_mask;        // empty: none
@@ -19,13 +19,13 @@ struct ScratchRecipe {
     bool direction_is_double_angle = false;
 };
 
-// A scratch.json, or the folder it lies in. Files it names lie beside it. Throws Error with file,
-// key, expected and found.
+// Reads a scratch.json, given as a file or by its folder. The files it names are relative to it.
+// Throws Error with file, key, expected and found.
 ScratchRecipe load_scratch_recipe(const std::filesystem::path& file_or_folder);
 
 struct ScratchRequest {
     ScratchRecipe recipe;
-    std::filesystem::path output;  // a folder, made when it is not there
+    std::filesystem::path output;  // a folder, created if it is missing
     std::string command;           // for metadata
 };
 
@@ -34,10 +34,10 @@ struct ScratchReport {
     std::vector<std::string> warnings;
     double low_mm = 0.0, high_mm = 0.0;  // of the height
     double rms_slope = 0.0;
-    std::uint64_t memory = 0;  // bytes that were asked for
+    std::uint64_t memory = 0;  // allocated bytes
 };
 
-// Writes all maps or, when anything fails, none.
+// Writes all maps, or none if anything fails.
 ScratchReport make_scratch_maps(const ScratchRequest& request, const Progress& progress);
 
 }  // namespace burnish

@@ -21,8 +21,9 @@ float rms_slope_of(const ScratchMaps& maps) {
     return std::sqrt(std::max(mean.sxx + mean.syy, 1e-12f));
 }
 
-// Light from the upper left, as relief maps have it; contrast follows the roughness of the map.
-// Grooves that run along that light show no slope to it: their flanks are darkened a little.
+// Shades slopes by light from the upper left, as in relief maps; the contrast is relative to the
+// rms slope. Grooves parallel to that light have no slope towards it, so that their flanks are
+// darkened slightly.
 float relief(float sx, float sy, float rms) {
     constexpr float kDiagonal = std::numbers::sqrt2_v<float> / 2.0f;
     const float towards = (sx - sy) / rms * kDiagonal;
@@ -30,7 +31,7 @@ float relief(float sx, float sy, float rms) {
     return 0.5f + 0.5f * std::tanh(0.7f * towards - 0.35f * across);
 }
 
-// The finest level that is no larger than the picture; its texels repeated to fill it.
+// Relief of the finest mip level that is not larger than the picture; its texels are repeated.
 Image tile_relief(const ScratchMaps& maps, int repeats) {
     const float rms = rms_slope_of(maps);
     const int wanted = kSide / repeats;
@@ -38,7 +39,7 @@ Image tile_relief(const ScratchMaps& maps, int repeats) {
                                     [&](const MomentLevel& l) { return l.size <= wanted; });
     const bool full = maps.size <= wanted || level == maps.moments.end();
     const int size = full ? maps.size : level->size;
-    // Averages flatten: contrast follows what is left.
+    // Averaging reduces slopes: the contrast is relative to the slopes of this level.
     Image image(kSide, kSide, 1);
     double sum = 0.0;
     const auto slopes = [&](int x, int y) {
@@ -81,7 +82,7 @@ void gray(float value, float* rgb) {
 
 Image scratch_preview(const ScratchMaps& maps) {
     const int side = std::min(kSide, maps.size);
-    // Beside the middle, where a full face has its singular point.
+    // A part beside the middle, where a full face has its singular point.
     const int corner = (maps.size - side) / 4;
     const Part part{corner, corner, side};
     const float rms = rms_slope_of(maps);

@@ -1,4 +1,4 @@
-// A scratch map to look at. Private to the scratch command.
+// A preview picture of scratch maps. Private to the scratch command.
 #pragma once
 
 #include "burnish/image.hpp"

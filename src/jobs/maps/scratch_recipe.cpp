@@ -107,7 +107,7 @@ fs::path read_file_name(const JsonPlace& root, std::string_view key, const fs::p
 }
 
 ScratchRecipe read_recipe(const JsonPlace& root, const fs::path& folder) {
-    // "made" is for people: what came of the settings.
+    // "made" holds results for readers; the recipe ignores it.
     constexpr std::array<std::string_view, 9> kKeys = {"format",          "version", "size",
                                                        "tile_mm",         "seed",    "wear_mask",
                                                        "direction_image", "layers",  "made"};
@@ -183,7 +183,7 @@ ScratchRecipe load_scratch_recipe(const fs::path& file_or_folder) {
         check_scratch_settings(recipe.settings, name);
         return recipe;
     } catch (const UsageError& fault) {
-        throw Error(fault.what());  // the fault is the file's, not the command's
+        throw Error(fault.what());  // the error is in the file, not in the command
     }
 }
 

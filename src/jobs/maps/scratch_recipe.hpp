@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-// The recipe and what was made of it; file names are written relative to `folder`.
+// Writes the recipe and its results as text; file names are relative to `folder`.
 std::string scratch_recipe_text(const ScratchRecipe& recipe, const ScratchReport& report,
                                 const std::string& command, const std::filesystem::path& folder);
 

@@ -32,7 +32,8 @@ constexpr std::array<std::string_view, 6> kParameters = {
 constexpr int kUsualSide = 2048;
 constexpr int kUsualYarns = 16;
 
-// A name of ours, else a file: a word that is neither is taken for a misspelt name.
+// A built-in draft by name, or else a file; a word that is neither is reported as a misspelled
+// name.
 Draft draft_of(const std::string& weave, std::vector<std::string>& warnings) {
     const auto names = draft_names();
     const bool known = std::find(names.begin(), names.end(), weave) != names.end();
@@ -46,7 +47,7 @@ int usual_repeats(int yarns) {
     return (kUsualYarns + yarns - 1) / yarns;
 }
 
-// Square texels where a side is left open.
+// Sets the sides that are not given, with square texels.
 void set_size(const WeaveRequest& request, WeaveMapSettings& settings) {
     const double aspect = static_cast<double>(settings.ends()) / settings.picks();
     const auto rounded = [](double side) {
@@ -58,7 +59,7 @@ void set_size(const WeaveRequest& request, WeaveMapSettings& settings) {
     settings.height = request.height.value_or(rounded(settings.width / aspect));
 }
 
-// A colour that is asked for takes the place of the draft's.
+// A given color replaces the draft's.
 void dye(std::string_view parameter, const ParameterValues& values, glm::vec3& color,
          std::vector<glm::vec3>& of_yarns) {
     if (!values.is_set(parameter)) return;
@@ -139,7 +140,7 @@ Metadata metadata_of(const WeaveRequest& request, const WeaveMapSettings& settin
             {"burnish:height_white_mm", fmt::format("{}", report.high_mm)}};
 }
 
-// What the maps are of, for people and programs.
+// Describes the maps in JSON, for readers and programs.
 std::string summary_of(const WeaveRequest& request, const WeaveMapSettings& settings,
                        const WeaveReport& report) {
     nlohmann::ordered_json out;

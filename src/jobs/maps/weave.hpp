@@ -1,4 +1,4 @@
-// burnish weave: from a draft to a folder of maps (docs/reference/map-folders.md).
+// burnish weave: makes a folder of maps from a draft (docs/reference/map-folders.md).
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@
 
 namespace burnish {
 
-// Rows of THE parameter table that the maps depend on.
+// Parameters that the maps depend on, as named in the parameter table.
 std::span<const std::string_view> weave_map_parameters();
 
 struct WeaveRequest {
     std::string weave;                        // one of draft_names(), or a WIF file
     ParameterValues values;                   // those of weave_map_parameters() that are set
-    std::optional<int> width, height;         // texels; one alone or none: texels are square
-    std::optional<int> repeats_u, repeats_v;  // of the draft; none: at least 16 yarns a side
+    std::optional<int> width, height;         // texels; square texels if one or none is given
+    std::optional<int> repeats_u, repeats_v;  // of the draft; default: at least 16 yarns on a side
     double yarn_mm = 1.0;
-    std::filesystem::path output;  // a folder, made when it is not there
+    std::filesystem::path output;  // a folder, created if it is missing
     std::string command;           // for metadata
 };
 
@@ -31,10 +31,10 @@ struct WeaveReport {
     std::vector<std::filesystem::path> written;
     std::vector<std::string> warnings;
     double low_mm = 0.0, high_mm = 0.0;  // of the height
-    std::uint64_t memory = 0;            // bytes that were asked for
+    std::uint64_t memory = 0;            // allocated bytes
 };
 
-// Writes all maps or, when anything fails, none.
+// Writes all maps, or none if anything fails.
 WeaveReport make_weave_maps(const WeaveRequest& request, const Progress& progress);
 
 }  // namespace burnish

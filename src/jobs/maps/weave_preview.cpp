@@ -15,13 +15,13 @@ namespace burnish {
 namespace {
 
 constexpr int kClothSide = 512;
-constexpr int kSamples = 4;  // a pixel's side
+constexpr int kSamples = 4;  // samples on a side of a pixel
 constexpr double kCloseYarns = 6.0;
 
 using Sample = std::function<glm::vec3(int x, int y)>;
 
-// A square of the endless cloth, `side_mm` wide, from its lower left corner; each pixel the mean of
-// what `sample` says of its texels.
+// A square of the periodic cloth, `side_mm` wide, from its lower left corner; each pixel is the
+// mean of `sample` over its texels.
 Image window(const WeaveMaps& maps, const WeaveMapSettings& settings, double side_mm,
              const Sample& sample) {
     const double x_scale = maps.width / settings.width_mm() * side_mm / (kClothSide * kSamples);
@@ -50,8 +50,8 @@ glm::vec3 color_at(const WeaveMaps& maps, const WeaveMapSettings& settings, int 
     return weave_yarn_color(maps, settings, yarn);
 }
 
-// Diffuse under a lamp from the upper left, 45 degrees high, with a little light from everywhere;
-// linear.
+// Diffuse linear light: a lamp from the upper left at 45 degrees elevation, and a little ambient
+// light.
 glm::vec3 lit(const WeaveMaps& maps, const WeaveMapSettings& settings, int x, int y) {
     const glm::vec3 n = normal_at(maps, x, y);
     const float cosine = std::max(-0.5f * n.x + 0.5f * n.y + 0.70710678f * n.z, 0.0f);

@@ -1,4 +1,4 @@
-// Maps of cloth to look at. Private to the weave command.
+// A preview picture of cloth maps. Private to the weave command.
 #pragma once
 
 #include "burnish/image.hpp"
@@ -6,8 +6,8 @@
 
 namespace burnish {
 
-// The cloth under a lamp: the tile, two by two tiles, a few yarns; normals, heights and fibre
-// directions of these. Throws nothing of its own.
+// The cloth under a lamp: the tile, two by two tiles, a few yarns; normals, heights and fiber
+// directions of these yarns. Throws no errors of its own.
 Image weave_preview(const WeaveMaps& maps, const WeaveMapSettings& settings);
 
 }  // namespace burnish

@@ -27,7 +27,7 @@ Direction<double> direction_at(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-// Two numbers in [0, 1), evenly spread whatever part of the sequence is taken: Roberts' R2.
+// Two numbers in [0, 1), evenly spread over every part of the sequence: Roberts' R2.
 std::array<double, 2> even_point(std::size_t i) {
     constexpr double kRoot = 1.32471795724474602596;  // x^3 = x + 1
     const double n = static_cast<double>(i) + 1;
@@ -44,7 +44,7 @@ struct Incident {
     double weight;  // solid angle
 };
 
-// Shares of [from, to] that are nearest to each of `values`, in the measure of `edge`.
+// Shares of [from, to] that are nearest to each of `values`, measured by `edge`.
 template <typename Edge>
 std::vector<double> shares(std::span<const double> values, double from, double to,
                            const Edge& edge) {
@@ -109,7 +109,7 @@ std::vector<PlaneCurve> measured_curves(const RglBrdf& brdf) {
     return curves;
 }
 
-// After the fits are in order.
+// Requires the fits in their final order.
 void add_fitted_curves(double phi, MeasuredFit& result) {
     for (PlaneCurve& curve : result.curves) {
         const Direction<double> wo = direction_at(curve.theta_o_deg * kDegree, phi);
@@ -196,7 +196,7 @@ MeasuredFit fit_measured(const std::filesystem::path& path, std::span<const std:
     std::size_t done = 0;
     progress.step(stage, 0);
     parallel_for(chosen.size(), 1, [&](std::size_t begin, std::size_t) {
-        // The last of the list, he, takes the longest: it goes first.
+        // The last model of the list, he, takes the longest: it starts first.
         const std::size_t i = chosen.size() - 1 - begin;
         result.fits[i] = fit_brdf(*chosen[i], samples, settings, progress);
         const std::lock_guard lock(one_at_a_time);

@@ -23,8 +23,8 @@ const BrdfModel& model_of(const BrdfFit& fit) {
                          [&](const BrdfModel& model) { return model.name == fit.model; });
 }
 
-// "alpha_x 0.12, F0 0.04": without the ks that is in the scale, and without a twin of the number
-// before.
+// "alpha_x 0.12, F0 0.04": omits ks, which the scale contains, and a parameter equal to the
+// previous one.
 std::string shape_text(const BrdfFit& fit) {
     const auto parameters = model_of(fit).parameters;
     std::string text;

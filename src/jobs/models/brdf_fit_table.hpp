@@ -1,4 +1,4 @@
-// The fits of measured materials as text: a table for people, CSV and JSON. Private to
+// The fits of measured materials as text: a table for reading, CSV and JSON. Private to
 // fit_measured.
 #pragma once
 

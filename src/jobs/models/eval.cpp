@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kPrecisionNames = {"f32", "f64"};
 constexpr std::string_view kMicrofacet = "microfacet";
 
-// ---- what both tables read and write ------------------------------------------------------------
+// ---- reading and writing of both tables ---------------------------------------------------------
 
 template <typename Float>
 Float shape_parameter(const CsvRow& row, std::size_t column, const ShapeParameter& parameter) {
@@ -36,7 +36,7 @@ Float shape_parameter(const CsvRow& row, std::size_t column, const ShapeParamete
     return value;
 }
 
-// From three columns, made unit.
+// A unit direction from three columns.
 template <typename Float>
 Direction<Float> direction(const CsvRow& row, std::size_t first_column) {
     Direction<Float> v{row.number<Float>(first_column), row.number<Float>(first_column + 1),
@@ -105,7 +105,7 @@ class MdfGroups {
         }
         groups_[mdf * method_names().size() + method].add(index, p0, p1, n, h);
     }
-    // The values of every row added, in the order of the rows.
+    // The values of all added rows, in the order of the rows.
     std::vector<std::array<Float, 3>> values(std::size_t count) {
         std::vector<std::array<Float, 3>> result(count);
         for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -131,7 +131,7 @@ void add_mdf_values(std::span<const CsvRow> rows, std::span<std::string> added) 
     try {
         for (; good < rows.size(); ++good) groups.add(rows[good], good);
     } catch (...) {
-        bad = std::current_exception();  // unless the value of a row before it cannot be written
+        bad = std::current_exception();  // rethrown after the earlier rows are written
     }
     const auto values = groups.values(good);
     for (std::size_t i = 0; i < good; ++i) {

@@ -1,5 +1,5 @@
-// `burnish mdf eval` and `burnish brdf eval`: a table of questions in, the same table with the
-// answers as further columns out.
+// `burnish mdf eval` and `burnish brdf eval`: read a table of parameters and directions and write
+// it with the values as additional columns.
 #pragma once
 
 #include <span>
@@ -26,7 +26,7 @@ void eval_mdf_table(const EvalRequest& request, const Progress& progress);
 // Reads brdf,p0..p4,ix,iy,iz,ox,oy,oz (and mdf, smith for the model `microfacet`); adds f.
 void eval_brdf_table(const EvalRequest& request, const Progress& progress);
 
-// The models that the column `brdf` may name.
+// The model names that the column `brdf` accepts.
 std::span<const std::string_view> brdf_table_names();
 
 }  // namespace burnish

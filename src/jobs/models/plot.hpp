@@ -17,19 +17,19 @@
 
 namespace burnish {
 
-// Where a figure goes and how large its parts are.
+// Path of a figure and size of its parts.
 struct PlotOutput {
     std::filesystem::path path;  // .png or .svg
     std::string command;         // for metadata
-    double panel_px = 0;         // width of a panel; 0: what suits its kind
-    double pixel_ratio = 2;      // of .png: pixels a px
+    double panel_px = 0;         // width of a panel; 0: the default of its kind
+    double pixel_ratio = 2;      // of .png: pixels per px
 };
 
 enum class MdfPlotKind { disk = 0, grid = 1, profile = 2 };
 std::span<const std::string_view> mdf_plot_kind_names();
 
-// Parameters of the table that count: e_x and e_y, or alpha_x and alpha_y. One pair drives every
-// distribution (e = 2/alpha^2 - 2); neither: e = 200, 10.
+// Parameters that apply: e_x and e_y, or alpha_x and alpha_y. One pair sets every distribution (e =
+// 2/alpha^2 - 2); without a pair, e = 200, 10.
 struct MdfPlotRequest {
     ParameterValues values;
     std::vector<Mdf> mdfs;
@@ -43,9 +43,10 @@ struct MdfPlotRequest {
     PlotOutput output;
 };
 
-// disk: a row for every distribution and normal, a column for every method (one method: a column
-// for every normal). grid: a row for every one of them, three columns. profile: a row for every
-// normal. Throws UsageError for empty lists, too many panels, and a grid of normal-map.
+// disk: a row for every distribution and normal, a column for every method (with one method: a
+// column for every normal). grid: a row for every distribution, normal and method, three columns.
+// profile: a row for every normal. Throws UsageError for empty lists, too many panels, and a grid
+// of normal-map.
 plot::Figure mdf_figure(const MdfPlotRequest& request);
 void plot_mdf(const MdfPlotRequest& request, const Progress& progress);
 
@@ -53,24 +54,24 @@ enum class BrdfPlotKind { polar = 0, surface = 1, albedo = 2 };
 std::span<const std::string_view> brdf_plot_kind_names();
 
 struct BrdfPlotRequest {
-    // Of the table: the roughness pair as above, f0 (default 1), mdf (of `microfacet`).
+    // Parameters that apply: the roughness pair as above, f0 (default 1), mdf (of `microfacet`).
     ParameterValues values;
-    // Names of models, each with parameters of its own if need be: "ggx", "phong:n=50:ks=2".
-    // What a model needs and nobody names comes from the pair: m = sqrt(alpha_x alpha_y), exponents
-    // 2/m^2 - 2, tau = 2 sigma/m; ks = 1, or (n+2)/(2 pi) where it scales a power of a cosine.
+    // Names of models, with optional parameters of their own: "ggx", "phong:n=50:ks=2". Other
+    // parameters follow from the roughness pair: m = sqrt(alpha_x alpha_y), exponents 2/m^2 - 2,
+    // tau = 2 sigma/m; ks = 1, or (n+2)/(2 pi) for a model that scales a power of a cosine.
     std::vector<std::string> brdfs;
     BrdfPlotKind kind = BrdfPlotKind::polar;
     std::vector<plot::ScaleKind> scales{plot::ScaleKind::linear};
     std::vector<double> incidences_deg{45};  // 0 to 89.9
-    double azimuth_deg = 0;                  // of the light
+    double azimuth_deg = 0;                  // of the incident direction
     std::optional<double> cut_deg;           // of the polar cut; default: the plane of incidence
-    std::optional<double> high;              // radius 1 of the polar cut
+    std::optional<double> high;              // value at radius 1 of the polar cut
     plot::SurfaceView view;
     PlotOutput output;
 };
 
-// The models with all their numbers. Throws UsageError naming the model, the parameter and its
-// range; unknown names suggest the nearest.
+// The models with all their parameters. Throws UsageError naming the model, the parameter and its
+// range; for unknown names it suggests the nearest.
 std::vector<plot::BrdfSubject> brdf_subjects(const BrdfPlotRequest& request);
 
 // polar: a row for every scale, a column for every incidence, a line for every model. surface: rows

@@ -52,7 +52,7 @@ std::vector<std::string_view> parameter_names(const BrdfModel& model) {
     return names;
 }
 
-// "phong:n=50:ks=2", the words after the name.
+// Parses "n=50", "ks=2" of "phong:n=50:ks=2", the words after the name.
 Overrides overrides_of(const BrdfModel& model, const std::vector<std::string>& words) {
     Overrides overrides;
     const std::vector<std::string_view> names = parameter_names(model);
@@ -73,7 +73,7 @@ Overrides overrides_of(const BrdfModel& model, const std::vector<std::string>& w
     return overrides;
 }
 
-// Where a model's numbers come from when nobody names them: the roughness pair and F0.
+// Default parameters of the models, derived from the roughness pair and F0.
 class Defaults {
   public:
     Defaults(const BrdfPlotRequest& request, const Overrides& overrides)
@@ -95,19 +95,20 @@ class Defaults {
         if (name == "F0") return f0_;
         if (name == "n") return exponent;  // of lafortune and phong
         if (name == "ks") return scale(model);
-        if (name == "Cx" || name == "Cy") return -1;  // lafortune about the mirror direction
+        if (name == "Cx" || name == "Cy") return -1;  // lobe about the mirror direction
         if (name == "sigma") return 1;
-        // 1000 wavelengths: as far as the model goes.
+        // Limited to 1000 wavelengths, the upper end of the model's range.
         if (name == "tau") return std::min(2 * of(model, "sigma") / m, 1000.0);
         return name == "Rs" ? 0 : 1;  // Cz, Rd
     }
 
   private:
-    // 1, or the ks of a power of a cosine whose albedo is 1 head-on.
+    // 1; for a power of a cosine, the ks whose albedo is 1 at normal incidence.
     double scale(const BrdfModel& model) const {
         for (const ShapeParameter& p : model.parameters)
             if (p.name == std::string_view("n"))
-                // The exponent that is drawn: that of a narrow pair lies beyond the model's range.
+                // Uses the clamped exponent that is drawn: a narrow pair gives one beyond the
+                // model's range.
                 return (std::clamp(of(model, p.name), p.low, p.high) + 2) / (2 * std::numbers::pi);
         return 1;
     }
@@ -127,7 +128,7 @@ BrdfSubject subject_of(const BrdfPlotRequest& request, const std::string& text) 
     for (std::size_t i = 0; i < subject.model->parameters.size(); ++i) {
         const ShapeParameter& parameter = subject.model->parameters[i];
         const double value = defaults.of(*subject.model, parameter.name);
-        // What was computed from a pair at its limits may lie outside; what was asked for may not.
+        // A default computed from a pair may be out of range and is clamped; a given value may not.
         subject.p[i] = std::clamp(value, parameter.low, parameter.high);
         if (overrides.contains(parameter.name) && subject.p[i] != value)
             throw UsageError(kFlag, fmt::format("{}: {}", subject.model->name, parameter.name),

@@ -1,4 +1,4 @@
-// What the two plot commands share. Private to app/plot_*.cpp.
+// Functions shared by the two plot commands. Private to app/plot_*.cpp.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-// The roughness pair as it was given, and as the other kind.
+// The given roughness pair, and its conversion to the other kind.
 struct RoughnessPair {
     bool exponents = true;
     double x = 200, y = 10;
@@ -19,7 +19,7 @@ struct RoughnessPair {
 };
 RoughnessPair roughness_pair(const ParameterValues& values);
 
-// Draws and writes, showing progress panel by panel.
+// Draws and writes the figure; reports progress after each panel.
 void write_plot(plot::Figure figure, const PlotOutput& output, plot::Metadata parameters,
                 const Progress& progress);
 

@@ -17,7 +17,7 @@ using plot::Panel;
 using plot::PanelRow;
 
 constexpr std::array<std::string_view, 3> kMdfKinds = {"disk", "grid", "profile"};
-constexpr std::size_t kMostMdfColumns = 5;  // a figure of 1400 px: as wide as a screen shows
+constexpr std::size_t kMostMdfColumns = 5;  // a figure of 1400 px, the width of a screen
 constexpr double kDiskSide = 260;
 
 constexpr std::string_view kAboutDisk =
@@ -59,7 +59,7 @@ Panel disk_of(const MdfPlotRequest& request, const MdfSubject& subject, const pl
     return panel;
 }
 
-// One row: the subjects with their titles, on one scale.
+// Adds one row: the subjects with their titles, on one scale.
 void add_disk_row(const MdfPlotRequest& request, const std::vector<MdfSubject>& subjects,
                   const std::vector<std::string>& titles, const std::string& label,
                   Figure& figure) {
@@ -103,7 +103,7 @@ void add_grids(const MdfPlotRequest& request, Figure& figure) {
         for (const Direction<double> n : request.normals) {
             for (const Method method : request.methods) {
                 const MdfSubject subject = subject_of(request, mdf, method, n);
-                plot::forward(subject, {0, 0, 1});  // refuses what is no map
+                plot::forward(subject, {0, 0, 1});  // throws if the subject has no map
                 MdfSubject original = subject;
                 original.method = Method::none;
                 const MdfSubject both[] = {original, subject};
@@ -148,7 +148,7 @@ void add_profiles(const MdfPlotRequest& request, Figure& figure) {
     }
 }
 
-// Before anything is evaluated.
+// Checks the request before any evaluation.
 void check(const MdfPlotRequest& request) {
     const auto require = [](bool good, const char* flag, const char* expected) {
         if (!good) throw UsageError(flag, "", expected, "none");
