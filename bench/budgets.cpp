@@ -1,7 +1,6 @@
-// `make bench`: measures the budgets and writes them beside what was reached.
-// Usage: burnish_bench OUT.md
-// [frames|cloth|edits|image-light|loading|first-picture|scratches|weaves| distributions|capture
-// ...]
+// `make bench`: measures the costs that have budgets and writes both side by side.
+// Usage: burnish_bench OUT.md [PART...], with the parts frames, cloth, edits, image-light, loading,
+// first-picture, scratches, weaves, distributions and capture.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -34,7 +33,7 @@ constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
 
 int main(int argc, char** argv) {
     burnish::keep_freed_memory();
-    if (argc > 1 && argv[1][0] == '-') {  // no file of that name
+    if (argc > 1 && argv[1][0] == '-') {  // an option, not a file
         std::fprintf(stderr, "usage: burnish_bench [OUT.md [PART...]], parts:");
         for (const auto& part : kParts) std::fprintf(stderr, " %s", part.first);
         std::fprintf(stderr, "\n");

@@ -1,4 +1,4 @@
-// Matching and fitting of captures: the slides' own search, brute force and ours in one run.
+// Costs of matching and fitting captures: the slides' search, brute force and ours in one run.
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
@@ -36,7 +36,7 @@ struct Tables {
     MaskedTables masked(std::size_t most) const { return {values, weights, std::min(most, count)}; }
 };
 
-// Lobes of many shapes, each known on a half of the azimuths.
+// Lobes of many shapes, each known on half of the azimuths.
 Tables random_tables(std::size_t count) {
     Tables out;
     out.count = count;
@@ -57,7 +57,8 @@ Tables random_tables(std::size_t count) {
     return out;
 }
 
-// All pairs by the definition, every turn in turn, single precision: what "direct" costs.
+// Matches all rotations by the definition, one after another, in single precision: the "direct"
+// cost.
 float direct_match(const Tables& t, std::size_t p, std::size_t e) {
     const auto cells = static_cast<std::size_t>(kGrid.cells());
     const float *tv = t.values.data() + p * cells, *tw = t.weights.data() + p * cells;
@@ -68,7 +69,7 @@ float direct_match(const Tables& t, std::size_t p, std::size_t e) {
         float a = 0.0f, b = 0.0f, x = 0.0f;
         for (std::size_t r = 0; r < static_cast<std::size_t>(kGrid.rings); ++r)
             for (std::size_t part = 0; part < 2; ++part) {
-                // Two runs without a wrap, so that the compiler may take several columns at a time.
+                // Two ranges without wraparound, so that the compiler can vectorize over columns.
                 const std::size_t begin = part == 0 ? s : 0, end = part == 0 ? columns : s;
                 const std::size_t back = part == 0 ? s : s - columns;
                 for (std::size_t c = begin; c < end; ++c) {
@@ -84,8 +85,8 @@ float direct_match(const Tables& t, std::size_t p, std::size_t e) {
     return best;
 }
 
-// The slides' search: codes of 32 numbers (principal components of 3,072), an entry for every turn
-// of every exemplar, the nearest ones compared directly at their turn.
+// The slides' search: codes of 32 numbers (principal components of 3,072), one entry for every
+// rotation of every exemplar; the nearest entries are compared directly at their rotations.
 class SlidesSearch {
   public:
     SlidesSearch(const Tables& t, std::size_t exemplars) : tables_(t) {
@@ -202,7 +203,7 @@ void measure_matching(Report& report) {
     report.rows.push_back({"640,000 x 640,000 points, brute force", 0, brute, 0, "years"});
 }
 
-// The whole fit at two sizes: cost is linear in pixels beyond what exemplars cost.
+// The whole fit at two sizes: cost is linear in pixels, plus the constant cost of exemplars.
 void measure_fit(Report& report) {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / fmt::format("burnish-bench-{}", std::rand());

@@ -1,5 +1,5 @@
-// The frame of procedural cloth over that of a textured normal map: the same torus, lobe and
-// method, one light, one sample a pixel.
+// Ratio of the frame times of procedural cloth and a textured normal map: the same torus, lobe and
+// method, one light, one sample per pixel.
 #include <fmt/format.h>
 
 #include <string>
@@ -16,8 +16,8 @@ namespace burnish::bench {
 
 namespace {
 
-// From so close that each pixel shows a point of a yarn to so far that each shows the mean over
-// many. The camera stays: a frame has as many pixels in all three.
+// Distances from close (a pixel shows a point of a yarn) to far (a pixel shows the mean of many
+// yarns). The camera stays, so that all frames cover equally many pixels.
 struct Distance {
     const char* name;
     const char* yarns;

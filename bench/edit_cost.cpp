@@ -1,5 +1,5 @@
-// What edits of a scene on the device cost: a color among 100 materials against a frame, an
-// environment against loading it from its file.
+// Costs of edits of a scene on the device: one color among 100 materials relative to a frame, and
+// an environment relative to loading it from its file.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -28,7 +28,7 @@ double seconds_of(const std::function<void()>& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// 10 x 10 spheres of 1024 triangles, each with a material and a normal map of their own kind.
+// 10 x 10 spheres of 1024 triangles, each with its own material and normal map.
 Scene hundred_materials() {
     Scene scene;
     scene.name = "hundred materials";
@@ -99,7 +99,7 @@ void measure_edits(Report& report) {
         ratio_row(fmt::format("changing an environment of {}x{} against loading it from .exr",
                               studio.radiance.width, studio.radiance.height),
                   environments));
-    // Without a budget: a thread does it beside the frames.
+    // No budget: a thread prepares it while frames are drawn.
     Row preparation = ratio_row("preparing that environment against loading it", preparations);
     preparation.budget = 0.0;
     report.rows.push_back(std::move(preparation));

@@ -1,5 +1,5 @@
-// Frame cost against its budgets: the same measurement as `burnish bench frame`
-// (app/frame_bench.hpp), each method beside normal-map, on whatever runs the GL.
+// Frame costs relative to their budgets: the same measurement as `burnish bench frame`
+// (bench/frame/frame_bench.hpp), each method relative to normal-map, on the available GL.
 #include <fmt/format.h>
 
 #include <array>
@@ -13,7 +13,7 @@ namespace burnish::bench {
 
 namespace {
 
-// Median and spread of subject/base over interleaved pairs, the order turned every time.
+// Median and spread of subject/base over interleaved pairs, in alternating order.
 Row compare(FrameBench& bench, std::string_view subject, std::string_view base) {
     const std::array<const Technique*, 2> pair = {&technique_named(subject, "bench"),
                                                   &technique_named(base, "bench")};

@@ -1,5 +1,5 @@
-// Image light on a sphere under a map of one texel: error against 4,096 samples and cost against
-// 32, in the cases of docs/evidence/image-light.md.
+// Image light on a sphere with a map of one texel: errors relative to 4,096 samples and costs
+// relative to 32 samples, in the cases of docs/evidence/image-light.md.
 #include "image_light.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ RenderSettings picture(int side, ImageLight light, int samples) {
     return o;
 }
 
-// Over the square around the sphere, all channels.
+// RMSE over the square around the sphere, all channels.
 double rmse(const Image& a, const Image& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -71,8 +71,8 @@ RenderSettings plain_picture(int side, int samples) {
     return o;
 }
 
-// How many plain samples, each of the sharp environment, are as exact as the look-ups: 32 times a
-// power of two, 1,024 if even more would be needed.
+// Number of plain samples of the unfiltered environment with the error of the look-ups: 32 times a
+// power of two, at most 1,024.
 int plain_samples_for(gpu::Renderer& renderer) {
     const Camera camera = camera_before_sphere();
     const Image truth = renderer.render(camera, picture(40, ImageLight::importance, 4096));
@@ -86,7 +86,7 @@ int plain_samples_for(gpu::Renderer& renderer) {
     return samples;
 }
 
-// The time of the look-ups over that of as exact a plain loop.
+// Ratio of the look-ups' time to that of a plain loop with the same error.
 Row speed_at_equal_error(gpu::Context& context, const Environment& environment, glm::vec2 alpha) {
     const SphereCase c{Mdf::ggx, Method::follow_grain, alpha, 30.0f};
     gpu::Renderer renderer(context, tilted_sphere(c), &environment);
@@ -105,7 +105,7 @@ Row speed_at_equal_error(gpu::Context& context, const Environment& environment, 
     return {work, 0.125, median(ratios), half_quartile_distance(ratios), "x"};
 }
 
-// How often `light` is drawn in the time of 32 samples.
+// Ratio of the time of 32 samples to that of `light`.
 Row speed(gpu::Context& context, const Environment& environment, Mdf mdf) {
     const SphereCase c{mdf, Method::follow_grain, {0.1f, 0.4f}, 20.0f};
     gpu::Renderer renderer(context, tilted_sphere(c), &environment);

@@ -1,4 +1,4 @@
-// The cases in which image light is measured: a white metal sphere whose normal map is one tilt.
+// The test cases of image light: a white metal sphere whose normal map is one tilt.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -23,7 +23,7 @@ struct SphereErrors {
     double prefiltered;
 };
 
-// Those of the sample data that are there (BURNISH_DATA, else ../shared/data).
+// The available environments of the sample data (BURNISH_DATA, else ../shared/data).
 std::vector<Environment> sample_environments();
 
 SphereErrors sphere_errors(gpu::Context& context, const Environment& environment,

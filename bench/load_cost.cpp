@@ -1,4 +1,5 @@
-// Loading a million-triangle model with four large textures, and the first picture of a cold start.
+// Costs of loading a million-triangle model with four large textures, and of the first picture
+// after a cold start.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -22,8 +23,8 @@ double seconds_of(const std::function<void()>& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// 708 x 708 squares are 1,002,528 triangles. Two textures that compress as photographs of smooth
-// surfaces do, two that hardly compress at all.
+// 708 x 708 squares have 1,002,528 triangles. Two textures compress like photographs of smooth
+// surfaces, two hardly compress.
 std::vector<std::byte> large_glb() {
     GlbWriter writer;
     GlbPrimitive grid = unit_square(708, true);

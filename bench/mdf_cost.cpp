@@ -1,4 +1,4 @@
-// Evaluating distributions on the CPU: 16 M pairs of n~ and h, one thread, by thread time.
+// Costs of distributions on the CPU: 16 M pairs of n~ and h, one thread, by thread time.
 #include <fmt/format.h>
 #include <time.h>
 
@@ -25,7 +25,7 @@ struct Columns {
 void add_directions(std::vector<float>& x, std::vector<float>& y, std::vector<float>& z,
                     float lowest_cosine, std::mt19937& random) {
     std::uniform_real_distribution<float> cosine(lowest_cosine, 1.0f), azimuth(0.0f, 6.2831853f);
-    // Arithmetic is what is measured, not how many pages of 4 kB the processor has to look up.
+    // Large pages: the benchmark measures arithmetic, not TLB misses of 4 kB pages.
     for (auto* column : {&x, &y, &z}) *column = zeros_on_large_pages<float>(kPairs);
     for (std::size_t i = 0; i < kPairs; ++i) {
         const float c = cosine(random), phi = azimuth(random), s = std::sqrt(1 - c * c);
@@ -51,7 +51,7 @@ struct Lobe {
     float p0, p1;
 };
 
-// One pair after the other, with the C library's exp and log: a sixteenth of the pairs.
+// One pair after another, with the C library's exp and log: a sixteenth of the pairs.
 void scalar(const Lobe& l, Method method, const Columns& c, std::vector<float>& D) {
     const f32::Lobe lobe = f32::lobe_make(static_cast<int>(l.mdf), l.p0, l.p1);
     for (std::size_t i = 0; i < kPairs / 16; ++i) {

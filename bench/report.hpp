@@ -1,4 +1,4 @@
-// What the benchmark says: rows of work, budget and what was reached.
+// The benchmark's report: rows of work, budget and measured value.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace burnish::bench {
 
 struct Row {
     std::string work;
-    double budget = 0;  // at most; 0: reported only
+    double budget = 0;  // upper bound; 0: no budget
     double reached = 0;
     double spread = 0;  // half the distance between the quartiles
     std::string unit;   // "x" for a ratio, "s" ...
@@ -21,13 +21,14 @@ struct Report {
     std::vector<Row> rows;
 };
 
-// Budget and reached side by side, as Markdown with machine and date; also what is printed.
+// Budgets and measured values side by side, as Markdown with machine and date; also the console
+// output.
 std::string to_markdown(const Report& report);
 
 void measure_frames(Report& report);
 void measure_cloth(Report& report);
 void measure_edits(Report& report);
-void measure_image_light(Report& report);  // nothing without the sample data
+void measure_image_light(Report& report);  // does nothing without the sample data
 void measure_loading(Report& report);
 void measure_first_picture(Report& report);
 void measure_scratches(Report& report);

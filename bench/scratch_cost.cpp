@@ -1,4 +1,4 @@
-// Engraving a large scratch map, without file encoding.
+// Costs of engraving a large scratch map, without file encoding.
 #include <chrono>
 #include <cstddef>
 #include <ctime>

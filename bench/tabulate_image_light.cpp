@@ -1,4 +1,4 @@
-// Writes the generated half of docs/evidence/image-light.md: everything behind its marker line.
+// Writes the generated half of docs/evidence/image-light.md: everything after its marker line.
 // Usage: tabulate_image_light docs/evidence/image-light.md
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ std::string table() {
             for (const float tilt : {0.0f, 15.0f, 30.0f, 45.0f}) {
                 text += row(context, environment, {Mdf::ggx, Method::follow_grain, alpha, tilt});
             }
-            if (alpha == alphas[1]) continue;  // methods and distributions once
+            if (alpha == alphas[1]) continue;  // other methods and distributions at one alpha only
             for (int m = static_cast<int>(Method::normal_map);
                  m <= static_cast<int>(Method::deform_smooth); ++m) {
                 const auto method = static_cast<Method>(m);

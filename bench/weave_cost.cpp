@@ -1,4 +1,4 @@
-// Baking large maps of cloth, without file encoding.
+// Costs of baking large maps of cloth, without file encoding.
 #include <chrono>
 #include <ctime>
 #include <limits>
@@ -25,7 +25,7 @@ WeaveMapSettings twill() {
     return settings;
 }
 
-// What the files hold, but for their encoding.
+// Computes the contents of all files without encoding them.
 void fill_pictures(const WeaveMaps& maps, const WeaveMapSettings& settings) {
     constexpr int kRows = 64;
     std::vector<float> strip(static_cast<std::size_t>(maps.width) * kRows * 3);

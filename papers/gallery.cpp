@@ -163,7 +163,7 @@ GalleryReport make_gallery(const GalleryRequest& request, const Progress& progre
     const std::vector<const GalleryFigure*> figures = chosen(request.ids);
     make_folder(request.output);
     GalleryReport report;
-    keep_freed_memory();  // the cost figures time frames: page faults are not to be among it
+    keep_freed_memory();  // the cost figures time frames, which must not include page faults
     GalleryStudio studio(request.quick, request.gl_device);
     report.device = studio.context().renderer();
     std::optional<FrameCost> cost;

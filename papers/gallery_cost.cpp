@@ -1,4 +1,4 @@
-// What frames cost: K11 Fig 11, K12 Fig 7 and Table I, measured as `burnish bench frame` does.
+// Costs of frames: K11 Fig 11, K12 Fig 7 and Table I, measured as in `burnish bench frame`.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ const TechniqueCost* find(const FrameCaseCost& in, std::string_view name) {
     return nullptr;
 }
 
-// Cost of Gouraud's; 0 when it could not be measured.
+// Cost relative to Gouraud shading; 0 if it could not be measured.
 Estimate relative(const FrameCost& cost, const FrameCaseCost& in, std::string_view name) {
     const TechniqueCost* found = find(in, name);
     if (!found) return {};
@@ -66,7 +66,7 @@ plot::Panel bars_of(const FrameCost& cost, const FrameCaseCost& in) {
         fmt::format("{} triangles, {} x {}", in.triangles, in.asked.width, in.asked.height), 430);
 }
 
-// How much more than normal-map the slowest of the methods costs, at 102 k triangles.
+// Largest cost of the methods relative to normal-map, at 102 k triangles.
 double worst_over_normal_map(const FrameCost& cost, std::initializer_list<const char*> names) {
     double worst = 0;
     for (const char* name : names)
@@ -125,7 +125,7 @@ std::optional<GalleryPage> k12_fig7(GalleryTools& tools) {
                     in.covered_pixels, 1e6 * exact.median, 1e6 * exact.error, 1e6 * approx.median,
                     1e6 * approx.error, 1e9 * exact.median / pixels, 1e9 * approx.median / pixels),
         machine_text(cost)};
-    // Twice the standard error is 95 %.
+    // Two standard errors: 95 % confidence.
     const double doubt = 2 * std::hypot(exact.error, approx.error);
     page.verdict = exact.median - approx.median > doubt && exact.median > 2 * approx.median
                        ? Verdict::borne_out

@@ -1,4 +1,4 @@
-// The figures of the gallery, one function each. Private to app/gallery*.
+// The figures of the gallery, one function each. Private to papers/gallery*.
 #pragma once
 
 #include <memory>
@@ -14,33 +14,33 @@
 
 namespace burnish {
 
-// What figures are made with; shared by all of a run.
+// Objects that all figures of a run share.
 struct GalleryTools {
     GalleryStudio& studio;
     const GalleryRequest& request;
-    Progress progress;  // of the figure at hand
+    Progress progress;  // of the current figure
     std::vector<std::string>& warnings;
-    std::optional<FrameCost>& cost;  // measured by the first figure that asks
+    std::optional<FrameCost>& cost;  // measured by the first figure that needs it
 
     bool quick() const { return studio.quick(); }
 };
 
 struct GalleryFigure {
     GalleryEntry entry;
-    // Empty: it cannot be made here, and a warning says why.
+    // Empty: the figure cannot be made here, and a warning gives the reason.
     std::optional<GalleryPage> (*make)(GalleryTools& tools);
 };
 std::span<const GalleryFigure> gallery_figures();
 
-// K11 Eq 1 at the papers' exponents, Ward's distribution at K12 Fig 5's alphas.
+// Surface of K11 Eq 1 at the papers' exponents; Ward's distribution at K12 Fig 5's alphas.
 using ParameterList = std::vector<std::pair<std::string, std::string>>;
 ParameterList shirley_surface();
 ParameterList ward_surface();
 
-// A rendered panel; its command is added to the page's.
+// A rendered panel; adds its command to the page.
 plot::Panel rendered(GalleryPage& page, const Picture& picture, std::string title, double side);
 
-// Pictures of one surface by the method.
+// Renders pictures of one surface by method.
 struct MethodShots {
     GalleryTools& tools;
     const PictureSpec& spec;
@@ -52,7 +52,6 @@ struct MethodShots {
 };
 
 // ---- figures of distributions (gallery_lobes.cpp)
-// --------------------------------------------------
 std::optional<GalleryPage> k11_fig2(GalleryTools& tools);
 std::optional<GalleryPage> k11_fig6(GalleryTools& tools);
 std::optional<GalleryPage> k11_fig7(GalleryTools& tools);
@@ -63,7 +62,6 @@ std::optional<GalleryPage> k12_fig4(GalleryTools& tools);
 std::optional<GalleryPage> k12_fig5(GalleryTools& tools);
 
 // ---- surfaces of K11 (gallery_k11.cpp), of K12 (gallery_k12.cpp)
-// -----------------------------------
 std::optional<GalleryPage> k11_fig1(GalleryTools& tools);
 std::optional<GalleryPage> k11_fig3(GalleryTools& tools);
 std::optional<GalleryPage> k11_fig4(GalleryTools& tools);
@@ -81,13 +79,11 @@ std::optional<GalleryPage> k12_fig9(GalleryTools& tools);
 std::optional<GalleryPage> k12_fig10(GalleryTools& tools);
 
 // ---- cost (gallery_cost.cpp)
-// -----------------------------------------------------------------------
 std::optional<GalleryPage> k11_fig11(GalleryTools& tools);
 std::optional<GalleryPage> k12_fig7(GalleryTools& tools);
 std::optional<GalleryPage> k12_table1(GalleryTools& tools);
 
 // ---- reflection models of B12's slide (gallery_models.cpp)
-// -----------------------------------------
 std::optional<GalleryPage> b12_models(GalleryTools& tools);
 std::optional<GalleryPage> b12_measured(GalleryTools& tools);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSide = 260;
 constexpr float kPitDepth = 0.9f;  // mm, of K11 Fig 10 (a)
 
-// One lamp beside the eye in the dark.
+// One lamp beside the camera, without an environment.
 PictureSpec lamp_lit(std::string input) {
     return {std::move(input), {}, "none", {"20,35,1.5"}};
 }
@@ -28,14 +28,14 @@ ScratchMaps maps_of(const ScratchSettings& settings) {
     return engrave(settings, {}, available_memory());
 }
 
-// The middle of a normal map, enlarged so that strokes are seen, and its slopes times `gain`.
+// The middle of a normal map, enlarged so that strokes are visible, with its slopes times `gain`.
 Image cut(const Image& map, int side, float gain) {
     Image part(side, side, 3);
     const int start = (map.width - side) / 2;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             const float* from = map.at(start + x, start + y);
-            const float nz = std::max(2 * from[2] - 1, 1e-3f);  // 1e-3: nothing is steeper
+            const float nz = std::max(2 * from[2] - 1, 1e-3f);  // 1e-3: no slope is steeper
             const float sx = gain * (2 * from[0] - 1) / nz, sy = gain * (2 * from[1] - 1) / nz;
             const float scale = 0.5f / std::sqrt(1 + sx * sx + sy * sy);
             float* to = part.at(x, y);
@@ -47,7 +47,8 @@ Image cut(const Image& map, int side, float gain) {
     return part;
 }
 
-// Slopes of fine scratches are a few hundredths: too small to be seen in a normal map as it is.
+// Gain for slopes of fine scratches, which are a few hundredths: invisible in the original normal
+// map.
 constexpr float kShownSlopes = 8;
 
 plot::Panel map_panel(const ScratchMaps& maps, std::string title, double side) {
@@ -63,7 +64,7 @@ ScratchSettings preset(const char* name, int size) {
     return settings;
 }
 
-// A seed that puts the only pit of these settings near the middle of the tile.
+// A seed that puts the only pit of these settings near the center of the tile.
 std::uint32_t pit_seed(ScratchSettings settings) {
     settings.size = 64;
     for (settings.seed = 1; settings.seed < 200; ++settings.seed)
@@ -174,7 +175,7 @@ std::optional<GalleryPage> k11_fig1(GalleryTools& tools) {
     page.measured = {
         fmt::format("a frame of one sample at {0}x{0}, image light included, on {1}: {2}", pixels,
                     tools.studio.context().renderer(), times)};
-    // 0.1 s: what a person still takes for an answer at once; a film has 0.04 s.
+    // 0.1 s is the limit at which a response still seems instant; a film frame takes 0.04 s.
     page.verdict = longest < 0.04  ? Verdict::borne_out
                    : longest < 0.1 ? Verdict::partly
                                    : Verdict::undecided;
@@ -245,7 +246,7 @@ std::optional<GalleryPage> k11_fig4(GalleryTools& tools) {
     page.measured = {
         "rms slope of the maps: " + slopes,
         "what they change in the pictures, rms over rms of the bare surface: " + effects};
-    // 0.05: above the noise of a few samples.
+    // 0.05 is above the noise of a few samples.
     page.verdict = least > 0.05 ? Verdict::borne_out : Verdict::partly;
     page.remark =
         "The maps are made by `burnish scratch`; docs/reference/map-folders.md says how far they "
@@ -342,7 +343,7 @@ std::optional<GalleryPage> k11_fig10(GalleryTools&) {
         "burnish scratch -o DIR --size 256 --tile-mm 10 --count 60 --length 3.5 --width 0.35 "
         "--depth "
         "0.1 --direction constant --angle 30 --range 15"};
-    // Steps across the border of the tile against steps inside.
+    // Compares steps across the border of the tile with steps inside.
     double border = 0, inside = 0;
     for (int y = 0; y < random.size; ++y) {
         border = std::max(border, std::abs(double{random.height.at(0, y)[0]} -

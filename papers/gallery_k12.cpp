@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPanelSide = 260;
 
-// (a, b) normal mapping and (c, d) rotation on Ward's and Ashikhmin and Shirley's surface.
+// (a, b) normal mapping and (c, d) rotation, on Ward's and on Ashikhmin and Shirley's surface.
 GalleryPage two_by_two(GalleryTools& tools, const PictureSpec& scene, const std::string& title) {
     GalleryPage page;
     page.figure.title = title;
@@ -104,7 +104,7 @@ std::optional<GalleryPage> k12_fig8(GalleryTools& tools) {
 }
 
 std::optional<GalleryPage> k12_fig10(GalleryTools& tools) {
-    // Yarns of one colour that only reflect: what is seen of the weave is the lobe's.
+    // Yarns of one color without diffuse light: only the lobe shows the weave.
     const PictureSpec cloth = PictureSpec{
         "builtin:drape",
         {{"weave", "plain"},
@@ -127,7 +127,7 @@ std::optional<GalleryPage> k12_fig10(GalleryTools& tools) {
                           rendered(page, mapped, "(b) and normals of the yarns", side),
                           rendered(page, turned, "(c) and the distribution rotated", side)},
                          {}}};
-    // About two yarns wide.
+    // The window is about two yarns wide.
     const int window = mask.width / 26;
     const double hidden[] = {flat_share(flat.linear, mask, window),
                              flat_share(mapped.linear, mask, window),

@@ -15,7 +15,8 @@ using plot::MdfSubject;
 
 constexpr double kLobeSide = 220;
 
-// The normals of the columns: none, then tilts in several directions as the papers' crosses lie.
+// The normals of the columns: untilted, then tilted in several directions as in the papers'
+// crosses.
 const std::vector<Direction<double>>& normals() {
     static const std::vector<Direction<double>> list = {
         plot::tilted_normal(0, 0), plot::tilted_normal(20, 0), plot::tilted_normal(30, 40),
@@ -56,7 +57,7 @@ void add_row(GalleryPage& page, MdfSubject subject, const std::string& label) {
 
 struct Behaviour {
     double worst_offset_deg = 0;
-    double least_elongation = 1e9, most_elongation = 0;  // against the unperturbed lobe's
+    double least_elongation = 1e9, most_elongation = 0;  // relative to the unperturbed lobe's
     double least_energy = 1e9, most_energy = 0;
 };
 
@@ -95,7 +96,7 @@ MdfSubject ward(Method method) {
     return {Mdf::ward, 0.1, 0.5, method, {0, 0, 1}, plot::Normalization::paper};
 }
 
-// K11 Fig 6 and K12 Fig 2 are one figure.
+// K11 Fig 6 and K12 Fig 2 show the same figure.
 GalleryPage perturbed_shirley(const std::string& title) {
     GalleryPage page;
     page.drawn = true;
@@ -114,8 +115,8 @@ GalleryPage perturbed_shirley(const std::string& title) {
     return page;
 }
 
-// K11 Fig 7 and K12 Fig 4: the lobe, the grid of the disk as it is moved, and the moved lobe, n~
-// tilted by 30 degrees at azimuth 40.
+// K11 Fig 7 and K12 Fig 4: the lobe, the transformed grid of the disk, and the transformed lobe,
+// with n~ tilted by 30 degrees at azimuth 40.
 GalleryPage moved_grid(const std::string& title, const MdfSubject& subject) {
     GalleryPage page;
     page.drawn = true;
@@ -133,7 +134,7 @@ GalleryPage moved_grid(const std::string& title, const MdfSubject& subject) {
     return page;
 }
 
-// How far from n~ the method takes n, on the disk.
+// Distance on the disk between n~ and the method's image of n.
 double center_offset(const MdfSubject& subject) {
     const Direction<double> center = plot::forward(subject, {0, 0, 1});
     return std::hypot(center.x - subject.n.x, center.y - subject.n.y);
@@ -162,7 +163,7 @@ std::optional<GalleryPage> k11_fig2(GalleryTools&) {
     page.figure.rows = {row};
     const double wx = half_width_deg(subjects[1], plot::ProfileLine::along_x);
     const double wy = half_width_deg(subjects[1], plot::ProfileLine::along_y);
-    // z^e = 1/2 at acos(2^(-1/e)).
+    // z^e = 1/2 at theta = acos(2^(-1/e)).
     const double expected = std::acos(std::exp2(-1.0 / 10)) / std::acos(std::exp2(-1.0 / 200));
     page.measured = {
         fmt::format("e = 200, 10: D falls to half at {:.2f}° along x and {:.2f}° along "

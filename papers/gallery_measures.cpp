@@ -13,7 +13,7 @@ namespace {
 
 using plot::MdfSubject;
 
-// Standard deviations along the principal axes of a mass with these moments.
+// Standard deviations along the principal axes of a mass distribution with these moments.
 std::array<double, 2> principal_axes(double mass, double sx, double sy, double sxx, double sxy,
                                      double syy) {
     const double mx = sx / mass, my = sy / mass;
@@ -35,7 +35,7 @@ std::size_t pixels_of(const Image& image) {
     return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
-// The luminance that `share` of the pixels of the mask exceed.
+// The luminance that is exceeded by `share` of the pixels of the mask.
 double bright_level(const Image& linear, const Image& mask, double share) {
     std::vector<float> values;
     for (std::size_t i = 0; i < pixels_of(linear); ++i)
@@ -109,7 +109,7 @@ double half_width_deg(const MdfSubject& subject, plot::ProfileLine line) {
 }
 
 double bend_at_center_deg(const MdfSubject& subject) {
-    constexpr double kNear = 1e-4;  // beside the disk's radius of 1; above the map's rounding
+    constexpr double kNear = 1e-4;  // small beside the radius of 1, above rounding
     constexpr int kDirections = 90;
     const Direction<double> center = plot::forward(subject, {0, 0, 1});
     double most = 0;

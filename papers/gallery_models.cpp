@@ -32,7 +32,7 @@ double f_at(const BrdfSubject& subject, double theta) {
     return subject.f(plot::incident(kMatchedAt, 180), {std::sin(theta), 0, std::cos(theta)});
 }
 
-// Width of the lobe in the plane of incidence at half its peak, degrees.
+// Full width at half maximum of the lobe in the plane of incidence, degrees.
 double width_deg(const BrdfSubject& subject) {
     double peak = 0, at = 0;
     for (double theta = -1.5; theta < 1.5; theta += 0.002) {
@@ -47,7 +47,7 @@ double width_deg(const BrdfSubject& subject) {
     return kDegreesPerRadian * (edge(0.001) - edge(-0.001));
 }
 
-// The parameter `index`, between `narrow` and `wide`, at which the lobe is `width` wide.
+// Sets the parameter `index`, between `narrow` and `wide`, so that the lobe has the given width.
 void match(BrdfSubject& subject, std::size_t index, double narrow, double wide, double width) {
     double a = std::log(narrow), b = std::log(wide);
     for (int step = 0; step < 40; ++step) {
@@ -76,13 +76,14 @@ std::vector<BrdfSubject> matched_models() {
     match(add("lafortune", {1, -1, -1, 1, 50}), 4, 5000, 2, width);
     match(add("cook-torrance", {1, 0.15, 1}), 1, 0.02, 0.6, width);
     match(add("he", {0.6, 6, 1}), 1, 60, 1.2, width);
-    // As bright as the dimmest, by their own scale.
+    // Scales all lobes to the peak of the dimmest, each by its own scale parameter.
     double least = peak_f(list.front());
     for (const BrdfSubject& s : list) least = std::min(least, peak_f(s));
     for (BrdfSubject& s : list) {
         const std::size_t scale = s.label == "he" ? 2 : 0;
         s.p[scale] *= least / peak_f(s);
-        // F0 scales the lobe only nearly: Fresnel's term rises from it.
+        // Repeated for F0, which scales the lobe only approximately: the Fresnel term rises from
+        // it.
         if (scale == 2) s.p[2] *= least / peak_f(s);
     }
     return list;
@@ -112,7 +113,7 @@ std::vector<std::filesystem::path> materials_in(const std::filesystem::path& fol
 constexpr std::array<std::string_view, 6> kFitted = {"phong",         "ward", "lafortune",
                                                      "cook-torrance", "he",   "ggx"};
 
-// A model keeps its colour from material to material.
+// A model has the same color for all materials.
 Rgb color_of(std::string_view model) {
     constexpr std::array<std::size_t, 6> kSeries = {0, 1, 2, 3, 5, 6};  // 4, black, is measured
     const auto place = std::find(kFitted.begin(), kFitted.end(), model) - kFitted.begin();
@@ -126,7 +127,7 @@ std::vector<plot::LegendEntry> legend_of_fits() {
     return legend;
 }
 
-// f cos in the plane of incidence, green: the material and its three best models.
+// f cos in the plane of incidence, green channel: the material and its three best models.
 plot::Panel curves_panel(const MeasuredFit& fit, const PlaneCurve& curve) {
     std::vector<plot::Series> lines;
     double top = 0;
@@ -155,7 +156,7 @@ double error_over_black(const MeasuredFit& fit, const BrdfFit& of) {
            (fit.metric == FitMetric::rms ? fit.of_black.rms : fit.of_black.log_rms);
 }
 
-// Does a model with a microfacet distribution come closer than Phong's and Ward's both do?
+// Is the error of a model with a microfacet distribution below those of both Phong and Ward?
 bool microfacets_win(const MeasuredFit& fit) {
     double facets = std::numeric_limits<double>::infinity(), others = facets;
     for (const BrdfFit& of : fit.fits) {

@@ -1,4 +1,4 @@
-// index.html and gallery.json: one file each, no scripts, nothing from elsewhere.
+// Writes index.html and gallery.json: one file each, without scripts or external resources.
 #include "papers/gallery_page.hpp"
 
 #include <fmt/format.h>

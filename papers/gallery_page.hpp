@@ -1,4 +1,4 @@
-// What a figure of the gallery consists of, and the page that shows them. Private to app/gallery*.
+// The contents of a gallery figure, and the page of all figures. Private to papers/gallery*.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +11,21 @@
 
 namespace burnish {
 
-// undecided: the figures measured here are too noisy to say.
+// undecided: the measurements are too noisy.
 enum class Verdict { borne_out, partly, contradicted, undecided };
 std::string_view verdict_text(Verdict verdict);
 
-// A figure as it was made.
+// A finished figure.
 struct GalleryPage {
     plot::Figure figure;                // layout of the original
-    std::vector<std::string> commands;  // that make its panels one by one
+    std::vector<std::string> commands;  // one for each panel
     std::vector<std::string> measured;  // sentences with figures
     Verdict verdict = Verdict::borne_out;
-    std::string remark;  // where the paper is wrong or vague, or what differs here; may be empty
-    bool drawn = false;  // all of it is plot: an SVG is worth having
+    std::string remark;  // an error of the paper or a difference of this figure; may be empty
+    bool drawn = false;  // consists of plots only: an SVG is written
 };
 
-// A page with the files that hold it, relative to the folder.
+// A page with its files, relative to the folder.
 struct GalleryItem {
     GalleryEntry entry;
     GalleryPage page;

@@ -14,7 +14,8 @@
 namespace burnish {
 namespace {
 
-// On a white page, in the dark of a lamp: dark grey, so that the outline of the model is seen.
+// Background of a lamp-lit picture on a white page: dark gray, so that the model's outline is
+// visible.
 constexpr std::string_view kDarkness = "#484848";
 
 std::string quoted(const std::string& word) {
@@ -34,7 +35,7 @@ std::string command_of(const PictureSpec& spec, int pixels, int samples) {
     return text + fmt::format(" --size {}x{} --samples {} -o OUT.png", pixels, pixels, samples);
 }
 
-// Everything but the method: pictures with one key differ in their materials alone.
+// The specification without the method: pictures with equal keys differ only in their materials.
 std::string key_of(const PictureSpec& spec, int pixels) {
     std::string key = fmt::format("{}|{}|{}", spec.input, spec.environment, pixels);
     for (const std::string& light : spec.lights) key += "|" + light;

@@ -1,4 +1,4 @@
-// Pictures for the gallery, made as `burnish render` makes them. Private to app/gallery*.
+// Renders pictures for the gallery as `burnish render` does. Private to papers/gallery*.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@
 
 namespace burnish {
 
-// A picture in words of the command line.
+// A picture in terms of command line options.
 struct PictureSpec {
     std::string input;
     std::vector<std::pair<std::string, std::string>> parameters;  // of the parameter table
-    std::string environment = "builtin:studio";                   // "none": dark
+    std::string environment = "builtin:studio";                   // "none": black
     std::vector<std::string> lights;
 
     // A copy with one parameter set, or several.
@@ -39,10 +39,10 @@ class GalleryStudio {
 
     // `side`: pixels of the square on the page; the picture has twice as many.
     Picture picture(const PictureSpec& spec, double side, const Progress& progress);
-    // Where the model is: its coverage, one channel, of the same size as `picture`.
+    // Coverage of the model: one channel, of the same size as `picture`.
     Image mask(const PictureSpec& spec, double side, const Progress& progress);
 
-    // Seconds a frame of one sample takes, of the last picture's scene and size.
+    // Seconds of a frame with one sample per pixel, for the last picture's scene and size.
     double frame_seconds();
 
     bool quick() const { return quick_; }

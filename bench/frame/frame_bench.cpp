@@ -69,14 +69,14 @@ Scene make_scene(int triangles) {
     light.direction = {-0.4f, -0.6f, -0.7f};
     light.intensity = 3.0f;
     scene.lights = {light};
-    // Not on the mesh: so that the normal map is there as tables read it too, without the moments
-    // that widen lobes.
+    // A material that is not on the mesh. It makes the renderer load the normal map for tables,
+    // without the moments that widen lobes.
     scene.materials.push_back(scene.materials[0]);
     scene.materials.back().normal_filter = NormalFilter::mips;
     return scene;
 }
 
-// The torus covers a little over a quarter of a 16:9 picture.
+// A camera for which the torus covers slightly more than a quarter of a 16:9 picture.
 Camera camera_on(const Scene& scene) {
     Camera camera;
     const Bounds bounds = bounds_of(scene);
@@ -122,8 +122,9 @@ void require_size(const gpu::Context& context, const FrameCase& frame_case) {
         throw Error("picture size", "",
                     fmt::format("at most {} on {}", size_text(most, most), context.renderer()),
                     found);
-    if (!context.is_software()) return;  // its memory is its own to say
-    // Colour 16, depth 4, two sums 32, surface 16 and 16 (gpu/targets.hpp), and a fifth of air.
+    if (!context.is_software()) return;  // a driver of a device reports its own limits
+    // Bytes per pixel: color 16, depth 4, two sums 32, surface 16 and 16 (gpu/targets.hpp), and a
+    // margin of a fifth.
     constexpr std::uint64_t kBytesPerPixel = 101;
     const std::uint64_t needed = kBytesPerPixel * static_cast<std::uint64_t>(frame_case.width) *
                                  static_cast<std::uint64_t>(frame_case.height);
@@ -153,7 +154,7 @@ struct FrameBench::Stage {
           environment(image_light ? load_environment(kEnvironment) : Environment{}),
           renderer(context, scene, image_light ? &environment : nullptr) {}
 
-    // A tabulated one is made when it is first asked for.
+    // A tabulated material is made at its first use.
     Material material_of(const Technique& technique) {
         Material material = steel;
         material.method = technique.method;
@@ -204,7 +205,8 @@ gpu::FrameTimes FrameBench::time(const Technique& technique, int frames) {
     stage_->scene.materials.assign(stage_->scene.materials.size(), stage_->material_of(technique));
     stage_->renderer.set_materials(stage_->scene.materials);
     stage_->options.image_light = technique.image_light;
-    // A single frame is as long as a sample should be: the state it finds is a small part of it.
+    // No warm-up for a single frame: it is as long as a sample, so that the initial state matters
+    // little.
     const int warm_up = frames > 1 ? 1 : 0;
     return stage_->renderer.measure_frames(stage_->camera, stage_->options, frames, warm_up,
                                            technique.variant);

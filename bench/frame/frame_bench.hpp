@@ -1,6 +1,6 @@
-// The scene on which frames are timed, and the techniques that are: shared by `burnish bench frame`
-// and `make bench`. A brushed steel torus with a map of bumps, one directional light, one sample a
-// pixel (K11 Fig 11, K12 Table I; the papers name neither mesh nor picture size).
+// The scene and the techniques that are timed, shared by `burnish bench frame` and `make bench`. A
+// brushed steel torus with a bump map, one directional light, one sample per pixel (K11 Fig 11, K12
+// Table I; the papers name neither mesh nor picture size).
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@
 
 namespace burnish {
 
-// Of what the torus is: the brushed steel, or a table of distributions (app/frame_tabulated.hpp).
+// The torus's material: brushed steel, or a table of distributions
+// (bench/frame/frame_tabulated.hpp).
 enum class BenchMaterial { steel, texels, one_texel };
 
 struct Technique {
@@ -33,42 +34,42 @@ struct Technique {
 };
 
 // gouraud, aniso (the anisotropic lobe without the normal map), every method that reads the map,
-// follow-grain under image light in three ways, and follow-grain of tabulated materials of many
+// follow-grain under image light in three ways, and follow-grain with tabulated materials of many
 // texels and of one.
 std::span<const Technique> techniques();
-// Throws UsageError that suggests the nearest and names `where`.
+// Throws UsageError that names `where` and suggests the nearest technique.
 const Technique& technique_named(std::string_view name, std::string_view where);
 
 struct FrameCase {
-    int triangles = 102400;  // a wish: the torus comes near it
+    int triangles = 102400;  // requested; the torus has about this number
     int width = 1280;
     int height = 720;
 };
 
-// Throws Error for a picture that the device cannot hold, a software device's memory included.
+// Throws Error for a picture too large for the device, or for the memory if the device is software.
 void require_size(const gpu::Context& context, const FrameCase& frame_case);
 
-// What is drawn, in words for a report.
+// The drawn subject in words, for a report.
 struct FrameSubject {
     std::string mesh, material, normal_map, light, environment, tabulated;
     int image_light_samples = 0;
 };
 FrameSubject frame_subject();
 
-// One mesh and picture size, ready to be timed. Destroy it before its context.
+// A mesh at one picture size, ready to be timed. Destroy it before its context.
 class FrameBench {
   public:
-    // `image_light`: an environment is made too. Throws as require_size does.
+    // `image_light`: also creates an environment. Throws as require_size does.
     FrameBench(gpu::Context& context, const FrameCase& frame_case, bool image_light);
     ~FrameBench();
 
     std::size_t triangles() const { return triangles_; }
     std::size_t covered_pixels() const { return covered_; }
 
-    // `frames` frames; more than one are warmed up by another before them.
+    // Times `frames` frames; for more than one, draws a warm-up frame first.
     gpu::FrameTimes time(const Technique& technique, int frames);
 
-    // The techniques by turns.
+    // Times the techniques in alternation.
     RoundSamples interleave(std::span<const Technique* const> subjects,
                             const InterleaveOptions& options,
                             const std::function<void(double)>& tick);

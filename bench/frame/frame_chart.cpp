@@ -1,6 +1,6 @@
-// The result of `burnish bench frame` as bars: a row of panels a case, one panel each for one
-// light, image light and tables, whose costs are of different orders of magnitude. Panels of one
-// kind share one scale over all cases.
+// Draws the result of `burnish bench frame` as bars: a row of panels for each case, with one panel
+// each for one light, image light and tables, whose costs differ by orders of magnitude. Panels of
+// one kind share a scale over all cases.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ std::string caption(const FrameCost& cost) {
 
 plot::Figure frame_cost_figure(const FrameCost& cost) {
     std::vector<Panels> cases;
-    std::array<double, kinds> most{};  // values at the right ends of the axes
+    std::array<double, kinds> most{};  // values at the right ends of the axes, for each kind
     for (const FrameCaseCost& of : cost.cases) {
         cases.push_back(bars_of(of, cost.clock()));
         for (std::size_t kind = 0; kind < kinds; ++kind)

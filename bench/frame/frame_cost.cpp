@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The rotations differ by nanoseconds a pixel: more rounds than the others get.
+// Factor of rounds for the rotations, which differ by nanoseconds per pixel.
 constexpr int kRotationRounds = 2;
 
 using Names = std::vector<std::string_view>;
 
-// What the technique is measured with, itself last.
+// The techniques measured together with a technique, itself last.
 Names subjects_of(std::string_view technique) {
     if (technique == "gouraud") return {};
     if (technique == "normal-map") return {"gouraud", "normal-map"};
@@ -33,7 +33,7 @@ bool asked_for(const FrameCostRequest& request, std::string_view name) {
                        [&](const Technique& t) { return t.name == name; });
 }
 
-// One after the other, how much of the whole each is.
+// A part of the whole measurement and its weight.
 struct Part {
     TechniqueCost* cost;
     int rounds;
@@ -46,7 +46,7 @@ TechniqueCost unmeasured(std::string_view technique, const Names& subjects) {
     return cost;
 }
 
-// The costs to measure in a case, still without samples; the bases come first.
+// The costs to measure in a case, without samples; the bases come first.
 FrameCaseCost unmeasured(const FrameCostRequest& request, const FrameCase& frame_case) {
     FrameCaseCost cost;
     cost.asked = frame_case;
@@ -113,7 +113,7 @@ void require_sound(const FrameCostRequest& request) {
 }
 
 void warn_of_load(FrameCost& cost) {
-    // Of a machine that does nothing else: one thread submits, the software renderer uses all.
+    // On an idle machine one thread submits and the software renderer uses all threads.
     if (cost.load_before <= 0.5 * cost.threads) return;
     cost.warnings.push_back(fmt::format(
         "the machine was busy before the measurement (load {:.1f} on {} threads): trust ratios, "
@@ -126,7 +126,8 @@ bool any_image_light(const FrameCostRequest& request) {
                        [](const Technique& t) { return t.lit_by_image(); });
 }
 
-// By Gouraud shading: one pass over the picture, on which llvmpipe's timer fails.
+// Checks the timer with Gouraud shading: one pass over the picture, for which llvmpipe's timer
+// fails.
 TimerVerdict timer_of(FrameBench& bench) {
     const Technique& gouraud = technique_named("gouraud", "");
     return check_timer([&](int frames) { return bench.time(gouraud, frames); });

@@ -1,5 +1,5 @@
-// burnish bench frame: what a frame costs, technique by technique (K11 Fig 11, K12 Table I and
-// Fig 7), on whatever runs the GL.
+// burnish bench frame: costs of frames by technique (K11 Fig 11, K12 Table I and Fig 7), on the
+// available GL.
 #pragma once
 
 #include <filesystem>
@@ -19,30 +19,30 @@ namespace burnish {
 
 struct FrameCostRequest {
     std::vector<FrameCase> cases;       // one or more
-    std::vector<Technique> techniques;  // gouraud and normal-map are measured whatever is asked
+    std::vector<Technique> techniques;  // gouraud and normal-map are always measured
     int rounds = 15;                    // interleaved
-    double sample_s = 0.06;             // about the length of one sample
+    double sample_s = 0.06;             // approximate length of one sample
     int gl_device = -1;                 // -1: the first hardware device, else software
-    std::filesystem::path output;       // OUT.json, with OUT.md and OUT.svg beside; empty: none
+    std::filesystem::path output;       // OUT.json, with OUT.md and OUT.svg beside it; empty: none
     std::string command;                // for metadata
 };
 
-// The cases when none are asked for: five meshes at 1280x720, and 102 k triangles at 1920x1080 and
-// 3840x2160. Quick: 4 k and 102 k triangles at 1280x720.
+// The default cases: five meshes at 1280x720, and 102 k triangles at 1920x1080 and 3840x2160.
+// Quick: 4 k and 102 k triangles at 1280x720.
 std::vector<FrameCase> default_frame_cases(bool quick);
 
-// All techniques on the default cases, with the rounds and samples that suit them. Quick: for a
-// first impression, less than a minute on two cores without a GPU.
+// All techniques on the default cases with suitable rounds and samples. Quick: a rough estimate in
+// less than a minute on two cores without a GPU.
 FrameCostRequest default_frame_request(bool quick);
 
-// One technique with what it is compared to, measured by turns: the bases first, itself last
-// (`normal-map` has one base, `gouraud` none and no samples).
+// A technique and its bases, measured in alternation: the bases first, itself last (`normal-map`
+// has one base, `gouraud` none and no samples).
 struct TechniqueCost {
     Technique technique;
     std::vector<Technique> subjects;  // those of `samples`, in its order
     RoundSamples samples;
 
-    // Index in `subjects`; empty when it is not there.
+    // Index in `subjects`; empty if absent.
     std::optional<std::size_t> place_of(std::string_view name) const;
     Estimated against(std::string_view base, Clock clock) const;
     Estimated frame_s(Clock clock) const;
@@ -53,11 +53,12 @@ struct FrameCaseCost {
     std::size_t triangles = 0;
     std::size_t covered_pixels = 0;
     std::vector<TechniqueCost> costs;  // in the order of `techniques`
-    // K12 Fig 7: normal-map, rotate-approx, rotate-exact in turns, twice the rounds; no samples
-    // unless both rotations are asked for.
+    // K12 Fig 7: normal-map, rotate-approx, rotate-exact in alternation, with twice the rounds; no
+    // samples unless both rotations are requested.
     TechniqueCost rotation;
 
-    // As `cost` says; for gouraud itself 1, and the time that it took beside normal-map.
+    // Ratio of `cost` to Gouraud shading; for gouraud itself 1, and its time measured with
+    // normal-map.
     Estimated against_gouraud(const TechniqueCost& cost, Clock clock) const;
     Estimated frame_s(const TechniqueCost& cost, Clock clock) const;
 };
@@ -68,7 +69,7 @@ struct FrameCost {
     TimerVerdict timer;
     std::string processor;
     unsigned threads = 0;
-    double load_before = 0, load_after = 0;  // averages of the last minute, negative: unknown
+    double load_before = 0, load_after = 0;  // averages over the last minute; negative: unknown
     std::string date;                        // UTC, of the start
     std::string command;
     int rounds = 0;
@@ -76,31 +77,31 @@ struct FrameCost {
     std::vector<FrameCaseCost> cases;
     std::vector<std::string> warnings;
 
-    // Where the timer passed its check and then gave no time for a sample: not usable, and why. A
-    // ratio by it would lack for some techniques and be there for others.
+    // Marks a timer as unusable, with the reason, that passed its check but gave no time for a
+    // sample: otherwise ratios would exist for some techniques only.
     void distrust_silent_timer();
 
-    // What the ratios are of: the device's time where its timer can be believed, else the wall's.
+    // The clock of the ratios: the device's if its timer is reliable, else wall time.
     Clock clock() const { return timer.usable ? Clock::device : Clock::wall; }
 };
 
-// Measures. Throws UsageError for a request that makes no sense, Error for what the device cannot
-// do, before anything is measured, and Interrupted. It makes a context of its own. Programs call
-// keep_freed_memory() (core/memory.hpp) first: else llvmpipe's page faults are measured as well.
+// Measures. Throws UsageError for an invalid request and Error for an unsuitable device, both
+// before measuring, and Interrupted. Creates its own context. Programs should call
+// keep_freed_memory() (core/memory.hpp) first: otherwise the times include llvmpipe's page faults.
 FrameCost measure_frame_cost(const FrameCostRequest& request, const Progress& progress = {});
 
 // Every sample, with medians and spreads.
 std::string frame_cost_json(const FrameCost& cost);
-// Tables beside the papers' figures.
+// Tables with the papers' figures beside ours.
 std::string frame_cost_markdown(const FrameCost& cost);
-// Bars, a row of panels a case.
+// Bars, a row of panels for each case.
 plot::Figure frame_cost_figure(const FrameCost& cost);
 std::string frame_cost_svg(const FrameCost& cost);
 
-// Measures and writes OUT.json, OUT.md and OUT.svg, all or none, and says which.
+// Measures and writes OUT.json, OUT.md and OUT.svg, all or none; returns their paths.
 struct FrameCostReport {
     FrameCost cost;
-    std::vector<std::filesystem::path> written;  // none when there is no output
+    std::vector<std::filesystem::path> written;  // empty without an output
 };
 FrameCostReport bench_frame(const FrameCostRequest& request, const Progress& progress = {});
 

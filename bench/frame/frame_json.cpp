@@ -1,4 +1,4 @@
-// The result of `burnish bench frame` as JSON: every sample, with its medians and spreads.
+// Writes the result of `burnish bench frame` as JSON: every sample, with medians and spreads.
 #include <nlohmann/json.hpp>
 
 #include "bench/frame/frame_cost.hpp"
@@ -130,7 +130,7 @@ std::string frame_cost_json(const FrameCost& cost) {
     out["scene"] = subject_json();
     out["cases"] = ordered_json::array();
     for (const FrameCaseCost& of : cost.cases) out["cases"].push_back(case_json(of));
-    // Names of drivers are not ours: what is no UTF-8 in them is replaced.
+    // Driver names may not be UTF-8: invalid bytes are replaced.
     return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

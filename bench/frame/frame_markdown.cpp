@@ -1,4 +1,5 @@
-// The result of `burnish bench frame` as Markdown: a table a case, beside the papers' figures.
+// Writes the result of `burnish bench frame` as Markdown: a table for each case, with the papers'
+// figures.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ std::string with_spread(const Estimated& e) {
     return e ? fmt::format("{:.2f} ± {:.2f}", e->median, e->spread) : "-";
 }
 
-// What a technique without samples is, the unit, is exact.
+// A technique without samples is the unit and has no spread.
 std::string of_gouraud(const FrameCaseCost& of, const TechniqueCost& cost, Clock clock) {
     const Estimated e = of.against_gouraud(cost, clock);
     return cost.samples.empty() ? number(e) : with_spread(e);
@@ -43,7 +44,7 @@ std::string row_of(const FrameCaseCost& of, const TechniqueCost& cost, Clock clo
                        number(frame, 1e3), pixel, paper ? fmt::format("{:.2f}", *paper) : "");
 }
 
-// More than what the noise of the median explains, two standard errors.
+// Is the difference larger than two standard errors of the median?
 bool resolved(const Estimate& e) {
     return std::abs(e.median) > 2.0 * e.error;
 }

@@ -14,14 +14,14 @@ namespace {
 constexpr int kSide = 64;  // texels
 constexpr double kTurn = 2 * std::numbers::pi;
 
-// A share of one GGX lobe, the rest of another, turned together; grooves along x before that.
+// A mixture of two GGX lobes, rotated together by `turn`; grooves along x before the rotation.
 struct TwoLobes {
     double share;
     std::array<double, 2> first, second;  // alphas
     double turn;                          // radians
 };
 
-// About as wide as the steel that the other techniques draw.
+// About as wide as the steel of the other techniques.
 constexpr std::array<TwoLobes, 4> kExemplars = {{
     {1.0, {0.10, 0.40}, {0.10, 0.40}, 0.0},
     {1.0, {0.14, 0.35}, {0.14, 0.35}, 0.6},
@@ -54,7 +54,7 @@ void add_exemplar(TabulatedMaterial& m, const TwoLobes& lobes) {
     ++m.exemplars;
 }
 
-// Metal under a little of what is diffuse; all texels are of exemplar 0, flat and not turned.
+// Metal with little diffuse light; all texels use exemplar 0, flat and without rotation.
 void lay_texels(TabulatedMaterial& m, int side) {
     m.width = m.height = side;
     m.exemplar.assign(m.texels(), 0);
@@ -65,7 +65,7 @@ void lay_texels(TabulatedMaterial& m, int side) {
     for (std::size_t i = 0; i < m.texels(); ++i) m.normal.pixels[3 * i + 2] = 1.0F;
 }
 
-// All of it goes on without a seam where the texture repeats.
+// Varies a texel's parameters periodically, without seams where the texture repeats.
 void vary_texel(TabulatedMaterial& m, int x, int y) {
     const double u = kTurn * (x + 0.5) / kSide, v = kTurn * (y + 0.5) / kSide;
     const auto i = static_cast<std::size_t>(y * kSide + x);

@@ -28,7 +28,7 @@ std::optional<double> seconds_of(const FrameSample& sample, Clock clock) {
     return std::nullopt;
 }
 
-// `combine` of the two subjects' seconds a frame in each round; it may refuse a round.
+// Applies `combine` to the seconds per frame of both subjects in each round; it may reject a round.
 Estimated by_rounds(
     const RoundSamples& samples, std::size_t subject, std::size_t base, Clock clock,
     const std::function<std::optional<double>(double subject_s, double base_s)>& combine) {

@@ -1,5 +1,5 @@
-// Measuring by turns: what is compared is measured one after the other, round after round, so that
-// whatever slows the machine down slows all of it down; the order is turned every round.
+// Interleaved measurement: subjects are measured one after another, round after round, so that a
+// slowdown of the machine affects all of them; the order alternates every round.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace burnish {
 
 struct FrameSample {
     int frames = 0;
-    int place = 0;  // in the order of its round
+    int place = 0;  // position in the order of its round
     gpu::FrameTimes times;
 };
 
@@ -22,22 +22,22 @@ using RoundSamples = std::vector<std::vector<FrameSample>>;
 
 struct InterleaveOptions {
     int rounds = 15;
-    double sample_s = 0.06;  // about how long one sample takes: frames are drawn until then
+    double sample_s = 0.06;  // approximate length of a sample, which sets its number of frames
     int most_frames = 4096;
 };
 
-// `measure(subject, frames)` draws and times. Two measurements of each subject come first and are
-// thrown away: the first makes programs, the second says how many frames make a sample. `tick(done
-// 0..1)` is called before each measurement; it may throw.
+// `measure(subject, frames)` draws and times. Two measurements of each subject are discarded: the
+// first compiles programs, the second determines the frames of a sample. `tick(done 0..1)` is
+// called before each measurement; it may throw.
 RoundSamples interleave(std::size_t subjects, const InterleaveOptions& options,
                         const std::function<gpu::FrameTimes(std::size_t, int)>& measure,
                         const std::function<void(double)>& tick);
 
 enum class Clock { wall, cpu, device };
 
-// Median over the rounds, the spread (half the distance between the quartiles), and how far the
-// median itself can be off: its standard error, 1.2533 sigma / sqrt(rounds), with sigma taken from
-// the spread (0.6745 sigma for a normal distribution).
+// Median over the rounds, spread (half the interquartile distance), and standard error of the
+// median: 1.2533 sigma / sqrt(rounds), with sigma from the spread (0.6745 sigma for a normal
+// distribution).
 struct Estimate {
     double median = 0;
     double spread = 0;
@@ -46,11 +46,11 @@ struct Estimate {
 
 Estimate estimate(const std::vector<double>& values);
 
-// Each empty when the clock gave nothing for one of the samples, or a base took no time by it.
+// Each is empty if the clock gave no time for a sample, or a base took no time by it.
 using Estimated = std::optional<Estimate>;
 Estimated seconds_a_frame(const RoundSamples& samples, std::size_t subject, Clock clock);
 Estimated ratio(const RoundSamples& samples, std::size_t subject, std::size_t base, Clock clock);
-// Seconds a frame that `subject` takes longer than `base`, round by round.
+// Difference in seconds per frame between `subject` and `base`, round by round.
 Estimated difference(const RoundSamples& samples, std::size_t subject, std::size_t base,
                      Clock clock);
 

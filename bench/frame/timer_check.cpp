@@ -11,17 +11,21 @@ namespace burnish {
 namespace {
 
 constexpr int kTriples = 3;
-constexpr int kTimes = 4;        // how much heavier the heavy work is
-constexpr double kLight = 0.02;  // seconds: so long that submitting and waking up are a small part
+constexpr int kTimes = 4;        // ratio of the heavy work to the light work
+constexpr double kLight = 0.02;  // seconds; submitting and waking up are a small part
 constexpr int kMostFrames = 1 << 14;
 
-// Waiting for a loaded machine to wake this thread is wall time that the device does not spend.
+// Least ratio of device time to wall time. On a loaded machine this thread wakes late, which adds
+// wall time only.
 constexpr double kLeastShare = 0.5;
-// The two clocks are not one: crystals agree to 1e-4, and this is also true of short work.
+// Largest ratio of device time to wall time. The two clocks agree to about 1e-4, and the margin
+// covers short work.
 constexpr double kMostShare = 1.1;
-// Of kTimes the work: noise of either side may double or halve it, a constant may not pass.
+// Bounds of the ratio of device times for kTimes the work. Noise may halve or double it; a constant
+// time fails.
 constexpr double kLeastGrowth = 2.0, kMostGrowth = 8.0;
-// A frame alone costs what it costs among others, or more: nothing overlaps with it.
+// Least ratio of the device time of a single frame to that of a frame among others: without overlap
+// it takes as long or longer.
 constexpr double kLeastAlone = 0.5;
 
 constexpr const char* kNoTime = "the device gave no time";
@@ -33,21 +37,21 @@ TimerProbe probe(const MeasureFrames& measure, int frames) {
 
 std::string doubt_about(const TimerProbe& p) {
     if (!p.device_s) return kNoTime;
-    const bool too_little = !(*p.device_s >= kLeastShare * p.wall_s);  // not a number as well
+    const bool too_little = !(*p.device_s >= kLeastShare * p.wall_s);  // also for NaN
     const bool too_much = *p.device_s > kMostShare * p.wall_s;
     if (!too_little && !too_much) return "";
     return fmt::format("the device says {:.3f} ms where {:.3f} ms passed for {} frames",
                        1e3 * *p.device_s, 1e3 * p.wall_s, p.frames);
 }
 
-// So many frames that they take kLight.
+// Number of frames that take about kLight.
 int light_work(const MeasureFrames& measure) {
     int frames = 1;
     while (frames < kMostFrames) {
-        // Twice, since anything may keep the machine busy once.
+        // The minimum of two: another process may disturb one of them.
         const double wall = std::min(measure(frames).wall_s, measure(frames).wall_s);
         if (wall >= kLight) break;
-        // At most tenfold: the first frames are no measure of the others.
+        // Grows at most tenfold: the first frames do not predict the others.
         const double wanted = frames * 1.2 * kLight / std::max(wall, 1e-9);
         frames = static_cast<int>(
             std::min({std::ceil(wanted), 10.0 * frames, static_cast<double>(kMostFrames)}));

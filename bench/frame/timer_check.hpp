@@ -1,10 +1,10 @@
-// Whether a device's timer queries can be believed: found out, never looked up by name.
+// Tests whether a device's timer queries are reliable, by measurement instead of by driver name.
 //
-// A heavy piece of work is timed by the wall clock, between two glFinish, and by the device. The
-// device must account for most of the wall's time and for no more than all of it, for about four
-// times as much when the work is four times as much, and for no less when a frame is drawn alone.
-// (llvmpipe's timer starts anew with every piece of a picture: of a single frame it counts the last
-// pieces only, of many frames all but the first.)
+// A heavy workload is timed by the wall clock, between two glFinish, and by the device. The device
+// time must be most of the wall time and at most all of it; it must grow about fourfold with four
+// times the work, and be no less for a frame drawn alone. (llvmpipe's timer restarts with every
+// piece of a picture: for a single frame it counts only the last pieces, for many frames all but
+// the first.)
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace burnish {
 
-// Draws so many frames of one kind, warmed up, and says what they took.
+// Draws this number of equal frames after a warm-up and returns their times.
 using MeasureFrames = std::function<gpu::FrameTimes(int frames)>;
 
 struct TimerProbe {
@@ -27,16 +27,16 @@ struct TimerProbe {
 
 struct TimerVerdict {
     bool usable = false;
-    std::string reason;              // why not, in words; empty when usable
-    std::vector<TimerProbe> probes;  // what it was judged by
+    std::string reason;              // why the timer is unusable; empty if usable
+    std::vector<TimerProbe> probes;  // the measurements that decided
 };
 
-// Empty when the three can be believed, else what is wrong with them. `single` is one frame;
-// `heavy` holds four times the frames of `light`.
+// The reason why the timer is unreliable by these three probes, or empty. `single` is one frame;
+// `heavy` has four times the frames of `light`.
 std::string doubt_about(const TimerProbe& single, const TimerProbe& light, const TimerProbe& heavy);
 
-// Three such triples, all of which must be believed: a timer that counts nothing now and then
-// counts nothing. Takes a second at most where a frame takes less than 50 ms.
+// Makes three triples of probes, all of which must pass, since a timer may fail intermittently.
+// Takes at most a second if a frame takes less than 50 ms.
 TimerVerdict check_timer(const MeasureFrames& measure);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Functions shared by the two plot commands. Private to app/plot_*.cpp.
+// Functions shared by the two plot commands. Private to src/jobs/models/plot_*.cpp.
 #pragma once
 
 #include <string>
