@@ -1,4 +1,4 @@
-// Pictures of mirror balls, rendered ray by ray.
+// Renders pictures of mirror balls ray by ray.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Lamp {
     double least_cosine = std::cos(radius_deg * kDegree);
 };
 
-// A ball and the lamps as they stand to it: not the same for every ball where lamps are near.
+// A ball and the lamps as seen from it: near lamps differ between balls.
 struct Ball {
     ProbeCircle circle;
     std::vector<Lamp> lamps;
@@ -55,10 +55,10 @@ inline double radiance_at(const std::vector<Ball>& balls, double px, double py) 
             if (dot(out, lamp.towards) > lamp.least_cosine) radiance = lamp.radiance;
         return radiance;
     }
-    return 0.02;  // the table behind
+    return 0.02;  // the table in the background
 }
 
-// A pixel is the mean of 8 x 8 rays, and ends at 1.
+// A pixel is the mean of 8 x 8 rays and clips at 1.
 inline Image picture_of_balls(const std::vector<Ball>& balls, int channels = 3, int width = 320,
                               int height = 260) {
     constexpr int kRays = 8;

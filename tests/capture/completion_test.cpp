@@ -1,5 +1,5 @@
-// What a table does not know, from others like it and from the way tails fall; and exemplars found
-// among turned points.
+// Completion of unknown cells from similar tables and from the decay of tails; clustering of
+// rotated points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,9 +60,9 @@ void expect_whole(const Exemplars& exemplars) {
     }
 }
 
-// Beyond 60 degrees nothing is known, which is as far as captures see. Tails continue: a GGX that
-// holds 1 to 5 % there to within 0.4 % of all, a Beckmann that holds nothing within 0.01 %. A
-// Beckmann that still shines there falls faster than any power: within 0.8 %.
+// Nothing is known beyond 60 degrees, the limit of captures. The extrapolated tail of a GGX with 1
+// to 5 % of its mass there is accurate to 0.4 % of the total mass, that of a Beckmann with no mass
+// there to 0.01 %. A Beckmann with mass there falls faster than any power: 0.8 %.
 TEST(Completion, TailsAreContinued) {
     struct Case {
         const char* name;
@@ -99,8 +99,8 @@ TEST(Completion, TailsAreContinued) {
     }
 }
 
-// Two views of one distribution, turned and of different strength, each with a hole where the other
-// sees: both are made whole.
+// Two views of one distribution, rotated and with different strengths, each with a hole where the
+// other one is known: both are completed.
 TEST(Completion, HolesAreFilledFromAlikeExemplars) {
     const auto lobe = test::ggx(0.2, 0.5, 0.15, 0.1);
     const std::vector<float> a = test::normalized(kGrid, test::sampled(kGrid, lobe));
@@ -108,7 +108,7 @@ TEST(Completion, HolesAreFilledFromAlikeExemplars) {
     std::vector<float> stronger = b;
     for (float& v : stronger) v *= 1.4f;
     Exemplars exemplars = exemplars_of({a, stronger});
-    // A hole of a fifth of the circle that reaches in to the slopes of the lobe.
+    // A hole of a fifth of the circle that extends inwards to the slopes of the lobe.
     for (int r = 12; r < kGrid.rings; ++r)
         for (int k = 0; k < 20; ++k) {
             forget(exemplars, 0, r, 15 + k);
@@ -130,7 +130,7 @@ TEST(Completion, HolesAreFilledFromAlikeExemplars) {
     expect_whole(exemplars);
 }
 
-// One that is another thing altogether is not asked.
+// An unrelated exemplar gives no cells.
 TEST(Completion, UnlikeExemplarsDoNotSpeakForOneAnother) {
     const std::vector<float> narrow =
         test::normalized(kGrid, test::sampled(kGrid, test::beckmann(0.1, 0.1)));
@@ -146,7 +146,7 @@ TEST(Completion, UnlikeExemplarsDoNotSpeakForOneAnother) {
     expect_whole(exemplars);
 }
 
-// Turned counter-clockwise, linear between columns; whole turns are exact.
+// Rotates counter-clockwise, linear between columns; rotations by whole columns are exact.
 TEST(TurnTable, ShiftsColumns) {
     Random random(5);
     std::vector<float> table, out(static_cast<std::size_t>(kGrid.cells()));
@@ -168,8 +168,8 @@ TEST(TurnTable, ShiftsColumns) {
     }
 }
 
-// Points of three distributions at all turns, each seen in part: as many exemplars or few more, and
-// no exemplar of two minds.
+// Points of three distributions at all rotations, each partly known: clustering finds three
+// exemplars or few more, and no exemplar mixes two distributions.
 TEST(Clustering, FindsTheClassesWhateverTheTurn) {
     const test::DirectionalLobe lobes[] = {test::beckmann(0.15, 0.45), test::ggx(0.3, 0.3, 0.25, 0),
                                            test::ggx(0.12, 0.25)};

@@ -1,4 +1,4 @@
-// What a rig sees, against closed forms, quadrature and sums over lattices.
+// The coverage of rigs, compared with closed forms, quadrature and sums over lattices.
 #include "burnish/coverage.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Rig rig_of(const Vec3d& view, const std::vector<Vec3d>& lights) {
     return rig;
 }
 
-// The light that makes `half` with `view`: its mirror image.
+// The light whose half vector with `view` is `half`: the reflection of `view` about `half`.
 Vec3d light_for(const Vec3d& half, const Vec3d& view) {
     const double twice = 2 * dot(half, view);
     return {twice * half[0] - view[0], twice * half[1] - view[1], twice * half[2] - view[2]};
@@ -54,7 +54,7 @@ bool says(const RigCoverage& coverage, const std::string& part) {
     return false;
 }
 
-// d w_h = d w_i / (4 i.h): the solid angle that half vectors of lights up to `widest` fill.
+// d w_h = d w_i / (4 i.h): the solid angle of the half vectors of all lights up to `widest`.
 double share_by_quadrature(const Vec3d& view, double widest_deg) {
     constexpr int kThetas = 400, kPhis = 400;
     double sum = 0;
@@ -73,12 +73,12 @@ TEST(Coverage, DenseLightsCoverWhatTheJacobianSays) {
         const Vec3d view = direction(view_deg, 20);
         const PointCoverage c =
             point_coverage(rig_of(view, spread_over_a_cap(3000, 75)), {0, 0, 0});
-        // The caps stick out by a quarter of the spacing of 1.2 deg: 0.005 rad along an edge of
-        // about 4.5 rad is 0.004 of the hemisphere; the irregular spiral adds as much.
+        // The caps extend beyond the edge by a quarter of the spacing of 1.2 deg: 0.005 rad along
+        // an edge of about 4.5 rad is 0.004 of the hemisphere. The irregular spiral adds as much.
         EXPECT_NEAR(c.covered, share_by_quadrature(view, 75), 0.012) << view_deg;
         const double limit = (75 + view_deg) / 2;
         EXPECT_NEAR(c.theta_h_limit, limit, 0.5);
-        EXPECT_NEAR(c.theta_h_max, limit, 1.5);  // one light in 3000 need not lie in the plane
+        EXPECT_NEAR(c.theta_h_max, limit, 1.5);  // no light lies exactly in the plane
         EXPECT_NEAR(c.covered_turned, 1 - std::cos(limit * kDegree), 0.025);
     }
 }
@@ -92,7 +92,7 @@ TEST(Coverage, HalfVectorsNeverTiltMoreThanHalfOfBothAngles) {
         const PointCoverage c = point_coverage(rig, {0, 0, 0});
         EXPECT_LE(c.theta_h_max, c.theta_h_limit + 1e-9);
         EXPECT_NEAR(c.theta_h_limit, (light + view) / 2, 1e-9);
-        // In one plane, on one side, the limit is reached.
+        // In one plane and on one side, theta_h reaches the limit.
         const Rig plane = rig_of(direction(view, at), {direction(light, at)});
         EXPECT_NEAR(point_coverage(plane, {0, 0, 0}).theta_h_max, (light + view) / 2, 1e-9);
     }
@@ -105,7 +105,7 @@ TEST(Coverage, FewLightsCoverCapsAndTurnedBands) {
         point_coverage(rig_of(view, {light_for(a, view), light_for(b, view)}), {0, 0, 0});
     EXPECT_NEAR(c.spacing, 45, 1e-9);
     EXPECT_EQ(c.reach, 10);
-    // 20,000 points of equal weight: a cap of 304 of them is off by a few at its rim.
+    // 20,000 points of equal weight: a cap of 304 points has an error of a few points at its rim.
     EXPECT_NEAR(c.covered, 2 * (1 - std::cos(10 * kDegree)), 5e-4);
     const auto band = [](double low, double high) {
         return std::cos(low * kDegree) - std::cos(high * kDegree);
@@ -131,7 +131,7 @@ TEST(Coverage, SpacingOfALattice) {
             const double hx = 2 * kDegree * x, hy = 3 * kDegree * y;
             lights.push_back(light_for({hx, hy, std::sqrt(1 - hx * hx - hy * hy)}, view));
         }
-    // hx is the sine of the tilt: at 10 degrees a step is longer by 1 / cos = 1.5 %.
+    // hx is the sine of the tilt: at 10 degrees a step is longer by 1 / cos, 1.5 %.
     EXPECT_NEAR(point_coverage(rig_of(view, lights), {0, 0, 0}).spacing, 2.0, 0.03);
 }
 
@@ -147,8 +147,8 @@ double beckmann(double alpha, double cosine) {
 }
 using Lobe = double (*)(double alpha, double cosine);
 
-// How wrong int D cos dw = 1 comes out of a square lattice of half vectors in (hx, hy), whose cells
-// are cos dw: the worst of a few positions of the lattice under the lobe.
+// Error of int D cos dw = 1, computed on a square lattice of half vectors in (hx, hy), whose cells
+// are cos dw: the largest over a few positions of the lattice relative to the lobe.
 double worst_error_of_the_integral(Lobe lobe, double alpha, double spacing) {
     double worst = 0;
     for (const auto& [u, v] : {std::pair{0.0, 0.0}, {0.5, 0.5}, {0.5, 0.0}, {0.2, 0.1}}) {
@@ -174,9 +174,9 @@ TEST(NarrowestLobe, HoldsTwoSpacingsAtHalfItsMaximum) {
     }
 }
 
-// The Poisson sum says what to expect, with x = 2 pi alpha / d: the first four harmonics are
-// 4 x K1(x) of a GGX lobe (0.1 % at the limit, 9 % at half of it, 80 % at a quarter) and
-// 4 exp(-x^2 / 4) of a Beckmann lobe (3e-6, 11 %, 160 %).
+// Expected errors from the Poisson sum, with x = 2 pi alpha / d: the first four harmonics are 4 x
+// K1(x) for a GGX lobe (0.1 % at the limit, 9 % at half of it, 80 % at a quarter) and 4 exp(-x^2 /
+// 4) for a Beckmann lobe (3e-6, 11 %, 160 %).
 TEST(NarrowestLobe, NarrowerOnesAreBadlySampled) {
     constexpr double kSpacing = 1.0;
     struct Case {
@@ -203,7 +203,7 @@ TEST(RigCoverage, LightsInWords) {
     EXPECT_NEAR(c.azimuth_spread, 90, 1e-9);  // from 350 through 0 to 80
     EXPECT_TRUE(c.corners.empty());
     EXPECT_TRUE(says(c, "within 90 deg of azimuth"));
-    EXPECT_GT(c.narrowest_ggx, c.narrowest_beckmann);  // the narrower core
+    EXPECT_GT(c.narrowest_ggx, c.narrowest_beckmann);  // GGX has the narrower core
 }
 
 TEST(RigCoverage, CornersSeeNearThingsFromElsewhere) {
@@ -218,7 +218,7 @@ TEST(RigCoverage, CornersSeeNearThingsFromElsewhere) {
     EXPECT_EQ(c.corners[3].point_mm, (Vec3d{30, -20, 0}));
     EXPECT_NEAR(c.center.theta_view, 45, 1e-9);
     EXPECT_NEAR(c.corners[0].theta_view, std::atan2(std::hypot(30, 120), 100) / kDegree, 1e-9);
-    // Mirror images in x see the camera alike.
+    // Corners that mirror each other in x have equal views.
     EXPECT_NEAR(c.corners[0].theta_view, c.corners[1].theta_view, 1e-9);
     rig.width_mm = 0;  // as from an .lp file
     EXPECT_TRUE(rig_coverage(rig).corners.empty());
@@ -236,7 +236,7 @@ TEST(RigCoverage, SaysWhatCannotWork) {
     const std::vector<Vec3d> dome = spread_over_a_cap(200, 75);
     EXPECT_TRUE(says(rig_coverage(rig_of({0, 0, 1}, dome)), "completion is impossible"));
     EXPECT_FALSE(says(rig_coverage(rig_of(direction(45, 0), dome)), "impossible"));
-    // A bar of lights under an upright camera: turning does help.
+    // With a bar of lights and an upright camera, rotations do help.
     std::vector<Vec3d> bar;
     for (int k = 1; k < 14; ++k) bar.push_back(direction(5 * k, 0));
     EXPECT_FALSE(says(rig_coverage(rig_of({0, 0, 1}, bar)), "impossible"));

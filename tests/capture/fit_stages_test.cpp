@@ -1,6 +1,6 @@
-// Stages of a fit: interrupted anywhere and continued, it gives what an uninterrupted one gives; so
-// does a fit in parts; the number of threads does not matter; and what other settings left is not
-// taken.
+// Stages of a fit. A fit that is interrupted anywhere and continued equals an uninterrupted one; so
+// does a fit in parts. Results do not depend on the number of threads. Stages of other settings are
+// not used.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -55,7 +55,7 @@ void expect_same(const TabulatedMaterial& a, const TabulatedMaterial& b) {
 class CaptureFitStages : public testing::TestWithParam<bool> {
   protected:
     bool normals() const { return GetParam(); }
-    // With normals there are twice as many rounds: fewer points.
+    // Twice as many rounds with normals: fewer points.
     Rig stack(const Folder& folder) const {
         return small_stack(folder.path("stack"), normals() ? 8 : 12, normals() ? 6.0 : 0.0);
     }
@@ -70,13 +70,13 @@ TEST_P(CaptureFitStages, InterruptedAnywhereItGoesOn) {
     const TabulatedMaterial whole = whole_fit(rig, quick(normals()), folder.path("whole"),
                                               Progress([&](std::string_view, double) { ++steps; }));
     ASSERT_GT(steps, 20);
-    // A test of tilts needs some.
+    // The test needs tilted normals.
     if (normals()) {
         EXPECT_NE(whole.normal.pixels, Image(whole.width, whole.height, 3, 0.0f).pixels);
         EXPECT_LT(*std::min_element(whole.normal.pixels.begin(), whole.normal.pixels.end()),
                   -0.01f);
     }
-    // Each run continues from what the one before left, and is stopped a little later.
+    // Each run continues from the previous one and is stopped a little later.
     int stopped = 0;
     bool completed = false;
     for (int stop = 3; stop < 10 * steps && !completed; stop += 1 + steps / 7) {
@@ -103,7 +103,7 @@ TEST_P(CaptureFitStages, AnyNumberOfThreadsGivesTheSame) {
     expect_same(many, whole_fit(rig, quick(normals()), folder.path("one"), {}));
 }
 
-// As jobs of a cluster would: bands apart, by fits that each opened the same folder.
+// Fits bands separately, as cluster jobs do, with fits that each opened the same folder.
 TEST_P(CaptureFitStages, BandsApartGiveTheWhole) {
     const Folder folder;
     const Rig rig = stack(folder);
@@ -129,7 +129,7 @@ TEST_P(CaptureFitStages, BandsApartGiveTheWhole) {
     EXPECT_THROW(fit.take_texels(Texels(0, 3, settings.models)), Error);
 }
 
-// Did a fit with these settings take the exemplars that it found in the folder?
+// Does a fit with these settings use the exemplars stored in the folder?
 bool takes_exemplars(const Rig& rig, const CaptureFitSettings& settings,
                      const std::filesystem::path& stages) {
     const Progress progress([](std::string_view stage, double) {
@@ -167,7 +167,7 @@ TEST(CaptureFitSettingsOf, StagesOfOthersAreNotTaken) {
         change(other);
         EXPECT_FALSE(takes_exemplars(rig, other, folder.path("stages"))) << name;
     }
-    // Another lamp is another stack, though its pictures are the same.
+    // Another lamp makes another stack even with the same pictures.
     Rig moved = rig;
     moved.lights[7].intensity[1] *= 1.01;
     EXPECT_FALSE(takes_exemplars(moved, quick(), folder.path("stages")));

@@ -1,6 +1,6 @@
-// The whole fit against samples that are known exactly: grain, distributions, strengths, pictures
-// under held-out lights and from unseen views, beside Ward's models
-// (docs/evidence/capture-results.md has the figures).
+// Compares the whole fit with exactly known samples: grain, distributions, strengths, pictures
+// under held-out lights and from new views, beside Ward's models (docs/evidence/capture-results.md
+// has the figures).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -106,8 +106,8 @@ std::vector<Decibels> psnr(const Fitted& fitted, const std::vector<ParametricFit
     return out;
 }
 
-// Ward's models fitted to every pixel of the stack, anisotropic from the true grain: they are given
-// their best start.
+// Fits Ward's models to every pixel of the stack. The anisotropic search starts from the true
+// grain, its best start.
 void fit_ward(const Fitted& fitted, const std::filesystem::path& stages,
               std::vector<ParametricFit>& ward, std::vector<ParametricFit>& isotropic) {
     const ImageStack stack(fitted.rig, stages / "pictures.bin", {});
@@ -131,13 +131,13 @@ void fit_ward(const Fitted& fitted, const std::filesystem::path& stages,
     }
 }
 
-// Bounds about twice what was measured with these samples and lights (the figures are beside the
-// tests): other roundings choose other seeds and clusters, which changes errors by some ten
-// percent, never twofold.
+// Bounds are about twice the values measured with these samples and lights (beside the tests).
+// Other roundings change seeds and clusters, and with them errors by some ten percent, never by a
+// factor of two.
 struct Bounds {
     double angle_deg;  // median
-    double l1;         // where known, and in all
-    double strength;   // of the ratios of specular and diffuse to the true ones, from 1
+    double l1;         // over known cells, and over all cells
+    double strength;   // |1 - fitted / true| of the specular and diffuse strengths
 };
 
 void expect_close_to_truth(const Fitted& fitted, const Bounds& most) {

@@ -1,5 +1,5 @@
-// Errors under held-out lights where they are known: none at all, the rounding of the stack's
-// codes, and a known share of every sample.
+// Errors under held-out lights in known cases: zero, the rounding of the stack's codes, and a known
+// share of every sample.
 #include "capture/judge/held_out.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ struct Judged {
         rig = make_dome_rig(sample, static_cast<int>(kLights), {});
     }
 
-    // Pictures of `shown`, all samples times `factor`, judged by what `material` predicts.
+    // Errors of `material` on pictures of `shown` with all samples multiplied by `factor`.
     std::vector<HeldOutError> errors(const TabulatedMaterial& shown, float factor) {
         const Relighter relighter(shown);
         for (std::size_t k = 0; k < rig.lights.size(); ++k) {
@@ -56,7 +56,7 @@ void make_black(TabulatedMaterial& material) {
 TEST(HeldOut, APerfectFitIsInfinitelyManyDecibels) {
     Judged judged;
     make_black(judged.material);
-    // Maps of a model as a fit leaves them: for black samples its strengths are 0 too.
+    // Maps of a model as written by a fit: for black samples its strengths are 0 too.
     for (const char* number : {"alpha_along", "alpha_across", "groove_deg", "diffuse", "specular"})
         judged.material.maps[fmt::format("ward.{}", number)].assign(
             judged.material.texels(), std::string_view(number).starts_with("alpha") ? 0.3f : 0.0f);
@@ -69,8 +69,8 @@ TEST(HeldOut, APerfectFitIsInfinitelyManyDecibels) {
     }
 }
 
-// The pictures' files hold half floats: a sample is off by up to 2^-12 of itself, 72 dB of the peak
-// if all samples were as bright. 86.9 dB were measured, as most samples are dimmer.
+// The picture files hold half floats: the relative error of a sample is up to 2^-12, 72 dB if all
+// samples were as bright as the peak. Measured 86.9 dB, as most samples are darker.
 TEST(HeldOut, ItsOwnPicturesAreRightButForTheirRounding) {
     Judged judged;
     const auto errors = judged.errors(judged.material, 1.0f);
@@ -81,8 +81,8 @@ TEST(HeldOut, ItsOwnPicturesAreRightButForTheirRounding) {
     EXPECT_LT(errors[0].psnr, 120.0) << "half floats have no such precision";
 }
 
-// Pictures a tenth brighter than predicted: the error is 1/11 of every sample, so that the RMSE is
-// 1/11 of the root mean square of the samples, which is at most the peak.
+// Pictures brighter than predicted by a tenth: the error is 1/11 of every sample, so that the RMSE
+// is 1/11 of the samples' root mean square, which is at most the peak.
 TEST(HeldOut, AKnownErrorIsFound) {
     Judged judged;
     const auto same = judged.errors(judged.material, 1.0f);
@@ -94,7 +94,7 @@ TEST(HeldOut, AKnownErrorIsFound) {
     make_black(black);
     Judged dark;
     dark.material = black;
-    const auto all = dark.errors(judged.material, 1.1f);  // the error is the whole sample
+    const auto all = dark.errors(judged.material, 1.1f);  // the error equals the sample
     EXPECT_NEAR(brighter[0].rmse / all[0].rmse, 1.0 / 11.0, 1e-3);
 }
 
@@ -105,7 +105,7 @@ TEST(HeldOut, WithoutHeldOutLightsThereIsNothingToSay) {
     const ImageStack stack(judged.rig, judged.folder.path("pictures.bin"), {});
     EXPECT_TRUE(
         held_out_errors(stack, judged.rig, judged.material, fitted_lights(kLights, 0), {}).empty());
-    // All texels outside the mask: lights judge, but no sample counts.
+    // All texels are outside the mask: lights judge the fit, but no sample is valid.
     judged.material.exemplar.assign(judged.material.texels(), TabulatedMaterial::kNoExemplar);
     const auto errors =
         held_out_errors(stack, judged.rig, judged.material, fitted_lights(kLights, kHoldOut), {});

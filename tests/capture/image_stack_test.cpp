@@ -1,5 +1,5 @@
-// What comes out of a stack of pictures is what went in, within what its coding says; what cannot
-// be known is infinite.
+// Samples read from a stack equal the pictures within the coding error; clipped samples are
+// infinite.
 #include "capture/stack/image_stack.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,8 @@ TEST(ImageStack, CodedPicturesAreLinearisedAndTheirLastCodeIsClipped) {
     }
 }
 
-// The same light, four times as long: float pictures agree, coded ones are read where they can be.
+// The same light with four times the exposure: float pictures agree, and integer pictures agree
+// where they are not clipped.
 TEST(ImageStack, BracketsAreOnePicture) {
     const ScratchFolder folder;
     const Image once = test::random_picture(12, 5, 2, 3);
@@ -93,7 +94,7 @@ TEST(ImageStack, BracketsAreOnePicture) {
 
 TEST(ImageStack, BracketsOfCodesUseWhatIsNotClipped) {
     const ScratchFolder folder;
-    // Linear codes; the long exposure is four times the short one and ends at 255.
+    // Linear codes; the long exposure is four times the short one and clips at 255.
     const std::vector<int> shorter = {1, 10, 30, 60, 63, 80, 200, 254, 255};
     std::vector<int> longer;
     for (const int code : shorter) longer.push_back(std::min(4 * code, 255));
@@ -119,8 +120,7 @@ TEST(ImageStack, BracketsOfCodesUseWhatIsNotClipped) {
     }
 }
 
-// Divided by the flat field, which is scaled to a mean of 1; where that is darker than 1 % it
-// counts as 1 %.
+// Samples are divided by the flat field, which is scaled to a mean of 1 and is at least 1 %.
 TEST(ImageStack, WhiteTargetsAreDividedBy) {
     const ScratchFolder folder;
     const Image picture = test::random_picture(8, 4, 3, 5);
@@ -161,7 +161,7 @@ TEST(ImageStack, NegativeSamplesAreNone) {
     EXPECT_NEAR(stack.census().black_share, 2.0 / 108, 1e-12);
 }
 
-// Codes that repeat at the top of a dark picture are no plateau: codes end at 255 only.
+// Repeated codes at the top of a dark picture are not clipped: codes clip at 255 only.
 TEST(ImageStack, DarkCodedPicturesAreWhole) {
     const ScratchFolder folder;
     write_image(folder / "a.png", test::coded_picture(11, 4, {0, 90, 200, 200, 17}), {});
@@ -170,7 +170,7 @@ TEST(ImageStack, DarkCodedPicturesAreWhole) {
     EXPECT_EQ(stack.census().clipped_share, 0);
 }
 
-// A float picture tells nowhere where its sensor ended. A plateau at the very top does.
+// A float picture does not state where its sensor clips; repeats of the stack's largest value do.
 TEST(ImageStack, PlateausOfFloatPicturesAreClipped) {
     const ScratchFolder folder;
     Image bright = test::random_picture(20, 10, 9, 7), dim = test::random_picture(20, 10, 0.5, 8);
@@ -198,9 +198,9 @@ TEST(ImageStack, MasksAreReadAndCounted) {
     for (int y = 0; y < 10; ++y) {
         for (int x = 0; x < 10; ++x) {
             mask.at(x, y)[0] = x < 5 ? 1.0f : 0.0f;
-            if (x == 0) std::fill_n(picture.at(x, y), 3, 0.0f);  // black, within
-            if (x >= 8) std::fill_n(picture.at(x, y), 3, 2.0f);  // a plateau, outside
-            if (x == 7) std::fill_n(picture.at(x, y), 3, 0.0f);  // black, outside
+            if (x == 0) std::fill_n(picture.at(x, y), 3, 0.0f);  // black, inside the mask
+            if (x >= 8) std::fill_n(picture.at(x, y), 3, 2.0f);  // a plateau, outside the mask
+            if (x == 7) std::fill_n(picture.at(x, y), 3, 0.0f);  // black, outside the mask
         }
     }
     write_image(folder / "p.exr", picture, {});
@@ -220,7 +220,7 @@ TEST(ImageStack, MasksAreReadAndCounted) {
     EXPECT_NE(size.find("m.png"), size.npos) << size;
 }
 
-// Nothing to be seen is no error of reading: the census says so.
+// Black or clipped pictures are no reading error; the census counts them.
 TEST(ImageStack, BlackAndWhiteStacksAreCounted) {
     const ScratchFolder folder;
     write_image(folder / "b.exr", Image(6, 4, 3, 0.0f), {});
@@ -236,7 +236,7 @@ TEST(ImageStack, BlackAndWhiteStacksAreCounted) {
     for (const float v : test::all_samples(stack)) EXPECT_EQ(v, kClipped);
 }
 
-// More than a band holds: every sample is where it belongs, whichever way the bands are read.
+// The stack exceeds one band: every sample is at its position in whatever order the bands are read.
 TEST(ImageStack, BandsFitTogether) {
     const ScratchFolder folder;
     const Image a = test::random_picture(128, 128, 1, 1), b = test::random_picture(128, 128, 7, 2);

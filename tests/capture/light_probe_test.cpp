@@ -1,4 +1,4 @@
-// Light directions from mirror balls that are rendered here, ray by ray.
+// Light directions from mirror balls that the test renders ray by ray.
 #include "capture/rig/light_probe.hpp"
 
 #include <gtest/gtest.h>
@@ -29,15 +29,15 @@ TEST(LightProbe, NormalIsHalfwayBetweenViewAndLight) {
             const Vec3d light = direction(theta, phi), half = direction(theta / 2, phi);
             const Vec3d found = probe_reflection(kBall, kBall.x + kBall.radius * half[0],
                                                  kBall.y - kBall.radius * half[1]);
-            // The arc sine of the height loses half of the digits at most.
+            // The arc sine of the height loses at most half of the digits.
             EXPECT_LT(angle_deg(found, light), 1e-6) << theta << " " << phi;
         }
 }
 
-// A pixel at the middle of the ball is 2/110 rad = 1 deg of light direction wide. Where pixels at
-// the lamp's rim show how much of them it covers, the middle is exact but for the 8 x 8 rays; where
-// they are clipped like the others, a lamp of six pixels across has a staircase for a rim, of which
-// a few steps out of twenty lie to one side: a quarter of a pixel.
+// A pixel at the center of the ball spans 2/110 rad = 1 deg of light direction. If the rim pixels'
+// values show their partial coverage, the center is exact except for the 8 x 8 rays. If they are
+// clipped, the rim of a lamp six pixels wide is a staircase of about twenty steps; a few of them to
+// one side shift the center by a quarter of a pixel.
 TEST(LightProbe, FindsLamps) {
     for (const double theta : {0.0, 15.0, 40.0, 65.0, 80.0})
         for (const double phi : {10.0, 130.0, 280.0})
@@ -47,8 +47,8 @@ TEST(LightProbe, FindsLamps) {
                     const ProbeLight found = light_from_probe(ball(kBall, {lamp}), kBall, "ball");
                     EXPECT_LT(angle_deg(found.direction, lamp.towards), radiance < 1 ? 0.04 : 0.25)
                         << theta << " " << phi << " " << radius;
-                    // A disc's mean square radius is half of its radius squared; a clipped rim
-                    // makes it half a pixel wider.
+                    // The mean square radius of a disc is half of its squared radius; a clipped rim
+                    // widens it by half a pixel.
                     EXPECT_NEAR(found.spread_deg, radius / std::numbers::sqrt2,
                                 radiance < 1 ? 0.1 : 0.5);
                     EXPECT_EQ(found.second, 0.0);
@@ -65,8 +65,8 @@ TEST(LightProbe, YPointsUpAndXRight) {
     EXPECT_GT(right.direction[0], 0.6);
 }
 
-// The camera's own direction, its picture's right and the way up from there, against the two
-// conditions that define them: the sample's y has no part to the right, and up is towards it.
+// The directions of the camera and of the picture's right and up, compared with their definitions:
+// the sample's y axis has no component to the right, and up is the side towards it.
 TEST(LightProbe, PicturesOfTiltedCamerasAreTurnedIntoSampleSpace) {
     for (const Vec3d& camera : {direction(0, 0), direction(45, 270), direction(60, 20)}) {
         EXPECT_LT(angle_deg(from_picture({0, 0, 1}, camera), camera), 1e-6);
@@ -78,7 +78,7 @@ TEST(LightProbe, PicturesOfTiltedCamerasAreTurnedIntoSampleSpace) {
         EXPECT_NEAR(angle_deg(right, camera), 90.0, 1e-6);
         EXPECT_NEAR(angle_deg(up, camera), 90.0, 1e-6);
     }
-    // From the south a lamp over the camera's shoulder stands above the sample's middle.
+    // A lamp 45 degrees above the camera axis, seen from the south, is above the sample's center.
     const Vec3d above = from_picture(direction(45, 90), direction(45, 270));
     EXPECT_LT(angle_deg(above, {0, 0, 1}), 1e-6);
 }
@@ -88,11 +88,12 @@ TEST(LightProbe, TakesTheStrongestSpotAndTellsOfTheSecond) {
     const Lamp dim{direction(30, 300), 12, 0.3};
     const ProbeLight found = light_from_probe(ball(kBall, {lamp, small, dim}, 1), kBall, "ball");
     EXPECT_LT(angle_deg(found.direction, lamp.towards), 0.25);
-    // Solid angles go with the square of the radius; rims of few pixels are coarse.
+    // Solid angles are proportional to the squared radius; rims of few pixels are coarse.
     EXPECT_NEAR(found.second, 0.25, 0.05);
 }
 
-// Behind the ball's plane a lamp does not light the sample, however bright its picture at the rim.
+// A lamp behind the ball's plane does not light the sample and is ignored, even if its reflection
+// at the rim is bright.
 TEST(LightProbe, PassesOverWhatIsBelowTheSample) {
     const Lamp lamp{direction(35, 60), 4, 5}, behind{direction(120, 200), 12, 5};
     const ProbeLight found = light_from_probe(ball(kBall, {lamp, behind}), kBall, "ball");
@@ -115,8 +116,8 @@ TEST(LightProbe, ErrorsSayWhatIsWrong) {
     EXPECT_NE(line(Image(320, 260, 3, 0.0f), kBall).find("a highlight"), std::string::npos);
 }
 
-// Twelve photographs of each of two black glass balls, with the circle and the directions that
-// their makers found: a real lens, lamps with streaks, a room.
+// Twelve photographs of each of two black glass balls, with the circle and the directions found by
+// their makers: a real lens, lamps with streaks, a room.
 class RealBalls : public testing::TestWithParam<const char*> {
   protected:
     std::filesystem::path folder() const {
@@ -139,8 +140,8 @@ class RealBalls : public testing::TestWithParam<const char*> {
     }
 };
 
-// Seen: 0.47 and 0.30 deg in the mean, 0.93 and 0.58 at most. The makers' own directions for
-// the two balls, which stand side by side, differ by 0.4 to 1.8 deg.
+// Measured: 0.47 and 0.30 deg in the mean, 0.93 and 0.58 at most. The makers' own directions for
+// the two balls, which are side by side, differ by 0.4 to 1.8 deg.
 TEST_P(RealBalls, AgreeWithTheMakersDirections) {
     if (folder().empty() || !std::filesystem::exists(folder()))
         GTEST_SKIP() << "no sample capture (set BURNISH_DATA)";

@@ -1,4 +1,4 @@
-// Matching by the definition, one rotation after the other in double precision, and tables to
+// Matches by the definition, one rotation after another in double precision, and makes tables to
 // match.
 #pragma once
 
@@ -23,7 +23,8 @@ struct AtRotation {
     double residual = 1, scale = 0, overlap = 0;
 };
 
-// One rotation by the definition: the exemplar's column a - shift lies on the point's column a.
+// The match at one rotation by the definition: column a - shift of the exemplar lies on column a of
+// the point.
 inline AtRotation by_definition(const NdfGrid& grid, const Table& point, const Table& exemplar,
                                 int shift, double least_overlap) {
     double A = 0, B = 0, X = 0, O = 0, m_sum = 0, n_sum = 0;
@@ -115,7 +116,7 @@ inline Table random_table(const NdfGrid& grid, Mask mask, Random& random) {
     return out;
 }
 
-// A coarse pattern with noise: answers differ clearly between rotations, as real tables' do.
+// A coarse pattern with noise: residuals differ clearly between rotations, as for real tables.
 inline Table patterned(const NdfGrid& grid, Mask mask, Random& random) {
     Table out = random_table(grid, mask, random);
     const double phase = random.uniform(0, 2 * kPi), skew = random.uniform(0, 2 * kPi);
@@ -184,7 +185,8 @@ inline Table rotated(const NdfGrid& grid, const Table& table, int columns) {
     return out;
 }
 
-// Single precision and A - X^2/B: a few roundings of sums of thousands of terms.
+// Tolerance of residuals: single precision and A - X^2/B add a few roundings of sums of thousands
+// of terms.
 inline constexpr double kResidualRounding = 2e-4;
 
 inline const NdfGrid kGrids[] = {{32, 96}, {16, 32}, {8, 24}};

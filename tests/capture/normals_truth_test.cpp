@@ -1,4 +1,4 @@
-// A fit with normals against a sample whose normals are known to tilt.
+// A fit with normals to a sample with known tilted normals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ double median_tilt_error(const VirtualSample& sample, const Image& normals) {
 }
 
 struct Fitted {
-    double normal_error_deg = 0.0, psnr = 0.0;  // of the lights held out
+    double normal_error_deg = 0.0, psnr = 0.0;  // of the held-out lights
     std::vector<ClassMetrics> classes;
 };
 
@@ -50,7 +50,7 @@ Fitted fit_sample(const VirtualSample& sample, const Rig& rig, bool normals,
     settings.hold_out = kHoldOut;
     settings.models = false;
     settings.normals = normals;
-    settings.exemplars = 12;  // where there is one: for speed
+    settings.exemplars = 12;  // for speed: the sample has one
     CaptureFit fit(rig, settings, stages, {});
     fit.find_exemplars();
     fit.fit_texels();
@@ -61,9 +61,9 @@ Fitted fit_sample(const VirtualSample& sample, const Rig& rig, bool normals,
             compare_to_truth(sample, material)};
 }
 
-// Seen with four seeds of the clustering: 0.18 to 0.66 deg where the truth tilts by 5.67 in the
-// median, 38.9 to 47.5 dB where flat normals give 32.0, and an L1 of 0.015 to 0.046 in place of
-// 0.62. Bounds leave room for other roundings, which choose other clusters as seeds do.
+// Measured with four seeds of the clustering: 0.18 to 0.66 deg, where the true tilt has a median of
+// 5.67; 38.9 to 47.5 dB, where flat normals give 32.0; an L1 of 0.015 to 0.046 instead of 0.62.
+// Bounds leave room for other roundings, which change clusters as seeds do.
 TEST(CaptureFitNormals, FindTheTiltOfTheTruth) {
     const Folder folder;
     VirtualSettings settings;
@@ -82,11 +82,11 @@ TEST(CaptureFitNormals, FindTheTiltOfTheTruth) {
     EXPECT_LT(tilted.normal_error_deg, tilt / 5);
     EXPECT_LT(tilted.normal_error_deg, 1.0);
     EXPECT_GT(tilted.psnr, flat.psnr + 3.0);
-    // The distribution is no longer smeared by the tilts of its points.
+    // The tilts of its points no longer blur the distribution.
     EXPECT_LT(tilted.classes.at(0).l1_all, 0.5 * flat.classes.at(0).l1_all);
 }
 
-// Of lobes whose middle is known, seen whole and in part: half of the hemisphere's azimuths.
+// Lobes with a known center, completely known or on half of the azimuths.
 TEST(PeakSlope, IsTheMiddleOfALobe) {
     const NdfGrid grid;
     const double lean_x = 0.09, lean_y = -0.05;
@@ -105,7 +105,7 @@ TEST(PeakSlope, IsTheMiddleOfALobe) {
         const auto both = peak_slope(grid, table.data(), weights.data(), 2.0);
         EXPECT_NEAR(both[0], lean_x, 1e-3) << whole;
         EXPECT_NEAR(both[1], lean_y, 1e-3) << whole;
-        // Along the groove it bends by 2 / 0.4^2 = 12.5 only.
+        // Along the groove the curvature is only 2 / 0.4^2 = 12.5.
         const auto narrow = peak_slope(grid, table.data(), weights.data(), 30.0);
         const double across = 0.6 * lean_x + 0.8 * lean_y;
         EXPECT_NEAR(narrow[0], 0.6 * across, 1e-3) << whole;
@@ -123,7 +123,7 @@ TEST(PeakSlope, NothingIsFoundWhereThereIsNothing) {
             EXPECT_EQ(slope[0], 0.0f);
             EXPECT_EQ(slope[1], 0.0f);
         }
-    // However steep, a normal stays within 20 degrees.
+    // A normal stays within 20 degrees for any slope.
     const Vec3f far = tilted_normal({0.0f, 0.0f, 1.0f}, {1e6f, -1e6f});
     EXPECT_NEAR(far[2], std::cos(kMostTilt), 1e-5f);
     const Vec3f back = tilted_normal(far, {-1e6f, 1e6f});

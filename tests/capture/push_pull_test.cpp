@@ -1,5 +1,5 @@
-// Push-pull interpolation by its properties: what is dense stays, what is near is filled smoothly,
-// what is far stays empty.
+// Properties of push-pull interpolation: dense samples stay, small gaps are filled smoothly,
+// distant pixels stay empty.
 #include "capture/solve/push_pull.hpp"
 
 #include <gtest/gtest.h>
@@ -50,13 +50,13 @@ TEST(PushPull, ConstantsAreReproduced) {
     for (Sample& s : samples) s.value = 2.5f;
     const PushPullImage image = filled(64, samples, 6);
     for (std::size_t i = 0; i < image.value.size(); ++i) {
-        ASSERT_GT(image.weight[i], 0.0f) << i;  // 64 pixels are within six doublings
+        ASSERT_GT(image.weight[i], 0.0f) << i;  // six doublings of the distance reach all 64 pixels
         ASSERT_LE(image.weight[i], 1.0f) << i;
         EXPECT_NEAR(image.value[i], 2.5f, 1e-5f) << i;  // a weighted mean of equal numbers
     }
 }
 
-// A sample at the center of every pixel: nothing is there to be filled.
+// A sample at the center of every pixel: there are no gaps.
 TEST(PushPull, DenseSamplesAreKept) {
     Random random(2);
     std::vector<Sample> samples;
@@ -71,7 +71,7 @@ TEST(PushPull, DenseSamplesAreKept) {
     }
 }
 
-// Half way between four centers the tents share equally; the sample's value is theirs.
+// Halfway between four centers the tents have equal weights, and all four get the sample's value.
 TEST(PushPull, TentsShareASample) {
     PushPullImage image(8);
     image.splat(4.0f, 4.0f, 3.0f);
@@ -88,7 +88,7 @@ TEST(PushPull, TentsShareASample) {
     EXPECT_EQ(touched, 4);
 }
 
-// Two samples within one pixel: their mean by distance.
+// Two samples within one pixel: their mean is weighted by distance.
 TEST(PushPull, TentsWeighByDistance) {
     PushPullImage image(4);
     image.splat(1.5f, 1.5f, 1.0f);
@@ -98,8 +98,9 @@ TEST(PushPull, TentsWeighByDistance) {
     EXPECT_NEAR(image.value[at(image, 2, 1)], 4.0f, 1e-5f);
 }
 
-// A level doubles the distance: 2^reach is about how far a sample speaks. At half that every pixel
-// is filled, at three times that (a pixel of the coarsest level and its neighbor) none.
+// Each level doubles the distance: a sample reaches about 2^reach pixels. At half that distance
+// every pixel is filled; at three times it (a pixel of the coarsest level and its neighbor) none
+// is.
 TEST(PushPull, GapsAreFilledWithinReachOnly) {
     for (const int reach : {0, 1, 2, 3, 4}) {
         for (const float place : {64.5f, 71.3f, 60.0f}) {
@@ -123,7 +124,7 @@ TEST(PushPull, GapsAreFilledWithinReachOnly) {
     }
 }
 
-// Between the least and the most of the samples: a filled value is a mean.
+// A filled value is a weighted mean and lies between the least and the largest sample.
 TEST(PushPull, NothingIsOvershot) {
     std::vector<Sample> samples = scattered(64, 100, 4);
     Random random(5);
@@ -140,9 +141,9 @@ TEST(PushPull, NothingIsOvershot) {
     }
 }
 
-// A ramp of one a pixel: where samples lie a few pixels apart, a mean of what is near is off by no
-// more than about their spacing. The bound is the hole at the pixel, plus the tents' and the coarse
-// pixels' width.
+// A ramp with a slope of one per pixel. With samples a few pixels apart, a mean of near samples has
+// an error up to about their spacing. The bound is the hole at the pixel, plus the widths of the
+// tents and of coarse pixels.
 TEST(PushPull, RampsAreFollowed) {
     std::vector<Sample> samples = scattered(64, 500, 6);
     for (Sample& s : samples) s.value = s.x - 0.5f * s.y;
@@ -178,7 +179,7 @@ TEST(PushPull, OrderDoesNotMatter) {
     }
 }
 
-// A sample outside, or on the rim, must not write elsewhere (the sanitizers watch).
+// A sample outside or on the rim must not write out of bounds (the sanitizers check).
 TEST(PushPull, RimsAreSafe) {
     PushPullImage image(8);
     for (const float p : {0.0f, 0.25f, 7.75f, 8.0f}) {

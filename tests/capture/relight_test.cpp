@@ -1,4 +1,5 @@
-// Relighting against the closed forms of simulated samples, and errors against known noise.
+// Relighting compared with the closed forms of simulated samples, and errors compared with known
+// noise.
 #include "burnish/relight.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ VirtualSample sample_of(std::string_view preset, double tilt_deg) {
     return make_virtual_sample(preset, settings);
 }
 
-// Largest and mean difference, as shares of the brightest and the mean sample.
+// Largest and mean difference relative to the brightest and the mean sample.
 struct Difference {
     double worst = 0.0, mean = 0.0;
 };
@@ -44,9 +45,9 @@ Difference difference(const Image& a, const Image& truth) {
     return {worst / most, sum / total};
 }
 
-// Areas on their 16 x 32 nodes are within 0.003 (ndf_grid.hpp) of g, which near the horizon is that
-// much of little: at most 0.3 % of the brightest sample here, and 0.17 % on average (velvet).
-// Tables of 256 rings follow these lobes more closely.
+// The areas on their 16 x 32 nodes have errors up to 0.003 (ndf_grid.hpp), which is a large
+// relative error near the horizon where g is small: at most 0.3 % of the brightest sample here, and
+// 0.17 % in the mean (velvet). Tables of 256 rings have smaller errors for these lobes.
 constexpr double kWorst = 0.005, kMean = 0.0025;
 
 TEST(Relight, IsTheClosedFormOfATabulatedSample) {
@@ -107,7 +108,7 @@ TEST(Relight, TexelsOutsideTheMaskAndBelowTheHorizonAreBlack) {
     const VirtualSample sample = sample_of(virtual_presets().front().name, 0.0);
     TabulatedMaterial material = tabulated(sample, {32, 96});
     material.exemplar[5] = TabulatedMaterial::kNoExemplar;
-    // Leans away from the light, which stands at 30 degrees.
+    // Leans away from the light, which is at 30 degrees.
     const float lean[] = {-0.9f, 0.0f, std::sqrt(1.0f - 0.81f)};
     std::copy_n(lean, 3, material.normal.pixels.begin() + 3 * 7);
     Rig rig = make_dome_rig(sample, 1, {0.0, 0.0});
@@ -120,7 +121,7 @@ TEST(Relight, TexelsOutsideTheMaskAndBelowTheHorizonAreBlack) {
     }
 }
 
-// A stack of constant pictures of known errors, and what is rendered.
+// A stack of constant pictures with known errors, and the rendered pictures.
 struct KnownStack {
     Folder folder;
     TabulatedMaterial material;
@@ -132,7 +133,7 @@ struct KnownStack {
         material = tabulated(sample, {8, 16});
         rig = make_dome_rig(sample, 3, {0.0, 0.0});
         for (std::size_t k = 0; k < 3; ++k) {
-            // A ramp from 0 to 2, so that no value is that of eight samples.
+            // A ramp from 0 to 2: no value occurs eight times.
             Image image(material.width, material.height, 3);
             for (std::size_t i = 0; i < image.pixels.size(); ++i)
                 image.pixels[i] =
@@ -157,8 +158,8 @@ TEST(RelightComparison, FindsTheNoiseThatWasAdded) {
     const double sigma[] = {0.02, 0.1, 0.05};
     for (std::size_t k = 0; k < 3; ++k) {
         Image image = stack.rendered[k];
-        // Plus and minus in turn: the root of the mean square is exactly sigma. The darkest and the
-        // brightest stay, as pictures are never negative and the peak is 2.
+        // The sign alternates, so that the root mean square is exactly sigma. The darkest and the
+        // brightest values stay, as pictures are never negative and the peak is 2.
         for (std::size_t i = 0; i < image.pixels.size(); ++i)
             image.pixels[i] += static_cast<float>(i % 2 ? sigma[k] : -sigma[k]);
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -168,11 +169,11 @@ TEST(RelightComparison, FindsTheNoiseThatWasAdded) {
         stack.write(k, image);
     }
     const StackError error = stack.error();
-    // Held at 0 are 1 % to 5 % of the samples, whose error is smaller.
+    // 1 % to 5 % of the samples are clamped to 0 and have smaller errors.
     for (std::size_t k = 0; k < 3; ++k)
         EXPECT_NEAR(error.lights[k].rmse, sigma[k], 0.05 * sigma[k]) << k;
     EXPECT_EQ(error.worst, 1u);
-    EXPECT_NEAR(error.peak, 2.0 + 0.1, 0.01);  // the last but one, less a step, plus sigma
+    EXPECT_NEAR(error.peak, 2.0 + 0.1, 0.01);  // the last but one value, minus a step, plus sigma
     EXPECT_NEAR(error.psnr_worst, 20 * std::log10(error.peak / 0.1), 0.4);
     EXPECT_NEAR(error.psnr_median, 20 * std::log10(error.peak / 0.05), 0.4);
     EXPECT_NEAR(error.psnr_mean,
@@ -195,18 +196,18 @@ TEST(RelightComparison, TheSamePicturesAreInfinitelyAlike) {
 TEST(RelightComparison, ClippedAndMaskedSamplesDoNotCount) {
     KnownStack stack;
     const std::size_t samples = stack.rendered[0].pixels.size();
-    // Clipped at 1.5, in a float picture whose values repeat at the top.
+    // Clipped at 1.5 in a float picture, which repeats its largest value.
     for (std::size_t k = 0; k < 2; ++k) {
         Image image = stack.rendered[k];
         for (float& v : image.pixels) v = std::min(v, 1.5f);
         stack.write(k, image);
     }
-    // 8 bits end at 1 of themselves: half of the ramp is lost. 1/8 of the exposure.
+    // 8-bit codes clip at 1: half of the ramp is lost. The exposure is 1/8.
     Image codes = stack.rendered[2];
     for (float& v : codes.pixels) v = srgb_from_linear(std::min(v, 1.0f));
     stack.rig.response = RigResponse::srgb;
     stack.write(2, codes, "png");
-    // Outside the mask: far off, without being seen.
+    // Large errors outside the mask must not count.
     stack.material.exemplar[0] = TabulatedMaterial::kNoExemplar;
     for (auto& image : stack.rendered)
         for (std::size_t c = 0; c < 3; ++c) image.pixels[c] = 100.0f;
@@ -219,7 +220,8 @@ TEST(RelightComparison, ClippedAndMaskedSamplesDoNotCount) {
     }
     EXPECT_NEAR(static_cast<double>(error.lights[2].samples),
                 0.5 * static_cast<double>(samples) - 3, 4.0);
-    // A code of 8 bits is at most 0.9 % of white wide; evenly spread that is 0.0026 at most.
+    // An 8-bit code spans at most 0.9 % of white; the error of uniformly distributed values is at
+    // most 0.0026.
     EXPECT_LT(error.lights[2].rmse, 0.0026);
     EXPECT_NEAR(error.peak, 1.5, 0.002);
 }

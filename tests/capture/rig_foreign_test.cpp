@@ -1,4 +1,4 @@
-// Rigs in the formats of other programs: .lp and .dome.
+// Rigs in formats of other programs: .lp and .dome.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -131,7 +131,7 @@ TEST(Lp, SizeComesFromTheCallerAndThePictures) {
             "sample: expected a sample with a size"));
 }
 
-// Names of old machines may be Latin-1, which JSON cannot hold.
+// File names of old systems may be Latin-1, which JSON cannot hold.
 TEST(Lp, NamesThatAreNoUtf8AreReadAndNotWritten) {
     const ScratchFolder folder;
     RigOverrides overrides;
@@ -149,7 +149,7 @@ TEST(Lp, RealCapture) {
     if (data.empty() || !fs::exists(path)) GTEST_SKIP() << "no sample capture (set BURNISH_DATA)";
     const Rig rig = read_rig(path, false);
     ASSERT_EQ(rig.lights.size(), 240u);
-    // Line 2 of the file, whose directions have eight digits.
+    // Line 2 of the file, with directions of eight digits.
     expect_near(rig.lights[0].place.at, {-0.0019356994, -0.14720464, 0.98910415}, 1e-7);
     EXPECT_EQ(rig.lights[0].images[0].image, path.parent_path() / "jpg/Loewenkopf_klein_0001.jpg");
     EXPECT_EQ(rig.response, RigResponse::srgb);
@@ -169,7 +169,7 @@ TEST(Dome, Directional) {
     EXPECT_FALSE(warns(rig, "unknown"));
 }
 
-// Every light must lie on the sphere and on the ray of its direction from the origin.
+// Every light must be on the sphere and on the ray from the origin in its direction.
 TEST(Dome, SphericalLiesOnTheSphereAlongTheDirections) {
     for (const double offset : {0.0, 60.0, -40.0}) {
         const Rig rig =
@@ -196,7 +196,7 @@ TEST(Dome, PositionsAndCorrections) {
                               {"spatialCalibration": {}}]})");
     EXPECT_TRUE(rig.lights[0].place.near);
     EXPECT_EQ(rig.lights[1].place.at, (Vec3d{0, 20, 200}));
-    // The factors multiply pixels: twice the factor is half the light.
+    // The factors multiply pixels: a factor of 2 means half the intensity.
     EXPECT_EQ(rig.lights[0].intensity, (Vec3d{2, 1, 0.25}));
     EXPECT_EQ(rig.lights[1].intensity, (Vec3d{1, 1, 1}));
     EXPECT_TRUE(warns(rig, "spatialCalibration is passed over"));

@@ -1,4 +1,4 @@
-// Our rig JSON, the checks that all formats share, and the geometry of arriving light.
+// Our rig JSON, the checks shared by all formats, and the geometry of received light.
 #include "burnish/rig.hpp"
 
 #include <gtest/gtest.h>
@@ -135,7 +135,8 @@ TEST(RigJson, ErrorsNameTheKeyWhatIsExpectedAndWhatIsFound) {
     EXPECT_TRUE(
         has(error_of(with_light(R"("position": [0,0,9], "emission_axis": [0,0,1])")),
             "lights[1].emission_axis: expected an axis that points from the light to the sample"));
-    // Of a light under the sample the place is wrong, whichever way it shines.
+    // For a light below the sample the position is the error, in whichever direction the light
+    // shines.
     EXPECT_TRUE(has(error_of(with_light(R"("position": [0,0,-9], "emission_axis": [0,0,-1])")),
                     "lights[1]: expected a light above the sample"));
     EXPECT_TRUE(
@@ -322,26 +323,26 @@ TEST(RigGeometry, NearLightFallsOffWithTheSquareAndTheLobe) {
     light.place = {true, {0, 0, 50}};
     light.intensity = {100, 200, 300};
     light.emission_exponent = 2;
-    // Straight below: 1/r^2; 3-4-5 aside: cos = 4/5 at r = 62.5.
+    // Directly below: 1/r^2; at the 3-4-5 triangle: cos = 4/5 at r = 62.5.
     EXPECT_TRUE(near(arrival(light, {0, 0, 0}).irradiance_per_cosine, {0.04, 0.08, 0.12}, 1e-15));
     const Arrival aside = arrival(light, {-37.5, 0, 0});
     EXPECT_TRUE(near(aside.to_light, {0.6, 0, 0.8}));
     EXPECT_NEAR(aside.irradiance_per_cosine[0], 100 * 0.64 / (62.5 * 62.5), 1e-15);
-    light.emission_axis = {0, 0, 1};  // it shines away
+    light.emission_axis = {0, 0, 1};  // it shines away from the sample
     EXPECT_EQ(arrival(light, {0, 0, 0}).irradiance_per_cosine[0], 0.0);
-    light.emission_exponent = 0;  // no lobe, no axis
+    light.emission_exponent = 0;  // without a lobe the axis has no effect
     EXPECT_NEAR(arrival(light, {0, 0, 0}).irradiance_per_cosine[0], 0.04, 1e-15);
 }
 
-// All the power of a source of intensity cos^m goes through the plane below it:
-// 2 pi / (m + 1) of it, by the integral over the hemisphere.
+// The plane below a source of intensity cos^m receives all of its power, 2 pi / (m + 1) by the
+// integral over the hemisphere.
 TEST(RigGeometry, PlaneBelowCatchesThePowerOfTheLight) {
     for (const double m : {0.5, 1.0, 3.0}) {
         RigLight light;
         light.place = {true, {0, 0, 10}};
         light.emission_exponent = m;
         double power = 0.0;
-        // Rings of equal steps in the angle at the light: r = 10 tan a, dr = 10 / cos^2 a da.
+        // Rings with equal steps of the angle at the light: r = 10 tan a, dr = 10 / cos^2 a da.
         constexpr int kSteps = 20000;
         const double da = std::numbers::pi / 2 / kSteps;
         for (int k = 0; k < kSteps; ++k) {
@@ -350,7 +351,7 @@ TEST(RigGeometry, PlaneBelowCatchesThePowerOfTheLight) {
             const Arrival at = arrival(light, {r, 0, 0});
             power += at.irradiance_per_cosine[0] * at.to_light[2] * 2 * std::numbers::pi * r * dr;
         }
-        // The midpoint rule is good to da^1.5 at the square root's end of m = 0.5.
+        // The midpoint rule has an error of da^1.5 at the square root's end for m = 0.5.
         EXPECT_NEAR(power, 2 * std::numbers::pi / (m + 1), 1e-5) << m;
     }
 }

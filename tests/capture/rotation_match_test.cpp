@@ -1,4 +1,4 @@
-// All rotations at once against all rotations one by one, by sums written from the definition.
+// The match of all rotations at once, compared with sums over each rotation by the definition.
 #include "capture/solve/rotation_match.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 class Match : public testing::TestWithParam<NdfGrid> {};
 INSTANTIATE_TEST_SUITE_P(Grids, Match, testing::ValuesIn(test::kGrids), test::name_of_grid);
 
-// Is there a rotation within half a column of the answer, as good as the best within rounding, that
-// has the answer's scale and overlap? Small masks have several equally good ones.
+// Is there a rotation within half a column of the result that is as good as the best within
+// rounding and has the result's scale and overlap? Small masks have several equally good rotations.
 bool is_answer(const NdfGrid& grid, const Table& point, const Table& exemplar, double residual,
                const RotationMatch& found) {
     for (int s = 0; s < grid.azimuths; ++s) {
@@ -33,8 +33,8 @@ bool is_answer(const NdfGrid& grid, const Table& point, const Table& exemplar, d
     return false;
 }
 
-// The spectral match finds the rotation that the definition finds (or one as good within rounding),
-// and says what the definition says there. 33 points and 9 exemplars: no multiple of a tile.
+// The spectral match finds the rotation of the definition (or one as good within rounding), with
+// the definition's values there. 33 points and 9 exemplars are no multiples of a tile.
 TEST_P(Match, SpectralMatchIsBruteForce) {
     const NdfGrid grid = GetParam();
     const float least = 0.4f;
@@ -55,7 +55,7 @@ TEST_P(Match, SpectralMatchIsBruteForce) {
         for (std::size_t k = 0; k < exemplars.size(); ++k) {
             const RotationMatch& found = all[i][k];
             const std::string where = std::to_string(i) + " with " + std::to_string(k);
-            // Overlaps within rounding of the least one count or not, as rounding has it.
+            // Rounding decides whether overlaps equal to the least one are valid.
             const double low =
                 best_by_definition(grid, points[i], exemplars[k], static_cast<double>(least) - 1e-4)
                     .at.residual;
@@ -74,7 +74,7 @@ TEST_P(Match, SpectralMatchIsBruteForce) {
     EXPECT_GT(answered, 33 * 9 / 4);
 }
 
-// Where the weight is 0, the value has no influence.
+// A value with weight 0 has no influence.
 TEST_P(Match, ValuesWithoutWeightDoNoHarm) {
     const NdfGrid grid = GetParam();
     Random random(21);
@@ -93,14 +93,14 @@ TEST_P(Match, ValuesWithoutWeightDoNoHarm) {
     }
 }
 
-// As good an answer: a point among other points is rounded differently, no more. 1e-3: masks of few
-// cells keep few digits of sums over whole tables.
+// Are both results equally good? The rounding of a point depends on the other points of its call.
+// 1e-3: masks of few cells keep few digits of sums over whole tables.
 bool alike(const Matches& a, const Matches& b) {
     if (a.size() != b.size()) return false;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (a[i].size() != b[i].size()) return false;
         for (std::size_t k = 0; k < a[i].size(); ++k)
-            // A rotation with just the least overlap counts or not, as rounding has it.
+            // Rounding decides whether a rotation with the least overlap is valid.
             if (std::min(a[i][k].overlap, b[i][k].overlap) > 0.401f &&
                 !(std::abs(a[i][k].residual - b[i][k].residual) < 1e-3f))
                 return false;
@@ -120,8 +120,9 @@ bool same(const Matches& a, const Matches& b) {
     return true;
 }
 
-// Bit for bit on any number of threads; in other company (points in one call, parts of the
-// exemplars) but for rounding, as matrix products round by place.
+// Results are equal bit for bit for any number of threads. With other points or parts of the
+// exemplars in a call they are equal within rounding, as the rounding of matrix products depends on
+// the position.
 TEST_P(Match, AnswersDoNotDependOnThreadsOrCompany) {
     const NdfGrid grid = GetParam();
     Random random(33);
@@ -167,7 +168,8 @@ TEST_P(Match, TooLittleOverlapIsNoMatch) {
     const NdfGrid grid = GetParam();
     Random random(2);
     Table p = random_table(grid, Mask::full, random), e = p;
-    for (int r = 0; r < grid.rings; ++r)  // the point is known near the normal, the other far off
+    for (int r = 0; r < grid.rings;
+         ++r)  // the point is known near the normal, the exemplar elsewhere
         for (int a = 0; a < grid.azimuths; ++a)
             (r < grid.rings / 2 ? e : p).weight[cell(grid, r, a)] = 0;
     EXPECT_EQ(one_match(grid, p, e).residual, 1.0f);
@@ -179,7 +181,7 @@ TEST_P(Match, TooLittleOverlapIsNoMatch) {
     EXPECT_EQ(one_match(grid, p, nothing).residual, 1.0f);
 }
 
-// Lobes as real ones: peaks of hundreds beside tails of thousandths, seen through half masks.
+// Realistic lobes, with peaks of hundreds and tails of thousandths, under half masks.
 TEST_P(Match, PeaksDoNotDrownTails) {
     const NdfGrid grid = GetParam();
     Random random(17);
@@ -212,7 +214,7 @@ TEST(MatchOf, NoPointsAndTablesOfZeros) {
     matcher.set_exemplars(e.tables());
     EXPECT_TRUE(all_matches(matcher, none.tables()).empty());
     const Matches all = all_matches(matcher, e.tables());
-    EXPECT_EQ(all[0][1].residual, 1.0f);  // nothing is a multiple of zero
+    EXPECT_EQ(all[0][1].residual, 1.0f);  // no scale of a zero table fits
     for (const auto& row : all)
         for (const RotationMatch& m : row)
             EXPECT_TRUE(std::isfinite(m.residual) && std::isfinite(m.shift) &&

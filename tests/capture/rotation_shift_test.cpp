@@ -1,5 +1,4 @@
-// By how much a table is rotated: whole columns, between columns, and where there is too
-// little to say.
+// Rotations of tables: by whole columns, between columns, and with too little overlap.
 #include <gtest/gtest.h>
 
 #include "capture/solve/rotation_match.hpp"
@@ -13,7 +12,8 @@ using namespace test;
 class MatchShifts : public testing::TestWithParam<NdfGrid> {};
 INSTANTIATE_TEST_SUITE_P(Grids, MatchShifts, testing::ValuesIn(test::kGrids), test::name_of_grid);
 
-// A rotation of the point's table adds to the answer, one of the exemplar's takes from it.
+// A rotation of the point's table is added to the result, a rotation of the exemplar's is
+// subtracted.
 TEST_P(MatchShifts, ShiftsGoWithTheTables) {
     const NdfGrid grid = GetParam();
     Random random(5);
@@ -23,7 +23,7 @@ TEST_P(MatchShifts, ShiftsGoWithTheTables) {
     for (const int columns : {1, 5, grid.azimuths / 2, grid.azimuths - 1}) {
         const RotationMatch of_exemplar = one_match(grid, p, rotated(grid, e, columns));
         const RotationMatch of_point = one_match(grid, rotated(grid, p, columns), e);
-        // 0.02: what rounding makes of the place between columns.
+        // 0.02: the effect of rounding on the position between columns.
         EXPECT_LT(columns_between(static_cast<double>(of_exemplar.shift),
                                   static_cast<double>(plain.shift) - columns, grid.azimuths),
                   0.02)
@@ -57,11 +57,11 @@ TEST_P(MatchShifts, SelfMatchesAndScalesAreFound) {
     }
 }
 
-// A lobe that leans, so that one rotation only fits, at places between the columns. The point is
-// seen through a mask of its own. 0.1 column is 0.4 degrees of the usual grid.
+// A leaning lobe, which fits at one rotation only, at positions between columns. The point has its
+// own mask. 0.1 column is 0.4 degrees on the usual grid.
 TEST_P(MatchShifts, RotationsBetweenColumnsAreFound) {
     const NdfGrid grid = GetParam();
-    // As smooth as the columns are wide: a parabola through three of them knows no better.
+    // Wider lobes for wider columns: the parabola through three columns needs a smooth residual.
     const double wide = grid.azimuths == 96 ? 1 : 1.8;
     const auto lobe = test::beckmann(0.25 * wide, 0.5 * wide, 0.15, 0.2);
     const Table e{test::sampled(grid, lobe),
@@ -79,14 +79,14 @@ TEST_P(MatchShifts, RotationsBetweenColumnsAreFound) {
             worst = std::max(
                 worst, columns_between(static_cast<double>(found.shift), columns, grid.azimuths));
         }
-        // Wide columns with the mask's edge across the lobe bend the parabola.
+        // Wide columns with the mask's edge across the lobe distort the parabola.
         EXPECT_LT(worst, masked && grid.azimuths < 96 ? 0.2 : 0.1) << (masked ? "masked" : "whole");
     }
 }
 
-// Beside a rotation that does not count no parabola can be drawn: the answer is a whole column. Two
-// masks of half a circle each overlap enough within a quarter circle only, and the best shape
-// lies beyond.
+// Next to an invalid rotation no parabola is defined: the result is a whole column. Two masks of
+// half a circle have enough overlap only within a quarter circle, and the best rotation lies
+// beyond.
 TEST_P(MatchShifts, AnswersAtTheRimOfOverlapAreWhole) {
     const NdfGrid grid = GetParam();
     const auto lobe = test::beckmann(0.3, 0.6, 0.3, 0);

@@ -1,4 +1,5 @@
-// Products of small matrices against sums in double precision, by each kernel that runs here.
+// Products of small matrices compared with sums in double precision, for each kernel that runs
+// here.
 #include "capture/product/small_product.hpp"
 
 #include <gtest/gtest.h>
@@ -29,8 +30,8 @@ std::vector<Named> kernels() {
 
 constexpr float kUntouched = -77.0f;
 
-// Sums of k products of numbers up to 1, each rounded once: at most k half units in the last place
-// of sums up to k.
+// Error bound of sums of k products of numbers up to 1, each rounded once: at most k half units in
+// the last place of sums up to k.
 double rounding(std::size_t k) {
     const auto terms = static_cast<double>(k);
     return terms * terms * 6e-8 + 1e-12;
@@ -56,7 +57,7 @@ void expect_product(const Named& kernel, std::size_t m, std::size_t n, std::size
     for (std::size_t i = m * n; i < c.size(); ++i) ASSERT_EQ(c[i], kUntouched) << kernel.name;
 }
 
-// One more and one less than registers, blocks and copies hold; and what the matcher asks for.
+// Sizes one above and one below those of registers, blocks and copies, and the matcher's sizes.
 TEST(SmallProduct, IsTheSumOfProducts) {
     for (const Named& kernel : kernels())
         for (const std::size_t m : {1u, 2u, 5u, 6u, 7u, 13u, 14u, 25u, 27u, 64u, 128u})
@@ -75,8 +76,7 @@ TEST(SmallProduct, OfNothingIsZero) {
         }
 }
 
-// A sum does not depend on which rows and columns are computed with it: what lets matches of parts
-// agree.
+// A sum does not depend on the rows and columns computed with it, so that matches of parts agree.
 TEST(SmallProduct, ASumDoesNotDependOnItsNeighbors) {
     test::Random random(5);
     const std::size_t k = 50, m = 30, n = 45;

@@ -1,5 +1,5 @@
-// One point's pictures by a forward model of our own: a table read bilinearly, or a lobe in closed
-// form, under far lights on a dome.
+// Renders one point's pictures with an independent forward model: a table read bilinearly, or a
+// lobe in closed form, under far lights on a dome.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace burnish::test {
 
 using Double3 = std::array<double, 3>;
 
-// rings x azimuths read bilinearly in u and phi, constant outside the outermost centers.
+// Reads rings x azimuths bilinearly in u and phi, constant outside the outermost centers.
 inline double read_table(const NdfGrid& grid, const std::vector<float>& table, const Double3& h,
                          double columns) {
     const double theta = std::acos(std::min(h[2], 1.0)), u = std::sqrt(2 * theta / kPi);
@@ -28,7 +28,7 @@ inline double read_table(const NdfGrid& grid, const std::vector<float>& table, c
            f * ((1 - t) * at(r0 + 1, c0) + t * at(r0 + 1, c0 + 1));
 }
 
-// Exact, unpolarised, over its value at normal incidence; eta 0: 1.
+// Exact unpolarized Fresnel reflectance relative to normal incidence; eta 0: 1.
 inline double fresnel_ratio(double eta, double c) {
     if (eta == 0) return 1;
     const auto F = [eta](double x) {
@@ -51,7 +51,7 @@ struct Shot {
     std::vector<float> values;  // lights x 3
 };
 
-// Lights spread evenly over a cap (a sunflower's spiral), `turn` the first one's azimuth.
+// Lights spread evenly over a cap (sunflower spiral); `turn` is the first light's azimuth.
 inline std::vector<Double3> cap_of(int count, double most_degrees, double turn = 0) {
     std::vector<Double3> out;
     const double lowest = std::cos(most_degrees * kPi / 180);
@@ -67,7 +67,7 @@ inline double dot3(const Double3& a, const Double3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// I = received (n.i) (d / pi + s F(i.h)/F(1) D(h) / (4 g(i) g(o))), the normal along z.
+// I = received (n.i) (d / pi + s F(i.h)/F(1) D(h) / (4 g(i) g(o))), with the normal along z.
 inline Shot shot_of(const Surface& surface, const std::vector<Double3>& lights, const Double3& eye,
                     double intensity = 1) {
     Shot out;

@@ -1,4 +1,4 @@
-// Points and tables recovered from pictures that a forward model of our own makes of them.
+// Recovers points and tables from pictures rendered by an independent forward model.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -18,8 +18,8 @@ using test::Random;
 const NdfGrid kGrid{32, 96};
 const Double3 kEye = {0, -std::sqrt(0.5), std::sqrt(0.5)};  // 45 degrees
 
-// A table and what pictures of it need. The area is read as everybody reads it (its error is held
-// by tests of its own), the directions turned back.
+// A table and the data to render its pictures. The area is read with the library's lookup (its
+// error has its own tests), with directions rotated back.
 struct Truth {
     std::vector<float> table, areas;
     explicit Truth(const test::DirectionalLobe& lobe)
@@ -118,7 +118,7 @@ TEST(PointSamples, LeaveOutWhatIsLowClippedOrNotKept) {
     EXPECT_EQ(samples.light, (std::vector<int>{0, 1, 4, 5}));
 }
 
-// Near lights: 1/r^2 and the LED's cos^m, at the middles of pixels.
+// Near lights: 1/r^2 and the LED's cos^m, at pixel centers.
 TEST(LightGeometryOf, NearLightsFallOffInClosedForm) {
     Rig rig;
     rig.width_mm = 80;
@@ -156,7 +156,7 @@ TEST(LightGeometryOf, NearLightsFallOffInClosedForm) {
 
 // ---- points ----
 
-// The turn within 0.05 columns (the search stops at 0.02), strengths as far as that lets them.
+// The rotation is accurate to 0.05 columns (the search stops at 0.02), strengths correspondingly.
 TEST(PointFitterOf, NoiseFreeSamplesGiveTheTruth) {
     const Truth truth = leaning();
     Random random(3);
@@ -210,7 +210,7 @@ TEST(PointFitterOf, StrengthsAreNeverNegative) {
     const PointFit specular = PointFitter(gloss, 0).at(truth.tables(), 0);
     EXPECT_NEAR(specular.diffuse, 0.0f, 1e-3f);
     EXPECT_NEAR(specular.specular, 0.3f, 1e-3f);
-    // Dark where the lobe shines: the best strength of it would be below 0.
+    // Dark where the lobe is bright: the best unconstrained specular strength is negative.
     test::Shot inverse = test::shot_of(truth.surface(0, none, some, 0), lights, kEye);
     for (std::size_t i = 0; i < inverse.values.size(); ++i)
         inverse.values[i] = inverse.lights.z[i / 3] * 0.3f / (1.0f + 5.0f * inverse.values[i]);
@@ -224,8 +224,7 @@ TEST(PointFitterOf, StrengthsAreNeverNegative) {
 
 // ---- tables ----
 
-// Sums that several jobs make, each of some of the points, then merged: the same equations but for
-// rounding.
+// Partial sums over points by several jobs, merged: the same equations within rounding.
 TEST(TableEquationsOf, PartsMergeIntoTheWhole) {
     const Truth truth = leaning();
     TableEquations whole(kGrid), parts[] = {TableEquations(kGrid), TableEquations(kGrid)};
@@ -245,15 +244,16 @@ TEST(TableEquationsOf, PartsMergeIntoTheWhole) {
     whole.solve(a.data(), a_weights.data());
     parts[0].solve(b.data(), b_weights.data());
     EXPECT_EQ(a_weights, b_weights);
-    // The conjugate gradients end at 1e-4 of the right side; rounding of the sums is far below.
+    // The conjugate gradients end at 1e-4 of the right side; the rounding of the sums is far
+    // smaller.
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-3f * (a[i] + 0.01f)) << i;
     const std::vector<float> a_mimic = whole.diffuse_mimic(), b_mimic = parts[0].diffuse_mimic();
     for (std::size_t i = 0; i < a_mimic.size(); ++i)
         EXPECT_NEAR(a_mimic[i], b_mimic[i], 1e-3f) << i;
 }
 
-// 500 points at random rotations, of which all is known: least squares gives back the table that
-// made their pictures, in every cell that some h falls near; no others are claimed.
+// 500 points at known random rotations: least squares recovers the table that made their pictures,
+// in every cell near some h; no other cell is marked as determined.
 TEST(TableEquationsOf, GiveBackTheTableThatMadeTheSamples) {
     for (const bool peaked : {false, true}) {
         const Truth truth(peaked ? test::ggx(0.12, 0.35, 0.05, 0)
@@ -279,7 +279,7 @@ TEST(TableEquationsOf, GiveBackTheTableThatMadeTheSamples) {
                 const std::size_t i = test::cell(kGrid, r, a);
                 EXPECT_GE(table[i], 0.0f);
                 EXPECT_TRUE(weights[i] == 0.0f || weights[i] == 1.0f) << weights[i];
-                // (75 + 45) / 2 degrees are the most that an h can lean, and a cell.
+                // The largest lean of an h is (75 + 45) / 2 degrees, plus a cell.
                 if (degrees > 64) {
                     EXPECT_EQ(weights[i], 0.0f) << degrees;
                 }
@@ -292,7 +292,7 @@ TEST(TableEquationsOf, GiveBackTheTableThatMadeTheSamples) {
                 difference += w * std::abs(static_cast<double>(table[i] - truth.table[i]));
             }
         }
-        // The slight smoothness is all that stands between the two.
+        // Only the weak smoothness causes a difference.
         EXPECT_LT(difference, 0.003 * mass) << (peaked ? "ggx" : "beckmann");
     }
 }
@@ -305,8 +305,8 @@ struct PartialCase {
 
 struct PartialFound {
     PartialNdf point;
-    double difference = 0;  // cosine-weighted L1 over the known part, both normalized there
-    double reached = 0;     // mass of the truth in it
+    double difference = 0;  // cosine-weighted L1 over the known part, both normalized over it
+    double reached = 0;     // share of the truth's mass in the known part
     double table_mass = 0, share = 0;  // share: of the hemisphere's solid angle
 };
 
@@ -349,8 +349,8 @@ PartialFound solve_partially(const PartialCase& c) {
     return out;
 }
 
-// Half vectors lie 3 degrees apart and are blurred by that much: a lobe of alpha 0.25 keeps its
-// shape, one of 0.12 less so.
+// Half vectors are 3 degrees apart and blurred by as much: a lobe of alpha 0.25 keeps its shape,
+// one of 0.12 less so.
 TEST(PartialNdfOf, OnePointShowsItsPart) {
     for (const PartialCase& c :
          {PartialCase{0.25, 0.4, 1.5, 0.1}, PartialCase{0.12, 0.4, 1.5, 0.35},
@@ -358,7 +358,7 @@ TEST(PartialNdfOf, OnePointShowsItsPart) {
         const PartialFound found = solve_partially(c);
         EXPECT_LT(found.difference, c.allowed) << c.alpha_x;
         EXPECT_NEAR(found.table_mass, 1, 0.03);  // normalized; 3 %: partly known cells
-        // One view sees a quarter to a half of the hemisphere, and most of what shines.
+        // One view covers a quarter to a half of the hemisphere, and most of the lobe's mass.
         EXPECT_GT(found.share, 0.15);
         EXPECT_LT(found.share, 0.5);
         EXPECT_GT(found.reached, 0.6);
@@ -375,7 +375,7 @@ TEST(PartialNdfOf, LowPercentilesAreThoseOfSortedRatios) {
     PointSamples samples;
     EXPECT_EQ(low_percentile(samples, 0.02f), 0.0f);
     for (int i = 0; i < 200; ++i) {
-        const int k = (i * 77) % 200;  // 0 ... 199, mixed
+        const int k = (i * 77) % 200;  // 0 ... 199, shuffled
         samples.light.push_back(i);
         samples.received.push_back(0.5f + static_cast<float>(i % 3));
         samples.value.push_back(static_cast<float>(k) * samples.received.back());

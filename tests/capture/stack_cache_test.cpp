@@ -1,5 +1,5 @@
-// The file that a stack is read into: used again when it still holds, made anew when it does not,
-// and never left half made.
+// The cache file of a stack: reused while it is valid, written again when it is not, and never left
+// incomplete.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -28,13 +28,13 @@ struct Capture {
     }
     static std::string picture(std::uint32_t k) { return "p" + std::to_string(k) + ".exr"; }
     std::vector<float> samples() const { return test::all_samples(ImageStack(rig, cache, {})); }
-    // Written anew each time it is made: another file under the same name.
+    // The inode number: a cache that is written again is another file under the same name.
     ino_t number() const {
         struct stat found {};
         EXPECT_EQ(::stat(cache.c_str(), &found), 0);
         return found.st_ino;
     }
-    // `hold`: a link that keeps the old file's number from being given to the new one.
+    // A hard link keeps the old file's inode number from being reused.
     void hold() const { fs::create_hard_link(cache, folder / "held"); }
 };
 
@@ -52,8 +52,8 @@ TEST(StackCache, IsUsedAgainWhenNothingChanged) {
     EXPECT_GT(stack.census().brightest, 2.5);
 }
 
-// A cache that holds needs no pictures, so that they may be on another disk by then; what was read
-// is all there.
+// A valid cache needs no pictures, which may be offline by then; it holds all results of reading
+// them.
 TEST(StackCache, CensusAndMaskComeFromIt) {
     Capture c;
     Image mask(kWidth, kHeight, 1, 1.0f);
@@ -94,7 +94,7 @@ TEST(StackCache, IsMadeAnewWhenAPictureChanges) {
     }
 }
 
-// Whatever of the rig decides what is read makes another stack.
+// Every member of the rig that affects the samples changes the stack's identity.
 TEST(StackCache, IsMadeAnewWhenTheRigChanges) {
     const Capture c;
     write_image(c.folder / "m.png", Image(kWidth, kHeight, 1, 1.0f), {});
@@ -109,7 +109,7 @@ TEST(StackCache, IsMadeAnewWhenTheRigChanges) {
     std::set<std::uint64_t> identities;
     for (const Rig& rig : rigs) identities.insert(ImageStack(rig, c.cache, {}).identity());
     EXPECT_EQ(identities.size(), rigs.size());
-    // Not used for another rig, even when it was the last one made.
+    // The last cache written is not used for another rig.
     const ImageStack short_stack(rigs[1], c.cache, {});
     EXPECT_EQ(short_stack.lights(), 2u);
     EXPECT_EQ(c.samples().size(), static_cast<std::size_t>(kWidth * kHeight * 9));
@@ -134,7 +134,7 @@ TEST(StackCache, BrokenOnesAreMadeAnew) {
     EXPECT_EQ(c.samples(), first);
 }
 
-// Sizes in its head that cannot be: none of them is believed.
+// A cache with impossible sizes in its header is rejected.
 TEST(StackCache, AbsurdHeadsAreNotBelieved) {
     const Capture c;
     const std::vector<float> first = c.samples();
@@ -155,7 +155,7 @@ TEST(StackCache, AbsurdHeadsAreNotBelieved) {
     }
 }
 
-// Every failure names the file and leaves the folder as it was.
+// Every failure names the file and leaves the folder unchanged.
 TEST(StackCache, FailuresLeaveNothingBehind) {
     const auto fails = [](const Capture& c, const Rig& rig, const std::string& name) {
         const auto before = test::files_in(c.rig.file.parent_path());
@@ -192,14 +192,14 @@ TEST(StackCache, FailuresLeaveNothingBehind) {
         fails(c, c.rig, "w.exr");
     }
     {
-        const Capture c;  // of a bracket, the second picture
+        const Capture c;  // the second picture of a bracket is missing
         Rig rig = c.rig;
         write_image(c.folder / "long.exr", Image(kWidth, kHeight + 2, 3, 1.0f), {});
         rig.lights[1].images.push_back({c.folder / "long.exr", 2});
         fails(c, rig, "long.exr");
     }
     {
-        Capture c;  // NaN is no light
+        Capture c;  // NaN is an invalid sample
         Image picture = test::random_picture(kWidth, kHeight, 1, 4);
         picture.pixels[5] = std::numeric_limits<float>::quiet_NaN();
         write_image(c.folder / "p1.exr", picture, {});
@@ -231,7 +231,7 @@ TEST(StackCache, FoldersThatCannotBeWrittenAreNamed) {
     EXPECT_FALSE(fs::exists(c.folder / "nowhere"));
 }
 
-// Ctrl-C while pictures are read.
+// Ctrl-C during reading.
 TEST(StackCache, InterruptionsLeaveNothingBehind) {
     const Capture c;
     const auto before = test::files_in(c.rig.file.parent_path());

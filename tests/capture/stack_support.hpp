@@ -1,4 +1,4 @@
-// Small stacks on disk for the tests of reading them.
+// Makes small stacks on disk for the tests that read them.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ inline Rig rig_of(const ScratchFolder& folder, const std::vector<std::string>& n
     return rig;
 }
 
-// Linear values over four decades, none twice.
+// Distinct linear values over four decades.
 inline Image random_picture(int width, int height, double brightest, std::uint32_t seed) {
     Random random(seed);
     Image out(width, height, 3);
@@ -45,7 +45,7 @@ inline Image random_picture(int width, int height, double brightest, std::uint32
     return out;
 }
 
-// A picture of display codes, as a camera's 8-bit file has them.
+// A picture of display codes, as in a camera's 8-bit file.
 inline Image coded_picture(int width, int height, const std::vector<int>& codes) {
     Image out(width, height, 3);
     for (std::size_t i = 0; i < out.pixels.size(); ++i)
@@ -53,7 +53,7 @@ inline Image coded_picture(int width, int height, const std::vector<int>& codes)
     return out;
 }
 
-// IEC 61966-2-1.
+// The sRGB curve of IEC 61966-2-1.
 inline double linear_of_code(int code) {
     const double v = code / 255.0;
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -72,8 +72,8 @@ inline std::vector<float> all_samples(const ImageStack& stack, std::size_t at_on
     return out;
 }
 
-// Square roots of 16 bits, of the light's largest sample: half a step of the root, twice the root;
-// and the rounding of single precision.
+// Error of 16-bit codes of the square root relative to the light's largest sample: half a step of
+// the root times twice the root, plus the rounding of single precision.
 inline double coding_error(double value, double largest) {
     return std::sqrt(value * largest) / 65534 + largest / (4 * 65534.0 * 65534.0) + 1e-6 * value;
 }

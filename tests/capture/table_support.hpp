@@ -1,6 +1,5 @@
-// Tables of distributions for the tests of this layer: places and weights of cells written from the
-// description of the grid, and lobes in closed form, so that nothing here follows what is tested.
-#pragma once
+// Tables of distributions for the tests of this layer. Positions and weights of cells follow the
+// description of the grid, and lobes are closed forms, so that nothing depends on the tested code.
 
 #include <array>
 #include <cmath>
@@ -34,7 +33,7 @@ inline double cosine_weight(const NdfGrid& grid, int ring) {
 
 using DirectionalLobe = std::function<double(double x, double y, double z)>;
 
-// The lobe at the cells' centers, turned counter-clockwise by `columns` (any turn).
+// The lobe at the cells' centers, rotated counter-clockwise by `columns` (any real number).
 inline std::vector<float> sampled(const NdfGrid& grid, const DirectionalLobe& lobe,
                                   double columns = 0) {
     std::vector<float> out;

@@ -1,4 +1,4 @@
-// A simulated sample as the material that a perfect fit would find.
+// Converts a simulated sample to the material of a perfect fit.
 #pragma once
 
 #include "burnish/tabulated_material.hpp"
@@ -7,7 +7,7 @@
 namespace burnish::test {
 
 // Each distribution of the sample is an exemplar, tabulated at the cells of `grid` and scaled to a
-// mass of 1; the rest is the sample's.
+// mass of 1; all other values are the sample's.
 TabulatedMaterial tabulated(const VirtualSample& sample, const NdfGrid& grid);
 
 }  // namespace burnish::test

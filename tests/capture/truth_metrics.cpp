@@ -29,7 +29,8 @@ double dot(const Vec3d& a, const Vec3d& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Cosine-weighted L1 distance of an exemplar, its table turned by `turn`, from a true distribution.
+// Cosine-weighted L1 distance of an exemplar, with its table rotated by `turn`, to a true
+// distribution.
 struct Distance {
     double all = 0.0, covered = 0.0, covered_mass = 0.0;
 };
@@ -84,7 +85,8 @@ std::vector<ClassMetrics> compare_to_truth(const VirtualSample& sample,
     for (std::size_t c = 0; c < sample.ndfs.size(); ++c) {
         ClassMetrics metrics;
         metrics.name = sample.ndfs[c].name;
-        // The exemplar's own angle against the class's frame: the circular mean in double angle.
+        // The exemplar's own angle relative to the class's frame: the circular mean of double
+        // angles.
         std::map<int, std::pair<double, double>> offset;
         std::map<int, int> members;
         std::vector<double> specular, diffuse;
@@ -113,7 +115,7 @@ std::vector<ClassMetrics> compare_to_truth(const VirtualSample& sample,
         metrics.angle_p90_deg = median(errors, 0.9);
         std::vector<double> all, covered;
         for (const auto& [e, o] : offset) {
-            // Half a turn either way: the better one, as grain is a line.
+            // Tries both half turns and takes the better one, since grain is a line.
             Distance best;
             best.all = 1e9;
             for (int half = 0; half < 2; ++half) {

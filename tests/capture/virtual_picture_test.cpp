@@ -1,4 +1,4 @@
-// What the simulated camera sees: the rig's geometry in closed form, noise by its statistics.
+// Pictures of the simulated camera: the rig's geometry in closed form, noise by its statistics.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -83,7 +83,7 @@ TEST(VirtualPicture, DistanceAndEmissionAreThoseOfTheRig) {
     }
 }
 
-// An LED that shines along an axis of its own, and one too far away to have a distance; gloss.
+// An LED with a tilted axis, a light at infinity, and a specular lobe.
 TEST(VirtualPicture, AxesFarLightsAndGlossAreFollowed) {
     const VirtualSample sample = uniform(8, 0.2, 0.3);
     RigLight tilted = near_light({-50, 10, 60}, 2, {3000, 3000, 3000});
@@ -122,8 +122,8 @@ TEST(VirtualPicture, WhiteLevelIsTheBrightestOfADiffuser) {
             const Image picture = virtual_picture(sample, rig, l, {});
             for (const float v : picture.pixels) most = std::max(most, v);
         }
-        // The brightest pixel, or the brightest point between pixels 3.75 mm apart under a bar that
-        // is 40 mm above.
+        // The white level is that of the brightest pixel, or of the brightest point between pixels
+        // 3.75 mm apart under a bar 40 mm above.
         EXPECT_GE(white_level(sample, rig), 0.95 * static_cast<double>(most));
         EXPECT_LE(white_level(sample, rig), 1.05 * static_cast<double>(most));
     }
@@ -157,8 +157,9 @@ Rig far_rig(const VirtualSample& sample) {
     return rig;
 }
 
-// Deviation: share of (value + 0.02 of a white diffuser in its place). 16384 pixels: the mean is
-// known to 1/128 of the deviation, the deviation to 1/181 of itself; four of either are allowed.
+// The deviation is relative to (value + 0.02 of a white diffuser in its place). With 16384 pixels
+// the standard error of the mean is 1/128 of the deviation and that of the deviation 1/181 of
+// itself; the tolerance is four of each.
 TEST(VirtualPicture, NoiseHasTheStatedMeanAndDeviation) {
     const VirtualSample sample = uniform(128, 0.5, 0);
     const Rig rig = far_rig(sample);
@@ -189,7 +190,7 @@ double correlation(const Image& a, const Image& b, float middle) {
     return ab / std::sqrt(aa * bb);
 }
 
-// Another picture, another seed: other noise. The same seed: the same.
+// Another picture or another seed gives other noise; the same seed gives the same noise.
 TEST(VirtualPicture, NoiseIsOfItsSeedAndLight) {
     const VirtualSample sample = uniform(64, 0.5, 0);
     Rig rig = far_rig(sample);
@@ -203,7 +204,7 @@ TEST(VirtualPicture, NoiseIsOfItsSeedAndLight) {
     EXPECT_NEAR(correlation(first, virtual_picture(sample, rig, 1, camera), middle), 0, 0.036);
     camera.seed = 2;
     EXPECT_NEAR(correlation(first, virtual_picture(sample, rig, 0, camera), middle), 0, 0.036);
-    Image green = first;  // channels have noise of their own
+    Image green = first;  // channels have independent noise
     for (std::size_t i = 0; i + 2 < green.pixels.size(); i += 3)
         std::rotate(green.pixels.begin() + static_cast<std::ptrdiff_t>(i),
                     green.pixels.begin() + static_cast<std::ptrdiff_t>(i + 1),
@@ -251,7 +252,8 @@ TEST(VirtualPicture, ClippedPixelsEndAtTheStatedShareOfWhite) {
     EXPECT_GT(kept, 100);
 }
 
-// Lights of the bar: 40 mm above, down, cos^1; the camera as far and as tilted as asked.
+// Lights of the bar: 40 mm above, facing down, cos^1; the camera at the requested distance and
+// tilt.
 TEST(VirtualRig, BarsAndDomesAreAsDescribed) {
     const VirtualSample sample = uniform(8, 0.5, 0);
     VirtualRigSettings settings;

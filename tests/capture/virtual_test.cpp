@@ -1,5 +1,5 @@
-// Simulated samples against quadrature and closed forms written here: they are the truth that fits
-// are held against, so nothing but the laws of light may hold them.
+// Simulated samples compared with quadrature and closed forms written here. They are the truth for
+// the tests of fits, so that only physics may define them.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -25,7 +25,7 @@ Vec3d unit(Vec3d v) {
     for (double& c : v) c /= length;
     return v;
 }
-// Midpoints in u = sqrt(2 theta / pi), dense near the normal, and in phi.
+// Midpoints in u = sqrt(2 theta / pi), which are dense near the normal, and in phi.
 struct Node {
     Vec3d h;
     double D_dw;
@@ -48,7 +48,7 @@ VirtualLobe lobe(double weight, Mdf mdf, double ax, double ay, double turn, doub
     return {weight, mdf, ax, ay, turn, lean_x, lean_y};
 }
 
-// All presets' distributions, and lobes that lean far.
+// The distributions of all presets, and strongly leaning lobes.
 std::vector<VirtualNdf> all_ndfs() {
     std::vector<VirtualNdf> out;
     for (const VirtualPreset& preset : virtual_presets()) {
@@ -77,8 +77,8 @@ TEST(VirtualNdf, MassIsOne) {
     }
 }
 
-// g(k) = Int max(h.k, 0) D dw, from straight above to just below the horizon, where the lobes that
-// lean show most.
+// g(k) = Int max(h.k, 0) D dw, from above to just below the horizon, where leaning lobes have the
+// largest effect.
 TEST(VirtualNdf, AreasAreTheIntegral) {
     for (const VirtualNdf& ndf : all_ndfs()) {
         const std::vector<Node> nodes = nodes_of(ndf);
@@ -87,7 +87,7 @@ TEST(VirtualNdf, AreasAreTheIntegral) {
                 const Vec3d k = direction(degrees * kPi / 180, phi);
                 double g = 0;
                 for (const Node& n : nodes) g += std::max(dot(n.h, k), 0.0) * n.D_dw;
-                // 1e-3: the rule of 480 x 720 at the kink of max().
+                // 1e-3: error of the rule with 480 x 720 nodes at the kink of max().
                 EXPECT_NEAR(ndf.area(k), g, 1e-3) << ndf.name << " " << degrees << " " << phi;
             }
         }
@@ -95,7 +95,7 @@ TEST(VirtualNdf, AreasAreTheIntegral) {
     }
 }
 
-// The lobe's axes are turned counter-clockwise, the lean is in the class's frame.
+// The lobe's axes are rotated counter-clockwise; the lean is in the class's frame.
 TEST(VirtualNdf, TurnAndLeanAreAsDescribed) {
     const double ax = 0.15, ay = 0.45, turn = 0.7;
     for (const Mdf mdf : {Mdf::ggx, Mdf::beckmann}) {
@@ -117,7 +117,7 @@ TEST(VirtualNdf, TurnAndLeanAreAsDescribed) {
     EXPECT_EQ(v[2], 0.5);
 }
 
-double fresnel(double eta, double c) {  // unpolarised, from outside
+double fresnel(double eta, double c) {  // unpolarized, from outside
     const double t = std::sqrt(1 - (1 - c * c) / (eta * eta));
     const double s = (c - eta * t) / (c + eta * t), p = (eta * c - t) / (eta * c + t);
     return (s * s + p * p) / 2;
@@ -134,7 +134,7 @@ VirtualSample plain(int side, const VirtualNdf& ndf, const VirtualTexel& texel, 
     return out;
 }
 
-// diffuse / pi + specular F(i.h)/F(1) D(h) / (4 g(i) g(o)), the directions turned back by the
+// diffuse / pi + specular F(i.h)/F(1) D(h) / (4 g(i) g(o)), with directions rotated back by the
 // grain.
 TEST(VirtualBrdf, IsTheModelOfTheManual) {
     const VirtualNdf ndf{"one", {lobe(1, Mdf::ggx, 0.3, 0.12, 0.3, 0.1, 0.2)}};
@@ -158,8 +158,8 @@ TEST(VirtualBrdf, IsTheModelOfTheManual) {
     }
 }
 
-// A normal turns everything with it: a flat texel lit and seen along directions turned the same way
-// is as bright. Turned about x, with the grain along x, which stays.
+// A tilted normal rotates the whole lobe: a flat texel with equally rotated directions of light and
+// view is as bright. The rotation is about x and the grain along x, so that the grain stays.
 TEST(VirtualBrdf, TiltedNormalsCarryTheLobe) {
     const VirtualNdf ndf{"one", {lobe(1, Mdf::beckmann, 0.4, 0.15, 0, 0, 0)}};
     const double tilt = 0.15;
@@ -207,7 +207,7 @@ TEST(VirtualBrdf, IsReciprocal) {
     }
 }
 
-// Int rho (n.i) dw over half vectors: dw_i = 4 (o.h) dw_h. Dense where the lobe is.
+// Int rho (n.i) dw over half vectors: dw_i = 4 (o.h) dw_h. The nodes are dense in the lobe.
 double albedo(const VirtualSample& sample, const VirtualTexel& texel, const Vec3d& wo,
               std::size_t channel) {
     double sum = 0;
@@ -227,9 +227,9 @@ double albedo(const VirtualSample& sample, const VirtualTexel& texel, const Vec3
     return sum;
 }
 
-// A white furnace: no preset gives back more light than it gets. What is brighter than any
-// dielectric (gilt, the mirror) yet has a dielectric's Fresnel does so at grazing views, outside
-// what captures see: it is held to that up to 45 degrees.
+// A white furnace: no preset reflects more light than it receives. Presets brighter than any
+// dielectric (gilt, the mirror) with a dielectric's Fresnel factor exceed that at grazing views,
+// which captures do not contain: these are tested up to 45 degrees.
 TEST(VirtualBrdf, AlbedoOfPresetsIsAtMostOne) {
     for (const VirtualPreset& preset : virtual_presets()) {
         VirtualSettings settings;
@@ -250,9 +250,9 @@ TEST(VirtualBrdf, AlbedoOfPresetsIsAtMostOne) {
     }
 }
 
-// A mirror of facets (specular 1, no Fresnel) that lean to no side: loses only what facets shadow
-// and what falls below the horizon. g(k) >= k.z then, and separable Smith never gains. (Of lobes
-// that lean it may: g(k) < k.z on the side away from them.)
+// Facets of a mirror (specular 1, no Fresnel factor) without a lean lose only light that is
+// shadowed or reflected below the horizon. Then g(k) >= k.z, and separable Smith never gains
+// energy. Leaning lobes may gain: g(k) < k.z on the side away from their lean.
 TEST(VirtualBrdf, FacetsNeitherGainNorLoseMuch) {
     const VirtualTexel mirror{0, 0, {0, 0, 0}, {1, 1, 1}, {0, 0, 1}};
     int upright = 0;
@@ -264,7 +264,7 @@ TEST(VirtualBrdf, FacetsNeitherGainNorLoseMuch) {
         const VirtualSample sample = plain(1, ndf, mirror, 0);
         for (const double degrees : {0.0, 40.0, 80.0}) {
             const double a = albedo(sample, mirror, direction(degrees * kPi / 180, 0.4), 0);
-            // 2e-3: the rule; narrow lobes have few nodes.
+            // 2e-3: error of the rule; narrow lobes have few nodes.
             EXPECT_LE(a, 1.0 + 2e-3) << ndf.name << " " << degrees;
             EXPECT_GT(a, 0.5) << ndf.name << " " << degrees;
         }

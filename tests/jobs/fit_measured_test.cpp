@@ -1,4 +1,4 @@
-// From a file to a table: a material made by a test is fitted by the model it was made of.
+// Fits a material written by the test with the model that it was made of, from file to table.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,9 @@
 namespace burnish::test {
 namespace {
 
-// Separable visibility and no Fresnel: f cos(theta_i) = c D / (4 sigma(wo)), so f sigma(wo) / cos.
-// GGX with F0 = 1 differs by its shadowing of wi alone, near 1 away from grazing angles.
+// The material has separable visibility and no Fresnel factor: f cos(theta_i) = c D / (4
+// sigma(wo)), which is c D G1(wo) / (4 cos(theta_o)). GGX with F0 = 1 differs only by the shadowing
+// of wi, which is near 1 away from grazing angles.
 KnownMaterial ggx_like(double alpha_x, double alpha_y) {
     KnownMaterial material;
     material.surface = {alpha_x, alpha_y};
@@ -42,7 +43,7 @@ TEST(FitMeasured, TheModelThatAMaterialWasMadeOfComesFirst) {
     const MeasuredFit fit = fit_measured(file, models, {}, quick());
     ASSERT_EQ(fit.fits.size(), 4U);
     EXPECT_EQ(fit.fits[0].model, "ggx");
-    EXPECT_NEAR(fit.fits[0].lobe[0], 0.25, 0.025);  // shadowing of wi is left out in the file
+    EXPECT_NEAR(fit.fits[0].lobe[0], 0.25, 0.025);  // the file omits the shadowing of wi
     EXPECT_EQ(fit.fits[0].lobe[0], fit.fits[0].lobe[1]);
     for (std::size_t i = 1; i < fit.fits.size(); ++i)
         EXPECT_GE(fit.fits[i].rms, fit.fits[i - 1].rms);
@@ -60,9 +61,8 @@ TEST(FitMeasured, AnisotropicFilesAreFittedWithTwoWidths) {
     EXPECT_NEAR(fit.fits[0].lobe[1], 0.2, 0.03);
 }
 
-// The samples are a quadrature: the mean of cos theta_i over solid angle, for a material of any
-// kind, is known. Int cos dw over the cap / area = (1 - cos^2) / 2 / (1 - cos) with cos of 80
-// degrees.
+// The samples are a quadrature: their mean of cos theta_i over solid angle is known for every
+// material. Int cos dw over the cap / area = (1 - cos^2) / 2 / (1 - cos), with cos of 80 degrees.
 TEST(FitMeasured, SamplesStandForTheirSolidAngle) {
     const std::string text = ggx_like(0.15, 0.15).text();
     const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
@@ -77,7 +77,7 @@ TEST(FitMeasured, SamplesStandForTheirSolidAngle) {
     }
     const double edge = std::cos(80 * std::numbers::pi / 180);
     EXPECT_NEAR(sum / weights, 0.5 * (1 - edge * edge) / (1 - edge), 0.01);
-    // Weights of all incident directions add up to those of both caps.
+    // Weights sum to the solid angle of the cap of wi times 1 - cos of the cap of wo.
     EXPECT_NEAR(weights / (2 * std::numbers::pi * (1 - edge) * (1 - edge)), 1, 0.02);
 }
 
@@ -91,7 +91,7 @@ TEST(FitMeasured, CurvesHoldWhatWasMeasuredAndFitted) {
         ASSERT_EQ(curve.measured.size(), curve.theta_deg.size());
         ASSERT_EQ(curve.fitted.size(), 2U);
         ASSERT_EQ(curve.fitted[0].size(), curve.theta_deg.size());
-        // Both peak on the mirror direction's side.
+        // Both peak on the side of the mirror direction.
         const auto peak = [&](const std::vector<FitRgb>& values) {
             const auto most =
                 std::max_element(values.begin(), values.end(),

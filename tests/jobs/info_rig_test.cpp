@@ -1,4 +1,4 @@
-// `burnish info` of rigs: what a person reads.
+// `burnish info` of rigs: the text lines.
 #include <gtest/gtest.h>
 
 #include <regex>

@@ -21,7 +21,7 @@ double share(std::size_t i, std::size_t count) {
     return static_cast<double>(i) / static_cast<double>(count - 1);
 }
 
-// A table over the square of directions: u^2 pi/2 along x, pi (2 v - 1) along y.
+// A table over the square of directions: theta = u^2 pi/2 along x, phi = pi (2 v - 1) along y.
 template <typename Value>
 std::vector<float> over_directions(std::size_t side, const Value& value) {
     std::vector<float> table;

@@ -1,6 +1,6 @@
-// Tensor files and measured materials made by a test: the numbers are known, so that what is read
-// from them is known too. The maths (GGX's distribution and projected area in closed form) is
-// written out here, not taken from shading/.
+// Writes tensor files and measured materials with known numbers, so that results of reading them
+// are known too. The formulas (GGX's distribution and projected area in closed form) are written
+// here and do not use shading/.
 #pragma once
 
 #include <array>
@@ -28,27 +28,27 @@ TensorPart bytes_part(std::string name, std::string_view bytes);
 
 using Vector = std::array<double, 3>;
 
-// GGX with D(h) and the projected area sigma(w), both exact.
+// GGX with exact D(h) and projected area sigma(w).
 struct KnownSurface {
     double alpha_x = 0.3, alpha_y = 0.3;
     double D(Vector h) const;
     double sigma(Vector w) const;  // w above the horizon
 };
 
-// A material whose reflectance is  f cos(theta_i) = colour(x, y) D(h) / (4 sigma(wo)), x and y the
-// place in the square that visible normals are warped from.
+// A material with reflectance f cos(theta_i) = color(x, y) D(h) / (4 sigma(wo)), where (x, y) is
+// the position in the square that visible normals are warped from.
 struct KnownMaterial {
     KnownSurface surface;
-    std::size_t thetas = 8;    // incident directions, evenly from 0 to 90 degrees
+    std::size_t thetas = 8;    // incident directions, evenly spaced from 0 to 90 degrees
     std::size_t phis = 1;      // 1: isotropic
     unsigned symmetry = 1;     // 2, 4: azimuths over half or a quarter of the circle
-    std::size_t normals = 64;  // nodes of the grids of ndf, sigma and vndf along a side
-    std::size_t samples = 16;  // nodes of luminance and colour
+    std::size_t normals = 64;  // nodes on a side of the grids of ndf, sigma and vndf
+    std::size_t samples = 16;  // nodes on a side of luminance and color
     std::function<std::array<double, 3>(double x, double y)> color = [](double, double) {
         return std::array<double, 3>{0.8, 0.5, 0.2};
     };
     std::function<double(double x, double y)> luminance = [](double, double) { return 1.0; };
-    // Not empty: the file is spectral, and colour()[0] stands for each of these.
+    // Not empty: the file is spectral, and color()[0] is the value at each wavelength.
     std::vector<float> wavelengths{};
     std::string description = "made by a test";
 

@@ -1,6 +1,6 @@
-// The largest difference of the pictures of two folders that have the same names, in 1/255.
-// Usage: compare_pictures FOLDER FOLDER [BOUND]. Exits with 1 when a difference is larger than BOUND (1) or a
-// picture is missing.
+// Prints the largest difference, in 1/255, of the pictures with the same names in two folders.
+// Usage: compare_pictures FOLDER FOLDER [BOUND]. Exits with 1 if a difference is larger than BOUND
+// (1) or a picture is missing.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

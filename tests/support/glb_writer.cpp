@@ -167,7 +167,7 @@ std::vector<std::byte> png_gradient(int width, int height) {
 }
 
 std::vector<std::byte> png_noise(int width, int height, unsigned seed) {
-    // A smooth ramp with two bits of noise compresses about as well as a painted texture does.
+    // A smooth ramp with two bits of noise compresses about as well as a painted texture.
     Image image(width, height, 3);
     std::minstd_rand random(seed + 1);
     for (int y = 0; y < height; ++y) {

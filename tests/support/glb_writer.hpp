@@ -1,5 +1,5 @@
-// Builds glTF files in memory, for tests and benchmarks. The JSON is open to the caller, who may
-// change it into anything, broken files included.
+// Builds glTF files in memory, for tests and benchmarks. The caller may change the JSON freely,
+// even to broken files.
 #pragma once
 
 #include <cstddef>
@@ -31,15 +31,15 @@ class GlbWriter {
   public:
     GlbWriter();
 
-    nlohmann::json root;  // everything but buffers[0]
+    nlohmann::json root;  // all except buffers[0]
 
     int add_view(std::span<const std::byte> bytes);
     // `component` is glTF's code (5126 float ...), `type` "SCALAR", "VEC3" ...
     int add_accessor(int view, int component, std::size_t count, const char* type);
     int add_mesh(const GlbPrimitive& primitive);
-    int add_node(int mesh);  // a root of the scene
+    int add_node(int mesh);  // makes the node a root of the scene
     int add_png(
-        std::span<const std::byte> png);  // an image and a texture of it; returns the latter
+        std::span<const std::byte> png);  // adds an image and its texture; returns the texture
     int add_material(const nlohmann::json& material);
 
     std::vector<std::byte> glb() const;
@@ -56,7 +56,7 @@ class GlbWriter {
     std::vector<std::byte> binary_;
 };
 
-// A folder of its own for one test, removed at the end.
+// A folder for one test, removed by the destructor.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -76,7 +76,7 @@ class TemporaryFolder {
 std::vector<std::byte> png_gradient(int width, int height);
 std::vector<std::byte> png_noise(int width, int height, unsigned seed);
 
-// `cells` x `cells` quadrilaterals of the unit square in z = 0, normals +z, u to the right, v down.
+// `cells` x `cells` quadrilaterals of the unit square in z = 0, normals +z, u right, v down.
 GlbPrimitive unit_square(int cells, bool with_tangents);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Where the checkout and the program under test are.
+// Paths of the checkout and of the program under test.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ std::filesystem::path build_folder();   // the root of this build
 const char* program_path();             // bin/burnish of this build
 
 // The folder of sample data by others: BURNISH_DATA, or ../shared/data beside the checkout. Tests
-// skip with words where it does not exist.
+// skip with a message if it is missing.
 std::filesystem::path data_folder();
 
 }  // namespace burnish::test

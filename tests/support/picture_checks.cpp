@@ -12,7 +12,7 @@
 namespace burnish::test {
 namespace {
 
-// Pictures of failures by the name of the test, numbered within it.
+// Names of failed pictures: the test's name and a number.
 std::string next_name() {
     static std::string last;
     static int number = 0;
@@ -39,7 +39,7 @@ Image difference_of(const Image& a, const Image& b) {
     return d;
 }
 
-// Where the pictures were written, in words.
+// Writes the pictures and returns a message with their folder.
 std::string keep(const Image& found, const Image& wanted) {
     const std::filesystem::path folder =
         std::filesystem::path(program_path()).parent_path().parent_path() / "failed_pictures";

@@ -1,5 +1,5 @@
-// Comparison of pictures in tests. One that fails leaves both pictures and their difference in the
-// folder failed_pictures of the build, and the message says where.
+// Compares pictures in tests. A failed comparison writes both pictures and their difference to the
+// folder failed_pictures of the build, and the message names it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,13 +12,13 @@ namespace burnish::test {
 // `floor`.
 double largest_difference(const Image& a, const Image& b, double floor);
 
-// Passes when largest_difference is below `tolerance`.
+// Passes if largest_difference is below `tolerance`.
 testing::AssertionResult close_pictures(const Image& found, const Image& wanted, double floor,
                                         double tolerance);
 
-// Passes when no value differs by more than `tolerance` times the larger of 1 and the value. The
-// default is four roundings of a float: drivers compile a shader for the state that it is first
-// used in, and two compilations may round differently.
+// Passes if no value differs by more than `tolerance` times the larger of 1 and the value. The
+// default is four roundings of a float: drivers compile a shader for its first state, and two
+// compilations may round differently.
 testing::AssertionResult equal_pictures(const Image& found, const Image& wanted,
                                         double tolerance = 5e-7);
 

@@ -25,7 +25,7 @@ struct Descriptors {
     int input, output, complaint;
 };
 
-// The child's standard streams are `streams`; it never returns.
+// Turns the child into burnish with the standard streams `streams`; never returns.
 [[noreturn]] void become_burnish(const std::vector<std::string>& arguments,
                                  const Descriptors& streams, rlim_t file_size_limit) {
     const rlimit limit{file_size_limit, file_size_limit};

@@ -1,4 +1,4 @@
-// Runs the program under test as a person would, with files in a folder of its own.
+// Runs the program under test as users do, with files in a folder of its own.
 #pragma once
 
 #include <sys/resource.h>
@@ -11,7 +11,7 @@
 
 namespace burnish::test {
 
-// A unique folder, removed with everything in it.
+// A unique folder, removed with its contents by the destructor.
 class Folder {
   public:
     Folder();
@@ -21,7 +21,7 @@ class Folder {
 
     std::string path(const std::string& name) const { return (path_ / name).string(); }
     std::string write(const std::string& name, const std::string& contents) const;  // its path
-    std::vector<std::string> names() const;  // sorted; left-over temporary files show up here
+    std::vector<std::string> names() const;  // sorted; includes remaining temporary files
 
   private:
     std::filesystem::path path_;
@@ -30,8 +30,8 @@ class Folder {
 std::string contents_of(const std::string& path);
 
 struct Surroundings {
-    std::string input{};                     // what standard input holds
-    std::string output_file{};               // where standard output goes; empty: it is captured
+    std::string input{};                     // contents of standard input
+    std::string output_file{};               // file of standard output; empty: it is captured
     rlim_t file_size_limit = RLIM_INFINITY;  // bytes
 };
 
@@ -43,7 +43,7 @@ struct Outcome {
 
 Outcome run_burnish(const std::vector<std::string>& arguments, const Surroundings& around = {});
 
-// A running program whose standard input and output are pipes that the test holds.
+// A running program; the test holds the pipes of its standard input and output.
 class RunningProgram {
   public:
     explicit RunningProgram(const std::vector<std::string>& arguments);
@@ -53,9 +53,9 @@ class RunningProgram {
 
     void give(const std::string& text);
     void end_input();
-    void close_output();  // the reader of its output goes away
+    void close_output();  // closes the reading end of its output
     void send_signal(int number);
-    Outcome wait();  // `output` stays empty
+    Outcome wait();  // `output` is empty
 
   private:
     pid_t process_ = -1;
@@ -64,11 +64,11 @@ class RunningProgram {
     Folder folder_;
 };
 
-// A failure as users are promised it: the exit code, and one line that starts with "burnish: " and
-// has every one of `parts` in it.
+// Expects a failure as documented for users: the exit code, and one line that starts with
+// "burnish: " and contains every one of `parts`.
 void expect_complaint(const Outcome& outcome, int exit_code, const std::vector<std::string>& parts);
 
-// The one line of the Error that `work` throws, without starting a program: for the many ways in
+// The one-line message of the Error that `work` throws. Needs no program, for the many ways in
 // which a file can be wrong.
 std::string refusal_of(const std::function<void()>& work);
 void expect_parts(const std::string& line, const std::vector<std::string>& parts);

@@ -99,7 +99,7 @@ const std::vector<Encoding>& encodings() {
 Bytes encode(const Encoding& encoding, const Image& picture) {
     OIIO::ImageSpec spec(picture.width, picture.height, encoding.channels,
                          OIIO::TypeDesc(encoding.pixel_type));
-    // Kept as it is by every encoder: what is written is what must be read.
+    // Every encoder keeps the values unchanged, so that reading must return what was written.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     for (const std::string& attribute : encoding.attributes) {
         const std::size_t equals = attribute.find('=');

@@ -1,4 +1,4 @@
-// Small image files of every format we read, made in memory, and a folder that cleans up.
+// Small image files in every supported format, made in memory, and a temporary folder.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace burnish::test {
 
 using Bytes = std::vector<std::byte>;
 
-// A folder of its own under the system's temporary folder, removed at the end.
+// A folder in the system's temporary folder, removed by the destructor.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -34,10 +34,10 @@ class TemporaryFolder {
 void save(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Bytes load(const std::filesystem::path& path);
 
-// A smooth picture with some noise, so that encoders neither collapse nor store it.
+// A smooth picture with some noise: encoders can neither reduce it to nothing nor store it raw.
 Image sample_picture(int width, int height, int channels);
 
-// The picture through an encoder of OpenImageIO; `pixel_type` as OpenImageIO names it; `attributes`
+// Options for encoding a picture with OpenImageIO; `pixel_type` as in OpenImageIO; `attributes`
 // such as "compression=piz" or "tile=16".
 struct Encoding {
     std::string label;
@@ -47,10 +47,10 @@ struct Encoding {
     std::vector<std::string> attributes;
     friend void PrintTo(const Encoding& encoding, std::ostream* out) { *out << encoding.label; }
 };
-const std::vector<Encoding>& encodings();  // one of each kind that people have
+const std::vector<Encoding>& encodings();  // one for each common kind of file
 Bytes encode(const Encoding& encoding, const Image& picture);
 
-// A PNG put together by hand. `rows` are the filtered rows, stored uncompressed.
+// A PNG assembled from parts. `rows` are the filtered rows, stored uncompressed.
 struct PngChunk {
     std::string type;
     std::string data;
@@ -58,7 +58,7 @@ struct PngChunk {
 Bytes png_of(std::uint32_t width, std::uint32_t height, int depth, int color_type,
              const std::vector<PngChunk>& between, const std::string& rows);
 
-// what() of the burnish::Error that `work` throws; a test failure when it throws none.
+// what() of the burnish::Error that `work` throws; fails the test if none is thrown.
 std::string error_of(const std::function<void()>& work);
 
 }  // namespace burnish::test

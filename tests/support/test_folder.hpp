@@ -1,4 +1,4 @@
-// A folder for the files of one test, and the line of the error that something throws.
+// A folder for the files of one test, and the one-line message of a thrown error.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace burnish::test {
 
-// Unique, removed at the end.
+// A unique folder, removed by the destructor.
 class ScratchFolder {
   public:
     ScratchFolder() {
@@ -40,8 +40,8 @@ class ScratchFolder {
     std::filesystem::path path_;
 };
 
-// what() of the `Kind` that `work` throws, checked to be one line; "" and a failure when it throws
-// none.
+// what() of the `Kind` that `work` throws, checked to be one line; fails the test and returns "" if
+// none is thrown.
 template <typename Kind = Error, typename Work>
 std::string error_line(const Work& work) {
     try {
@@ -55,7 +55,7 @@ std::string error_line(const Work& work) {
     return {};
 }
 
-// The folder of sample data, or "" when it is not there.
+// The folder of sample data, or "" if it is missing.
 inline std::filesystem::path sample_data() {
     const std::filesystem::path folder = data_folder();
     return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
