@@ -192,7 +192,7 @@ TEST(StackCache, FailuresLeaveNothingBehind) {
         fails(c, c.rig, "w.exr");
     }
     {
-        const Capture c;  // the second picture of a bracket is missing
+        const Capture c;  // the second picture of a bracket has another size
         Rig rig = c.rig;
         write_image(c.folder / "long.exr", Image(kWidth, kHeight + 2, 3, 1.0f), {});
         rig.lights[1].images.push_back({c.folder / "long.exr", 2});

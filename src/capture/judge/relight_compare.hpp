@@ -49,7 +49,7 @@ class StackComparison {
     };
     Rig stack_;
     Image white_;
-    std::vector<std::uint8_t> counts_;  // a pixel each
+    std::vector<std::uint8_t> counts_;  // for each pixel: 1 if it is valid
     std::vector<Sums> sums_;
     int width_ = 0, height_ = 0;
 };
