@@ -116,8 +116,7 @@ double freedom_of(const Exemplars& all, int e, std::size_t points, std::size_t l
     const auto known = static_cast<double>(std::count_if(
         all.weight(e), all.weight(e) + all.grid.cells(), [](float w) { return w > 0.0f; }));
     const auto samples = static_cast<double>(points * lights);
-    // Limits the share to 0.1: it is a divisor, and it would be 0 if there are no more samples than
-    // cells.
+    // At least 0.1: the share is a divisor, and it would be 0 with no more samples than cells.
     return 1.0 - std::min(0.9, known / std::max(samples, 1.0));
 }
 
