@@ -22,9 +22,9 @@ struct MeasuredFitOptions {
 
 // f cos(theta_i) in the plane of incidence.
 struct PlaneCurve {
-    double theta_o_deg = 0;         // of the file's incident direction
-    std::vector<double> theta_deg;  // of wi, increasing; above 0 on the mirror side
-    std::vector<FitRgb> measured;   // f, without the cosine
+    double theta_o_deg = 0;                   // of the file's incident direction
+    std::vector<double> theta_deg;            // of wi, increasing; above 0 on the mirror side
+    std::vector<FitRgb> measured;             // f, without the cosine
     std::vector<std::vector<FitRgb>> fitted;  // [model][angle], models in the order of the fits
 };
 
