@@ -1,4 +1,4 @@
-// What is common to all kinds of models.
+// Functions on materials and scenes of every kind of model.
 #include "burnish/scene.hpp"
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-// Transforms the box's eight corners: a bound, not the tightest.
+// Extends `bounds` by the box's eight transformed corners: a bound, not the tightest.
 void include_box(const Bounds& box, const glm::mat4& transform, Bounds& bounds, bool& empty) {
     for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 local((corner & 1) ? box.high.x : box.low.x,

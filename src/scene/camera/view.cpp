@@ -28,7 +28,7 @@ Basis basis_of(const Camera& camera) {
     b.back = back / distance;
     const glm::dvec3 helper = std::abs(b.back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
     const glm::dvec3 wished = glm::cross(glm::dvec3(camera.up), b.back);
-    // 1e-9: `up` along the view; another one does.
+    // 1e-9: `up` is parallel to the view direction; the helper axis replaces it.
     b.right = glm::length(wished) > 1e-9 ? wished : glm::cross(helper, b.back);
     b.right = glm::normalize(b.right);
     b.up = glm::cross(b.back, b.right);
@@ -43,14 +43,15 @@ Planes planes_of(const Camera& camera, const Bounds& bounds, const Basis& basis)
     const double radius = std::max(static_cast<double>(bounds.radius()), 1e-6);
     const double depth = glm::dot(basis.position - glm::dvec3(bounds.center()), basis.back);
     Planes p;
-    // A hundredth more than the sphere, so that nothing touches a plane.
+    // 1 % beyond the bounding sphere, so that nothing touches a plane.
     p.far_plane = camera.far_plane > 0 ? camera.far_plane : depth + 1.01 * radius;
     p.near_plane = camera.near_plane > 0 ? camera.near_plane : depth - 1.01 * radius;
     if (camera.orthographic) {
         p.far_plane = std::max(p.far_plane, p.near_plane + 1e-3 * radius);
         return p;
     }
-    // Inside the scene: 1/10000 of the far distance keeps 24 bits of depth useful.
+    // For an eye inside the scene, a near plane at 1/10000 of the far distance keeps a 24-bit depth
+    // buffer precise.
     p.far_plane = std::max(p.far_plane, 1e-3 * radius);
     if (!(camera.near_plane > 0)) p.near_plane = std::max(p.near_plane, 1e-4 * p.far_plane);
     p.far_plane = std::max(p.far_plane, p.near_plane * 1.001);
@@ -124,7 +125,7 @@ Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile) {
         low = glm::min(low, ndc);
         high = glm::max(high, ndc);
     }
-    // A pixel more on each side, for rounding.
+    // One pixel more on each side, for rounding.
     const auto pixel = [](float ndc, int size) {
         return static_cast<int>((0.5f * ndc + 0.5f) * static_cast<float>(size));
     };
@@ -136,8 +137,8 @@ Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile) {
 }
 
 glm::dvec2 pixel_offset(int index) {
-    // R2 sequence (Roberts 2018) from the middle, through the inverse of the triangle's
-    // distribution.
+    // R2 sequence (Roberts 2018) from the middle, mapped through the inverse cumulative
+    // distribution of the triangle.
     const auto triangle = [index](double step) {
         const double u = std::fmod(0.5 + step * index, 1.0);
         return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 * (1 - u));

@@ -1,4 +1,4 @@
-// From a camera, a tile of the picture and a sub-pixel offset to what shaders need.
+// Turns a camera, a tile of the picture and a sub-pixel offset into the values that shaders need.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -32,18 +32,18 @@ struct View {
     glm::vec3 ray_y{0.0f};
 };
 
-// `offset_px`: where in the pixel to look, (0, 0) its middle. `bounds`: what near and far planes of
-// 0 are chosen from. Throws Error for a camera that has no view (target = position, no field of
-// view).
+// `offset_px`: position within the pixel, (0, 0) is its middle. `bounds`: the box from which near
+// and far planes of 0 are chosen. Throws Error for a camera without a view (target = position, no
+// field of view).
 View make_view(const Camera& camera, const Bounds& bounds, int width, int height, const Tile& tile,
                glm::dvec2 offset_px);
 
-// The part of the tile, in its own pixels, that the box can cover: all of it for a box behind the
-// eye.
+// The part of the tile, in pixels of the tile, that the box can cover: the whole tile for a box
+// that reaches behind the eye.
 Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile);
 
-// Offset of sample `index` under the pixel filter, a triangle of half width 1 pixel: as many
-// samples fall on a place as the filter weighs it. Sample 0 is the middle.
+// Offset of sample `index` in pixels, distributed as the pixel filter: a triangle of half width 1
+// pixel. Sample 0 is the middle.
 glm::dvec2 pixel_offset(int index);
 
 }  // namespace burnish

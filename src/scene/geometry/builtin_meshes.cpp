@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kPrefix = "builtin:";
 constexpr std::array<std::string_view, 5> kNames = {"sphere", "plane", "cylinder", "torus",
                                                     "drape"};
-// As many as the parameter table allows: 32-bit indices and a few hundred megabytes at most.
+// The limit of the parameter table: 32-bit indices and a few hundred megabytes at most.
 constexpr int kMostTriangles = 4000000;
 
 // A point of the curve that is turned around the y axis: distance from the axis, height, outward
@@ -30,9 +30,10 @@ struct ProfilePoint {
     double radius, y, normal_radius, normal_y, v;
 };
 
-// Turns the profile, traced from the top over the outside downwards, around +y. u runs to the right
-// seen from outside, 0 at the back (-z) to `repeats` there again; tangents run along it. A profile
-// that ends on the axis gets one vertex a segment there, with the tangent of the segment's middle.
+// Revolves the profile, traced from the top over the outside downwards, around +y. u runs to the
+// right seen from outside, from 0 at the back (-z) to `repeats` at the back again; tangents run
+// along it. A profile that ends on the axis gets one vertex per segment there, with the tangent of
+// the segment's middle.
 Mesh revolve(const std::vector<ProfilePoint>& profile, int segments, double repeats) {
     Mesh mesh;
     const auto on_axis = [](const ProfilePoint& p) { return p.radius <= 0.0; };
@@ -45,7 +46,7 @@ Mesh revolve(const std::vector<ProfilePoint>& profile, int segments, double repe
     for (const ProfilePoint& p : profile) {
         for (int i = 0; i <= segments; ++i) {
             const double turn = (on_axis(p) ? i + 0.5 : i) / segments;
-            // The last column lies on the first: the same angle makes the same bits.
+            // The last column coincides with the first: the same angle gives the same bits.
             const double phi =
                 2.0 * std::numbers::pi * (i == segments ? 0.0 : turn) - std::numbers::pi;
             const double s = std::sin(phi), c = std::cos(phi);
@@ -75,8 +76,8 @@ int rounded_root(double value, int least) {
 
 // Two texture squares around and one from pole to pole, so that texels are square at the equator.
 Mesh make_sphere(int triangles) {
-    // `rings` rings of 2 `rings` quads, half ones at the poles: 4 rings (rings - 1) triangles,
-    // which is (2 rings - 1)^2 - 1.
+    // `rings` rings of 2 `rings` quads, where those at the poles are triangles: 4 rings (rings - 1)
+    // triangles, which is (2 rings - 1)^2 - 1.
     const int rings = (rounded_root((triangles > 0 ? triangles : 101760) + 1.0, 5) + 1) / 2;
     std::vector<ProfilePoint> profile;
     for (int i = 0; i <= rings; ++i) {
@@ -90,7 +91,7 @@ Mesh make_sphere(int triangles) {
 }
 
 Mesh make_plane(int triangles) {
-    // Flat, so two triangles show everything; more are for those who count them.
+    // A flat plate needs two triangles only; more serve tests of cost.
     const int quads = rounded_root((triangles > 0 ? triangles : 2) / 2.0, 1);
     Mesh mesh;
     for (int j = 0; j <= quads; ++j) {
@@ -123,8 +124,9 @@ void add_fillet(std::vector<ProfilePoint>& profile, double radius, double y, dou
     }
 }
 
-// Turned on a lathe: one profile from the middle of the top over a rounded edge and the side to the
-// middle of the bottom, so that the grain runs around everywhere. Texels are square on the side.
+// A solid of revolution: one profile from the middle of the top over a rounded edge and the side to
+// the middle of the bottom, so that the grain runs around everywhere. Texels are square on the
+// side.
 Mesh make_cylinder(int triangles) {
     constexpr double kRadius = std::numbers::inv_pi;  // circumference 2 m: two texture squares
     constexpr double kHalfHeight = 0.4, kFillet = 0.012;

@@ -29,20 +29,20 @@ struct Sheet {
     float spacing() const { return kSide / static_cast<float>(nodes - 1); }
 };
 
-// One family of threads: each node and the node (columns, rows) further keep their distance, with
-// `stiffness` the share of the error that one pass mends.
+// One family of threads: each node and the node (columns, rows) further keep their distance.
+// `stiffness` is the fraction of the error that one pass corrects.
 struct Threads {
     int columns, rows;
     float stiffness;
 };
 
-// Warp and weft hardly stretch, shear is soft (that is what makes cloth hang in cones), and the
-// threads over two nodes resist bending.
+// Warp and weft hardly stretch. Shear is soft, which makes cloth hang in cones. The threads over
+// two nodes resist bending.
 constexpr Threads kThreads[] = {{1, 0, 1.0f},  {0, 1, 1.0f}, {1, 1, 0.7f},
                                 {-1, 1, 0.7f}, {2, 0, 0.3f}, {0, 2, 0.3f}};
 
-// `backwards` walks the nodes in the opposite order: alternating keeps the order from pushing the
-// cloth off its plinth.
+// `backwards` walks the nodes in the opposite order. Alternating the order keeps it from pushing
+// the cloth off the plinth.
 void pull(Sheet& cloth, const Threads& threads, bool backwards) {
     const float rest = cloth.spacing() * std::hypot(static_cast<float>(threads.columns),
                                                     static_cast<float>(threads.rows));
@@ -56,7 +56,8 @@ void pull(Sheet& cloth, const Threads& threads, bool backwards) {
             glm::vec3& a = cloth.now[cloth.index(column, row)];
             glm::vec3& b = cloth.now[cloth.index(column + threads.columns, row + threads.rows)];
             const glm::vec3 between = b - a;
-            // Nodes that coincide have no direction to part in; a micron keeps the division sane.
+            // Coincident nodes have no direction to separate in; 1 micrometer keeps the division
+            // finite.
             const float length = std::max(glm::length(between), 1e-6f);
             const glm::vec3 step = between * (0.5f * threads.stiffness * (1.0f - rest / length));
             a += step;
@@ -65,7 +66,8 @@ void pull(Sheet& cloth, const Threads& threads, bool backwards) {
     }
 }
 
-// Out of the plinth: an endless column with a rounded rim. What touches it sticks by friction.
+// Moves nodes out of the plinth, an endless column with a rounded rim. Nodes that touch it are held
+// by friction.
 void push_out(Sheet& cloth) {
     constexpr float kFriction = 0.3f;
     for (std::size_t i = 0; i < cloth.now.size(); ++i) {
@@ -78,7 +80,7 @@ void push_out(Sheet& cloth) {
         const glm::vec3 away = p - nearest;
         const float depth = glm::length(away);
         if (depth >= kRim) continue;
-        // Inside the core the way out is up: that is where the cloth came from.
+        // A node inside the core leaves upwards, because the cloth came from above.
         const glm::vec3 normal = depth > 0.0f ? away / depth : glm::vec3(0.0f, 1.0f, 0.0f);
         p = depth > 0.0f ? nearest + normal * kRim : glm::vec3(p.x, 0.0f, p.z);
         const glm::vec3 moved = p - cloth.before[i];
@@ -103,8 +105,8 @@ void simulate(Sheet& cloth, int steps, int passes) {
     }
 }
 
-// Flat above the table and off its middle, with a hint of waves: perfect symmetry would give folds
-// that no cloth has.
+// Flat above the table and off its middle, with low waves: perfect symmetry would give folds that
+// no cloth has.
 Sheet lay_out(int nodes) {
     Sheet cloth;
     cloth.nodes = nodes;
@@ -134,7 +136,8 @@ Weights spline_weights(float t) {
             {-0.5f * s * s, 1.5f * t * t - 2.0f * t, 2.0f * s - 1.5f * s * s, 0.5f * t * t}};
 }
 
-// A node, or beyond the hem the mirror image of the inner one in the hem: the surface ends there.
+// A node; beyond the hem, the mirror image of the inner node about the hem, so that the surface
+// ends there.
 glm::vec3 control_point(const Sheet& cloth, int column, int row) {
     const int last = cloth.nodes - 1;
     const int c = std::clamp(column, 0, last), r = std::clamp(row, 0, last);
@@ -182,7 +185,7 @@ Sheet refined(const Sheet& coarse, int nodes) {
     return fine;
 }
 
-// Coarse first: long waves need many steps, and there they are cheap.
+// Coarse first: long waves need many steps, which are cheap on a coarse grid.
 Sheet hang() {
     Sheet cloth = lay_out(25);
     simulate(cloth, 300, 12);

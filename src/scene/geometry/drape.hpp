@@ -5,8 +5,9 @@
 
 namespace burnish {
 
-// About `triangles` triangles of one sheet, to be shown from both sides. Texture coordinates are
-// the cloth at rest, tangents run along the warp. Same mesh every time, on every thread count.
+// A sheet of about `triangles` triangles, visible from both sides. Texture coordinates are the
+// cloth at rest, tangents run along the warp. The mesh is the same for every call and number of
+// threads.
 Mesh make_drape(int triangles);
 
 }  // namespace burnish

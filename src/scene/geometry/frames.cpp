@@ -13,7 +13,7 @@ namespace {
 // interpolation.
 constexpr double kLengthTolerance = 0.05;
 
-// A tangent within 1.8 degrees of the normal says nothing about a direction in the plane.
+// A tangent within 1.8 degrees of the normal defines no direction in the plane.
 constexpr float kParallel = 0.9995f;
 
 // Twice the area times the unit normal. In double: edges may be anything from 1e-30 to 1e9.
@@ -24,7 +24,7 @@ glm::dvec3 area_vector(const Mesh& mesh, std::size_t triangle) {
     return glm::cross(b - a, c - a);
 }
 
-// Makes `v` a unit vector; false, leaving it, when it has no direction.
+// Makes `v` a unit vector. Returns false and leaves `v` when it has no direction.
 template <class Vec>
 bool make_unit(Vec& v) {
     const double length = glm::length(glm::dvec3(v));
@@ -49,7 +49,8 @@ double angle_at(const Mesh& mesh, std::size_t triangle, std::size_t corner) {
     return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
 }
 
-// Mean face normal of everything at the position of each vertex; zero where there is nothing.
+// Sum of the weighted face normals (corner_normal) at the position of each vertex; zero for a
+// vertex of no triangle.
 std::vector<glm::dvec3> summed_normals(const Mesh& mesh) {
     const Welding welding =
         weld<3>(mesh.positions.size(), [&](std::size_t i, std::uint32_t* words) {
@@ -87,13 +88,13 @@ void make_flat(Mesh& mesh) {
                     face_normal(mesh, t));
 }
 
-// True when the length alone is (about) right; NaN is not.
+// True when the length is 1 within the tolerance; false for NaN.
 template <class Vec>
 bool is_about_unit(const Vec& v) {
     return std::abs(glm::length(glm::dvec3(v)) - 1.0) <= kLengthTolerance;
 }
 
-// Normals of which `broken` tells become the mean face normal, or up.
+// Replaces the normals marked in `broken` by the mean face normal, or by +y where there is none.
 void replace_normals(Mesh& mesh, const std::vector<char>& broken) {
     const std::vector<glm::dvec3> sums = summed_normals(mesh);
     for (std::size_t i = 0; i < broken.size(); ++i) {
@@ -103,7 +104,7 @@ void replace_normals(Mesh& mesh, const std::vector<char>& broken) {
     }
 }
 
-// True when nothing was wrong with it.
+// Returns true when the tangent needed no repair.
 bool mend_tangent(glm::vec4& tangent, glm::vec3 normal) {
     glm::vec3 direction(tangent);
     bool sound = is_about_unit(direction) && std::abs(std::abs(tangent.w) - 1.0f) <= 0.05f;
@@ -122,7 +123,7 @@ glm::dvec3 corner_normal(const Mesh& mesh, std::size_t corner) {
 }
 
 glm::vec3 tangent_of_normal(glm::vec3 normal) {
-    // cross(+y, normal); at the poles, where it vanishes, +x will do.
+    // cross(+y, normal); +x at the poles, where it vanishes.
     const float length = std::hypot(normal.x, normal.z);
     if (!(length > 1e-6f)) return {1.0f, 0.0f, 0.0f};
     return {normal.z / length, 0.0f, -normal.x / length};

@@ -15,7 +15,8 @@ double turn(Point a, Point b, Point c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// The outline in the coordinate plane it covers most of, counter-clockwise as Newell's normal says.
+// The outline projected on the coordinate plane in which it is largest, counter-clockwise with
+// respect to Newell's normal.
 std::vector<Point> flattened(const std::vector<glm::vec3>& corners) {
     glm::dvec3 normal(0.0);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -42,7 +43,7 @@ class EarCutter {
         : points_(points),
           triangles_(triangles),
           ring_(points.size()),
-          // Ordinary outlines need one to two looks at each corner for each ear.
+          // Ordinary outlines need one or two tests per corner for each ear.
           looks_left_(4 * points.size() * points.size()) {
         std::iota(ring_.begin(), ring_.end(), 0u);
     }
@@ -52,7 +53,7 @@ class EarCutter {
         std::size_t misses = 0;
         while (ring_.size() > 3) {
             at %= ring_.size();
-            // After a whole round without an ear, or too much searching, anything goes.
+            // After a whole round without an ear, or when the tests are used up, cut any corner.
             if (misses <= ring_.size() && !is_ear(at)) {
                 ++at;
                 ++misses;
@@ -98,7 +99,7 @@ class EarCutter {
     std::size_t looks_left_;
 };
 
-// Which diagonal to cut a quadrilateral along: true for 1-3.
+// Which diagonal to cut a quadrilateral along: true for corners 1-3.
 bool cut_other_way(const std::vector<Point>& p, const std::vector<glm::vec3>& corners) {
     const bool first_inside = turn(p[0], p[1], p[2]) > 0.0 && turn(p[0], p[2], p[3]) > 0.0;
     const bool second_inside = turn(p[1], p[2], p[3]) > 0.0 && turn(p[1], p[3], p[0]) > 0.0;

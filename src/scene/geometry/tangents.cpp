@@ -17,14 +17,14 @@ namespace burnish {
 namespace {
 
 constexpr std::int32_t kNone = -1;
-constexpr std::size_t kGrain = 32768;  // triangles or vertices a task: a millisecond or so
+constexpr std::size_t kGrain = 32768;  // triangles or vertices per task: about a millisecond
 
-// What one triangle says about the directions of u and v.
+// The direction of increasing u on one triangle.
 struct Slope {
     glm::vec3 along_u{0.0f};  // unit
     bool preserving = false;  // u, v (upwards) and the normal are right-handed
-    bool joins_any = true;  // degenerate coordinates: takes the orientation of whoever comes first
-    bool degenerate = false;  // two corners at one place: no part of the surface
+    bool joins_any = true;    // degenerate coordinates: takes the orientation of the first group
+    bool degenerate = false;  // two corners coincide: not part of the surface
 };
 
 // A corner is 3 triangle + {0, 1, 2}; edge i of a triangle goes from its corner i to the next.
@@ -61,22 +61,22 @@ class TangentMaker {
     glm::vec3 position(std::size_t corner) const { return mesh_.positions[mesh_.indices[corner]]; }
 
     struct Edge {
-        std::uint32_t other;   // the end that is not the vertex at hand
+        std::uint32_t other;   // the end that is not the vertex in question
         std::uint32_t corner;  // where the edge starts
         bool outgoing;
     };
 
     Mesh& mesh_;
     std::size_t triangles_;
-    Welding weld_;                         // vertex of the mesh -> welded vertex
-    std::vector<Slope> slopes_;            // a triangle each
-    std::vector<std::uint32_t> first_;     // of the corners of each welded vertex, in corners_
-    std::vector<std::uint32_t> corners_;   // without those of degenerate triangles
+    Welding weld_;                        // vertex of the mesh -> welded vertex
+    std::vector<Slope> slopes_;           // one per triangle
+    std::vector<std::uint32_t> first_;    // start of each welded vertex in corners_
+    std::vector<std::uint32_t> corners_;  // by welded vertex, without those of degenerate triangles
     std::vector<std::int32_t> neighbors_;  // triangle across each edge
-    std::vector<std::int32_t> groups_;     // of each corner
+    std::vector<std::int32_t> groups_;     // group of each corner
     std::vector<char> group_preserving_;
     std::vector<glm::vec3> group_tangents_;  // zero: no direction
-    std::vector<std::size_t> pending_;       // corners of the group that is growing
+    std::vector<std::size_t> pending_;       // corners still to visit of the growing group
 };
 
 void TangentMaker::run() {
@@ -116,7 +116,7 @@ Slope TangentMaker::slope_of(std::size_t triangle) const {
     const float dv2 = uv(0).y - uv(2).y;
     const float area = du1 * dv2 - dv1 * du2;
     slope.preserving = area > 0.0f;
-    // Smaller areas are denormal: their quotients mean nothing.
+    // Smaller areas are denormal: quotients by them are meaningless.
     if (!(std::abs(area) > FLT_MIN)) return slope;
     const float sign = area > 0.0f ? 1.0f : -1.0f;
     const glm::vec3 u = sign * (dv2 * (p1 - p0) - dv1 * (p2 - p0));
@@ -137,7 +137,7 @@ void TangentMaker::find_slopes() {
     });
 }
 
-// Corners by welded vertex (a counting sort), in the order of the triangles.
+// Lists the corners by welded vertex (a counting sort), in the order of the triangles.
 void TangentMaker::list_corners() {
     first_.assign(weld_.classes + std::size_t{1}, 0);
     for (std::size_t c = 0; c < 3 * triangles_; ++c)
@@ -149,8 +149,8 @@ void TangentMaker::list_corners() {
         if (!slopes_[c / 3].degenerate) corners_[fill[vertex(c)]++] = static_cast<std::uint32_t>(c);
 }
 
-// Pairs the edges between `vertex` and vertices of higher number with those the other way. Where
-// more than two triangles meet, the first of each direction find each other.
+// Pairs each edge between vertex `at` and a vertex of higher number with an edge in the opposite
+// direction. Where more than two triangles share an edge, the first of each direction are paired.
 void TangentMaker::pair_edges_of(std::uint32_t at) {
     thread_local std::vector<Edge> edges;
     edges.clear();
@@ -165,7 +165,7 @@ void TangentMaker::pair_edges_of(std::uint32_t at) {
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
         return a.other != b.other ? a.other < b.other : a.corner < b.corner;
     });
-    // Those waiting for a partner are edges[waiting ..] of one direction.
+    // The edges without a partner are edges[waiting ..], all of one direction.
     for (std::size_t i = 0, waiting = 0; i < edges.size(); ++i) {
         if (edges[waiting].other != edges[i].other) waiting = i;
         while (waiting < i && neighbors_[edges[waiting].corner] != kNone) ++waiting;
@@ -222,7 +222,8 @@ void TangentMaker::form_groups() {
     }
 }
 
-// The triangle's direction of u in the plane of the corner's normal, times the angle there.
+// The triangle's direction of u, projected on the plane of the corner's normal, times the angle at
+// the corner.
 glm::vec3 TangentMaker::contribution(std::size_t corner) const {
     const glm::vec3 normal = mesh_.normals[mesh_.indices[corner]];
     const auto projected = [&](glm::vec3 v) {
@@ -249,13 +250,13 @@ void TangentMaker::sum_groups() {
     });
     for (glm::vec3& tangent : group_tangents_) {
         const float length = glm::length(tangent);
-        // Contributions that cancel leave rounding errors, which are no direction: 1e-6 of a
-        // radian is below the rounding of a sum of angles.
+        // Contributions that cancel leave rounding errors, which are not a direction: 1e-6 rad is
+        // below the rounding of a sum of angles.
         tangent = length > 1e-6f ? tangent / length : glm::vec3(0.0f);
     }
 }
 
-// Corners left over (degenerate triangles) take the first group at their vertex.
+// Corners without a group (of degenerate triangles) take the first group at their vertex.
 void TangentMaker::share_groups() {
     std::vector<std::int32_t> first_group(weld_.classes, kNone);
     for (std::size_t c = 0; c < groups_.size(); ++c) {
@@ -294,7 +295,7 @@ void TangentMaker::write_tangents() {
     constexpr std::int32_t kUnseen = -2;
     const std::size_t vertices = mesh_.positions.size();
     std::vector<std::int32_t> group_of(vertices, kUnseen);
-    std::unordered_map<std::uint64_t, std::uint32_t> copies;  // of (vertex, further group)
+    std::unordered_map<std::uint64_t, std::uint32_t> copies;  // by (vertex, further group)
     mesh_.tangents.resize(vertices);
     for (std::size_t c = 0; c < groups_.size(); ++c) {
         std::uint32_t& at = mesh_.indices[c];

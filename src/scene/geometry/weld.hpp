@@ -16,8 +16,8 @@ inline std::uint32_t weld_bits(float value) {
 }
 
 struct Welding {
-    std::vector<std::uint32_t> ids;  // of each item: the number of its class
-    std::uint32_t classes = 0;       // numbered in order of first appearance
+    std::vector<std::uint32_t> ids;  // class number of each item
+    std::uint32_t classes = 0;       // number of classes; numbers are in order of first appearance
 };
 
 // Classes of equal keys. `key(i, out)` writes the words of item i.

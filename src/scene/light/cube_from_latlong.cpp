@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-// A fourth number beside every radiance: a texel is then one register.
+// A fourth number beside every radiance, so that a texel fills one register.
 struct LatLong {
     int width = 0;
     int height = 0;
@@ -43,8 +43,8 @@ LatLong copy_of(const Image& image) {
     return map;
 }
 
-// Half the width and height. The two rows of a pair are weighted by the solid angles they cover, so
-// that the integral over the sphere stays.
+// Halves the width and height. The two rows of a pair are weighted by their solid angles, which
+// preserves the integral over the sphere.
 LatLong halved(const LatLong& map) {
     LatLong half;
     half.width = map.width / 2;
@@ -69,7 +69,7 @@ LatLong halved(const LatLong& map) {
     return half;
 }
 
-// The mean of each texel with `reach` neighbors on both sides, around the row; `sums` is scratch.
+// The mean of each texel and `reach` neighbors on each side, around the row; `sums` is scratch.
 void average_row(glm::vec4* texels, int width, int reach, std::vector<glm::dvec4>& sums) {
     sums.resize(static_cast<std::size_t>(width) * 3 + 1);
     for (int x = 0; x < 3 * width; ++x) {  // three periods: no index wraps below
@@ -83,9 +83,9 @@ void average_row(glm::vec4* texels, int width, int reach, std::vector<glm::dvec4
     }
 }
 
-// Columns crowd together towards the poles. Each row is averaged, twice, over as many columns as
-// fit into one at the equator: the detail that is lost is finer than the cube, and no sun is too
-// narrow for the samples.
+// Columns converge towards the poles. Each row is averaged twice over as many columns as span one
+// column at the equator. The lost detail is finer than the cube, and no sun is too narrow for the
+// samples.
 void even_out_columns(LatLong& map) {
     parallel_for(static_cast<std::size_t>(map.height), 8, [&](std::size_t begin, std::size_t end) {
         std::vector<glm::dvec4> sums;
@@ -99,8 +99,8 @@ void even_out_columns(LatLong& map) {
     });
 }
 
-// atan2(y, x) to 1e-6 rad, several times as fast as the library's: atan on [0, 1] by its polynomial
-// of degree 13 through Chebyshev nodes, and three reflections.
+// atan2(y, x) within 1e-6 rad, several times as fast as the library's: the interpolating polynomial
+// of degree 13 of atan on [0, 1] at Chebyshev nodes, and three reflections.
 float quick_atan2(float y, float x) {
     const float ax = std::abs(x);
     const float ay = std::abs(y);
@@ -117,14 +117,14 @@ float quick_atan2(float y, float x) {
     return y < 0.0f ? -a : a;
 }
 
-// Two neighboring rows or columns of the map, and the share of the second.
+// Two neighboring rows or columns of the map, and the weight of the second.
 struct Pair {
     int first;
     int second;
     float share;
 };
 
-// Of an azimuth about +y from -z, in [-2 pi, 2 pi]; columns wrap around.
+// The columns at an azimuth about +y from -z, in [-2 pi, 2 pi]; columns wrap around.
 Pair columns_at(const LatLong& map, float azimuth) {
     float u = 0.5f + azimuth * static_cast<float>(0.5 / kPi);
     u -= std::floor(u);
@@ -134,7 +134,7 @@ Pair columns_at(const LatLong& map, float azimuth) {
     return {column, column + 1 == map.width ? 0 : column + 1, x - static_cast<float>(x0)};
 }
 
-// Of an angle from +y in [0, pi]; rows end at the poles.
+// The rows at an angle from +y in [0, pi]; rows end at the poles.
 Pair rows_at(const LatLong& map, float polar) {
     const float y =
         std::clamp(polar * static_cast<float>(1.0 / kPi) * static_cast<float>(map.height) - 0.5f,
@@ -152,8 +152,9 @@ glm::vec4 bilinear(const LatLong& map, const Pair& rows, const Pair& columns) {
                ((1 - columns.share) * lower[columns.first] + columns.share * lower[columns.second]);
 }
 
-// The samples of a face lie on a grid of `side` by `side` places in [-1, 1]^2, `per_texel` along
-// each edge of a texel. A sample is weighted by its solid angle, which goes as 1/r^3 within a face.
+// The samples of a face lie on a grid of `side` by `side` points in [-1, 1]^2, `per_texel` along
+// each edge of a texel. A sample is weighted by its solid angle, proportional to 1/r^3 within a
+// face.
 struct FaceGrid {
     int size;       // texels along an edge of the face
     int per_texel;  // samples along an edge of a texel
@@ -171,8 +172,8 @@ struct FaceGrid {
 };
 
 // The four faces about +y in OpenGL's order are 0, 1, 4 and 5. The sample (a, b) of each has the
-// azimuth of the face's middle less atan(a), and the polar angle atan2(sqrt(a^2 + 1), -b): rows of
-// the map are found once for four faces, columns once for a column of samples.
+// azimuth of the face's middle less atan(a), and the polar angle atan2(sqrt(a^2 + 1), -b). So rows
+// of the map are looked up once for four faces, and columns once for a column of samples.
 constexpr std::array<int, 4> kSideFaces = {0, 1, 4, 5};
 constexpr std::array<double, 4> kMiddleAzimuths = {0.5 * kPi, -0.5 * kPi, kPi, 0.0};
 
@@ -190,7 +191,7 @@ SideColumns side_columns(const LatLong& map, const FaceGrid& grid) {
     return columns;
 }
 
-// One row of texels of all four faces.
+// Fills one row of texels of all four side faces.
 void fill_side_row(const LatLong& map, const FaceGrid& grid, const SideColumns& columns, int row,
                    CubeMap& cube) {
     for (int column = 0; column < grid.size; ++column) {
@@ -216,9 +217,9 @@ void fill_side_row(const LatLong& map, const FaceGrid& grid, const SideColumns& 
     }
 }
 
-// One row of texels of the face +y and the row of the face -y that mirrors it: the sample (a, b) of
-// the one and (a, -b) of the other have the same azimuth atan2(a, -b), and polar angles that add up
-// to pi.
+// Fills one row of texels of the face +y and the mirrored row of the face -y. The sample (a, b) of
+// one and (a, -b) of the other have the same azimuth atan2(a, -b), and polar angles that add up to
+// pi.
 void fill_cap_rows(const LatLong& map, const FaceGrid& grid, int row, CubeMap& cube) {
     for (int column = 0; column < grid.size; ++column) {
         glm::vec4 top(0.0f);
@@ -250,8 +251,8 @@ CubeMap cube_from_latlong(const Image& latlong, int size) {
     LatLong map = copy_of(latlong);
     while (map.width > 5 * size && map.width % 2 == 0 && map.height % 2 == 0) map = halved(map);
     even_out_columns(map);
-    // At least three and a half samples a texel of the map where the cube is coarsest, the middle
-    // of a face.
+    // At least 3.5 samples per texel of the map in the middle of a face, where the cube is
+    // coarsest.
     const FaceGrid grid{
         size, std::clamp(static_cast<int>(std::ceil(3.5 * map.width / (kPi * size))), 4, 16)};
     const SideColumns columns = side_columns(map, grid);

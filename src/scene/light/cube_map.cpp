@@ -20,7 +20,7 @@ double corner_solid_angle(double x, double y) {
     return std::atan2(x * y, std::sqrt(x * x + y * y + 1));
 }
 
-// The point (a, b) in [-1, 1] of a face of the cube of half side 1.
+// The point (a, b), in [-1, 1]^2, of a face of the cube of half side 1.
 glm::vec3 face_point(int face, float a, float b) {
     switch (face) {
         case 0:
@@ -38,7 +38,7 @@ glm::vec3 face_point(int face, float a, float b) {
     }
 }
 
-// Of the texels of one face, row by row.
+// Solid angles of the texels of one face, row by row, steradians.
 std::vector<float> solid_angles(int size) {
     const auto n = static_cast<std::size_t>(size) + 1;
     std::vector<double> corners(n * n);
@@ -60,12 +60,12 @@ std::vector<float> solid_angles(int size) {
     return angles;
 }
 
-// The texels of a cube as sources of light, kLanes side by side for the loop over them.
+// The texels of a cube as light sources, stored in groups of kLanes for a vectorized loop.
 constexpr std::size_t kLanes = 8;
 
 struct IrradianceSources {
-    // Direction (0 to 2), radiance times solid angle (3 to 5) and solid angle (6). The sources that
-    // fill the last lanes have no solid angle.
+    // Direction (0 to 2), radiance times solid angle (3 to 5) and solid angle (6). Padding sources
+    // in the last group have no solid angle.
     std::array<std::vector<float>, 7> values;
     std::size_t count() const { return values[0].size(); }
 };

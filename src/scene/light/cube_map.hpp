@@ -1,4 +1,4 @@
-// Environments as cube maps, made on the CPU: radiance with mips, and irradiance.
+// Environments as cube maps, computed on the CPU: radiance with mips, and irradiance.
 //
 // Faces are in OpenGL's order (+x -x +y -y +z -z) with OpenGL's axes, row 0 first.
 #pragma once
@@ -30,15 +30,15 @@ glm::vec3 cube_direction(int face, double s, double t);
 // Solid angle of a texel; all texels of a cube add up to 4 pi.
 double cube_texel_solid_angle(int size, int row, int column);
 
-// Edge of the cube for a lat-long map of this width: a quarter of it, to the next power of two,
-// 16 to 512 texels.
+// Edge in texels of the cube for a lat-long map of this width: a quarter of the width, rounded up
+// to a power of two, 16 to 512.
 int cube_size_for(int latlong_width);
 
 // Radiance averaged over each texel (NaN and negative values are 0). Its integral over the sphere
-// is that of the lat-long map within 0.5 %, however small the sun.
+// equals that of the lat-long map within 0.5 %, for a sun of any size.
 CubeMap cube_from_latlong(const Image& latlong, int size);
 
-// The levels below `base`, each half the size, averages weighted by solid angle; the last has
+// The levels below `base`, each half the size, averaged with weights of solid angle. The last has
 // size 1.
 std::vector<CubeMap> cube_mips(const CubeMap& base);
 

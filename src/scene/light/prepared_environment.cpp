@@ -12,12 +12,13 @@
 namespace burnish {
 namespace {
 
-// Irradiance is smooth but where a sun sets: 32 texels a face hold even that to 2 % of its peak.
+// Texels along an edge of a face. Irradiance is smooth except at a sun's terminator: 32 texels keep
+// the error there below 2 % of the peak.
 constexpr int kIrradianceSize = 32;
-// The size of the cube that irradiance is summed over: a finer one moves light by less than its
-// texels' 3 degrees.
+// Largest edge, in texels, of the cube that irradiance is summed over. A finer cube would move
+// light by less than the 3 degrees of a texel.
 constexpr int kIrradianceSource = 32;
-// The largest stored value. Below 65504, so that filters between texels cannot overflow.
+// The largest stored value. It is below 65504 so that filters between texels cannot overflow.
 constexpr float kLargestStored = 60000.0f;
 
 float highest(const CubeMap& cube) {

@@ -1,4 +1,4 @@
-// An environment with the maps that a renderer draws from, as its device stores them.
+// An environment with its maps for rendering, in the format of the device.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ struct PreparedEnvironment {
     Environment environment;
     std::vector<HalfCube> radiance;  // cube_from_latlong and its mips, the last of size 1
     HalfCube irradiance;             // cube_irradiance
-    // Stored values times this are radiance and irradiance: half floats end at 65504, a sun may not.
+    // Radiance and irradiance are the stored values times this: half floats end at 65504, a sun's
+    // radiance may be larger.
     float scale = 1.0f;
 };
 

@@ -24,7 +24,7 @@ double luminance(const glm::dvec3& c) {
     return f64::luminance(f64::vec3(c));
 }
 
-// Sums of the weights before each entry; one more entry than there are weights.
+// Cumulative sums of the weights: entry i sums the weights before i, and the last entry sums all.
 std::vector<double> sums_of(const std::vector<double>& weights) {
     std::vector<double> sums(1, 0.0);
     sums.reserve(weights.size() + 1);
@@ -34,7 +34,7 @@ std::vector<double> sums_of(const std::vector<double>& weights) {
 
 struct Place {
     int index;
-    double within;  // [0, 1) of the entry
+    double within;  // position in the entry, [0, 1)
 };
 
 Place pick(const std::vector<double>& sums, double u) {
@@ -45,7 +45,7 @@ Place pick(const std::vector<double>& sums, double u) {
     return {static_cast<int>(i), width > 0 ? std::min((wanted - sums[i]) / width, 1.0) : 0.5};
 }
 
-// The bits of i mirrored about the point: van der Corput's sequence.
+// The bits of i mirrored about the binary point: van der Corput's sequence.
 double mirrored_bits(std::uint32_t i) {
     double value = 0, digit = 0.5;
     for (; i != 0; i >>= 1, digit *= 0.5) value += (i & 1U) != 0 ? digit : 0.0;
@@ -56,15 +56,16 @@ double mirrored_bits(std::uint32_t i) {
 
 std::vector<SkyLight> sky_lights(const Environment& environment, int count) {
     const Image& map = environment.radiance;
-    const int rows = (map.height + 1) / 2;  // an odd height's middle row reaches below: cut there
+    // the middle row of an odd height straddles the horizon: cut there
+    const int rows = (map.height + 1) / 2;
     const double step = std::numbers::pi / map.height;
-    // Int L cos dw of a texel: its columns' width times Int cos sin dtheta of its row.
+    // Int L cos dw of a texel: the width of its column times Int cos sin dtheta of its row.
     const auto row_weight = [&](int y) {
         const double end = std::min((y + 1) * step, std::numbers::pi / 2);
         const double a = std::sin(y * step), b = std::sin(end);
         return 0.5 * (b * b - a * a) * 2 * std::numbers::pi / map.width;
     };
-    std::vector<std::vector<double>> columns;  // sums along every row
+    std::vector<std::vector<double>> columns;  // cumulative sums along every row
     std::vector<double> row_totals;
     for (int y = 0; y < rows; ++y) {
         std::vector<double> weights;

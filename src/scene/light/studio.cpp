@@ -24,7 +24,7 @@ float smooth_step(float low, float high, float x) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-// A box made ready: the plane at distance 1 that it lies in.
+// A box prepared for evaluation: the plane at distance 1 that contains it.
 struct PlacedBox {
     glm::vec3 center, right, up;
     float half_width, half_height, corner, fade, rim;
@@ -34,7 +34,7 @@ struct PlacedBox {
 PlacedBox placed(const SoftBox& box, float texel) {
     PlacedBox out{};
     out.center = glm::normalize(box.towards);
-    // Any axis but the line of sight will do to start from.
+    // Any axis but the line of sight serves as a start.
     const glm::vec3 axis =
         std::abs(out.center.y) < 0.999f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -1);
     const glm::vec3 right = glm::normalize(glm::cross(out.center, axis));
@@ -63,13 +63,13 @@ glm::vec3 radiance_of(const PlacedBox& box, const glm::vec3& direction) {
                            std::min(std::max(dx, dy), 0.0f) - box.corner;
     const float covered = 1.0f - smooth_step(-0.5f * box.fade, 0.5f * box.fade, distance);
     if (covered <= 0.0f) return glm::vec3(0.0f);
-    // The lamp behind the cloth: brightest in the middle.
+    // The lamp behind the diffuser is brightest in the middle.
     const float px = std::min(x / box.half_width, 1.0f), py = std::min(y / box.half_height, 1.0f);
     const float falloff = (1.0f - px * px) * (1.0f - py * py);
     return box.radiance * (covered * (box.rim + (1.0f - box.rim) * falloff));
 }
 
-// A dark room: cool ceiling, a horizon that glows a little behind the model, neutral floor.
+// A dark room: cool ceiling, a faint horizon behind the model, neutral floor.
 glm::vec3 room_radiance(const glm::vec3& d) {
     const float up = smooth_step(-0.16f, 0.14f, d.y);
     const glm::vec3 floor =
@@ -80,9 +80,9 @@ glm::vec3 room_radiance(const glm::vec3& d) {
     return floor * (1.0f - up) + wall * up;
 }
 
-// The set. The camera's home is at azimuth 30 degrees, right of +z. Key: large, high on the left,
-// for the broad highlight; strips: tall and narrow on both sides, for the streaks across brushed
-// grain; fill: wide and dim; rims: behind, to draw the outline; top: long overhead bank.
+// The set. The default camera is at azimuth 30 degrees, right of +z. Key: large, high on the left,
+// for the broad highlight. Strips: tall and narrow on both sides, for the streaks across brushed
+// grain. Fill: wide and dim. Rims: behind, for the outline. Top: a long overhead bank.
 const std::array<SoftBox, 7>& boxes() {
     static const std::array<SoftBox, 7> set = {{
         {{-0.62f, 0.62f, 0.75f}, 36.0f, 31.0f, 8.0f, 0.15f, 0.18f, {7.2f, 6.9f, 6.4f}, 0.55f},

@@ -90,7 +90,7 @@ f32::Lobe lobe_of(const Material& material) {
 glm::vec2 alpha_of(const Material& m) {
     if (const auto alpha = stated_alpha(m)) return glm::max(*alpha, glm::vec2(f32::kLowestAlpha));
     const GltfLobe* gltf = gltf_lobe_of(m);
-    const GltfLobe lobe = gltf ? *gltf : GltfLobe{};  // of a tabulated one nothing is read
+    const GltfLobe lobe = gltf ? *gltf : GltfLobe{};  // unused for tabulated materials
     const f32::vec2 alpha = f32::alpha_of_roughness(lobe.roughness, lobe.anisotropy_strength);
     return {alpha.x, alpha.y};
 }

@@ -12,8 +12,8 @@
 namespace burnish {
 namespace {
 
-// Parts of a cell along u and phi for integrals of the table as it is read: fewer where cells are
-// small. Odd along phi, so that they lie symmetrically about the columns.
+// Subdivisions of a cell along u and phi for integrals of the interpolated table: fewer where cells
+// are small. The number along phi is odd, so that parts lie symmetrically about the columns.
 int parts_along_u(const NdfGrid& grid) {
     return std::clamp(256 / grid.rings, 1, 4);
 }
@@ -21,14 +21,14 @@ int parts_along_phi(const NdfGrid& grid) {
     return grid.azimuths < 256 ? 3 : 1;
 }
 
-// A table is large where its lobe is, and there g is not small.
+// The least g, which BRDFs divide by. g is not small where the table is large.
 constexpr float kLeastArea = 1e-6F;
 
 double theta_of_u(double u) {
     return u * u * (kPi / 2);
 }
 
-// Two neighbours on a circle of `count` columns and how far the second weighs.
+// Two neighboring columns on a circle of `count` columns, and the weight of the second.
 struct Columns {
     int left, right;
     float t;
@@ -42,7 +42,7 @@ Columns columns_at(int count, float phi) {
     return {left, left + 1 == count ? 0 : left + 1, place - static_cast<float>(left)};
 }
 
-// `row` in rows, between 0 and rows - 1.
+// The interpolated value; `row` is a row coordinate in [0, rows - 1].
 float bilinear(const NdfGrid& grid, const float* table, float row, float phi) {
     const int low = std::min(static_cast<int>(row), std::max(grid.rings - 2, 0));
     const int high = std::min(low + 1, grid.rings - 1);
@@ -55,12 +55,12 @@ float bilinear(const NdfGrid& grid, const float* table, float row, float phi) {
     return at(low) + (at(high) - at(low)) * t;
 }
 
-// A part of a cell: its middle as a direction, and D times its solid angle.
+// A part of a cell: its center direction, and D times its solid angle.
 struct Part {
     double x, y, z, amount;
 };
 
-// One ring of parts: u from u0 to u1.
+// Passes the parts of one ring, from u0 to u1, to `take`.
 template <typename Take>
 void take_ring(const NdfGrid& grid, const float* table, double u0, double u1, const Take& take) {
     const double t0 = theta_of_u(u0), t1 = theta_of_u(u1), middle = (t0 + t1) / 2;

@@ -78,7 +78,7 @@ std::optional<SurfacePoint::Sample> SurfacePoint::sample(
     const double cosine = f64::dot(p.n, wi);
     if (!(out.pdf > 0.0) || !(cosine > 0.0)) return std::nullopt;
     out.weight = of(f64::surface_eval(material_, p, wi, wo) * (cosine / out.pdf));
-    // Back to the tangent's axes: the rotation the other way.
+    // Back to the axes of the tangent, by the inverse rotation.
     out.to_light = of(f64::seen_from_rotated(wi, f64::vec2(stretch_.x, -stretch_.y)));
     return out;
 }

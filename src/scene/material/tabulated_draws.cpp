@@ -10,11 +10,11 @@
 namespace burnish {
 namespace {
 
-// Of all draws, evenly over the projected hemisphere: weights stay bounded where the table is 0 and
-// a method reads it elsewhere.
+// Fraction of the draws that is uniform over the projected hemisphere. It bounds the weights where
+// the table is 0 and a method evaluates it at another direction.
 constexpr double kEven = 0.02;
 
-// The mean over a cell and its neighbours.
+// The mean over a cell and its eight neighbors.
 double blurred(const NdfGrid& grid, const float* table, int ring, int column) {
     double sum = 0;
     for (int y = -1; y <= 1; ++y) {
@@ -34,7 +34,7 @@ TabulatedDraws tabulated_draws(const NdfGrid& grid, const float* table) {
     double total = 0;
     std::vector<double> rings, weights;
     for (int r = 0; r < grid.rings; ++r) {
-        // Of the cell's middle: within the cell draws are even.
+        // The cosine at the cell's center, because draws are uniform within a cell.
         const double cosine = std::max(std::cos(static_cast<double>(grid.theta(r))), 1e-4);
         const double angle = grid.solid_angle(r);
         double ring = 0;

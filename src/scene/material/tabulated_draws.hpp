@@ -7,12 +7,13 @@
 
 namespace burnish {
 
-// How half vectors of one table are drawn: evenly within cells, of which each is drawn as often as
-// its light weighs, and its neighbours' (values are read between cells), and a little besides.
+// How half vectors of one table are drawn. A cell is drawn in proportion to the mean of D over it
+// and its neighbors (values are interpolated between cells) times the cosine, plus a small uniform
+// part. Draws are uniform within a cell.
 struct TabulatedDraws {
-    std::vector<float> cells;    // per cell: share of its ring so far
-    std::vector<float> density;  // per cell: of draws, per steradian
-    std::vector<float> rings;    // share so far, ends at 1
+    std::vector<float> cells;    // per cell: cumulative share of its ring
+    std::vector<float> density;  // per cell: density of draws, per steradian
+    std::vector<float> rings;    // per ring: cumulative share, ends at 1
 };
 TabulatedDraws tabulated_draws(const NdfGrid& grid, const float* table);
 

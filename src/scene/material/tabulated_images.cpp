@@ -17,7 +17,8 @@ int rows_of_areas(const NdfGrid& grid) {
     return kAreaGrid.rings + (grid.rings + kAreaGrid.azimuths - 1) / kAreaGrid.azimuths;
 }
 
-// About square blocks of tables, within what the device takes.
+// Number of columns for a nearly square arrangement of blocks, within the largest side of the
+// device.
 int columns_for(const TabulatedMaterial& m, int side) {
     const int widest = std::max(m.grid.azimuths, kAreaGrid.azimuths);
     const int highest = std::max(m.grid.rings, rows_of_areas(m.grid));
@@ -86,7 +87,7 @@ std::vector<std::uint32_t> colors_of(const TabulatedMaterial& m) {
     return words;
 }
 
-// Each value with those that it is mixed with: of the next column, of the next ring, and of both.
+// Stores each value with the three that it is interpolated with: next column, next ring, and both.
 void put_fours(TableBlocks& blocks, int exemplar, const NdfGrid& grid, const float* table) {
     for (int r = 0; r < grid.rings; ++r) {
         const float* low = table + r * grid.azimuths;

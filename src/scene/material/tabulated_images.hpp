@@ -3,19 +3,19 @@
 // columns) of three pictures:
 //
 //   tables  azimuths x rings: D of the cell, of the next azimuth, of the next ring, and of both
-//   draws   azimuths x rings: share of the ring's draws up to and with the cell, density of the cell's
-//           draws
-//   areas   kAreaGrid: g - z, four values as in the tables; below them the share of draws up to and
-//           with each ring, kAreaGrid.azimuths a row
+//   draws   azimuths x rings: cumulative share of the ring's draws including the cell, density of
+//          draws of the cell
+//  areas   kAreaGrid: g - z, four values as in the tables; below them the cumulative share of
+//          draws including each ring, kAreaGrid.azimuths a row
 //
-// and every texel of the material has, in words of 16 bits,
+// Every texel of the material has, in words of 16 bits,
 //
-//   texels  exemplar, angle of its groove (2 pi / 65536); x, y of the normal; cosine and sine of the
-//           angle; cosine and sine of angle and groove together
+//   texels  exemplar, angle of its groove (2 pi / 65536); x, y of the normal; cosine and sine of
+//          the angle; cosine and sine of angle and groove together
 //   colors  diffuse and specular, as half floats
 //
-// One fetch of four values serves an interpolation between four cells: software renderers pay by
-// the fetch. All functions are pure; thread-safe.
+// One fetch of four values serves an interpolation between four cells, because the cost of software
+// renderers is per fetch. All functions are pure; thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@
 
 namespace burnish {
 
-// A picture made of one block an exemplar.
+// A picture of one block per exemplar.
 struct TableBlocks {
     int columns = 1, width = 0, height = 0;  // blocks a row; texels of a block
     int values = 0;                          // floats a texel
@@ -48,7 +48,7 @@ struct TabulatedImages {
 // Throws Error when a picture would be more than `largest_side` texels wide or high.
 TabulatedImages tabulated_images(const TabulatedMaterial& material, int largest_side);
 
-// What sampling an environment reads besides: `draws`, in `columns` blocks a row.
+// The picture `draws`, which only sampling an environment reads, in `columns` blocks a row.
 TableBlocks tabulated_draw_blocks(const TabulatedMaterial& material, int columns);
 
 }  // namespace burnish

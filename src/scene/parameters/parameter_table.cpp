@@ -25,13 +25,13 @@ namespace {
 using Kind = ParameterKind;
 using Group = ParameterGroup;
 
-// Positions and distances: at a thousand kilometers float coordinates are 6 cm apart, which is
-// enough for any scene that can still be drawn.
+// Largest position or distance, in meters. At a thousand kilometers float coordinates are 6 cm
+// apart, which is enough for any scene that can be drawn.
 constexpr double kFar = 1e6;
 constexpr double kMaxSeed = 2147483647.0;
 
-// The decimal number that a float default of a struct stands for: 0.7, not 0.699999988. Six digits
-// are those that every float keeps.
+// The decimal number that a float default of a struct stands for: 0.7, not 0.699999988. Every float
+// keeps six digits.
 double decimal(float value) {
     const std::string digits = fmt::format("{:.6g}", value);
     double number = 0.0;
@@ -44,7 +44,7 @@ ParameterChoice choice_of(Enumeration value) {
     return {static_cast<int>(value)};
 }
 
-// "none", then the conductors.
+// The names "none" and those of the conductors.
 std::span<const std::string_view> metals() {
     static const std::vector<std::string_view> names = [] {
         std::vector<std::string_view> all{"none"};
@@ -54,7 +54,7 @@ std::span<const std::string_view> metals() {
     return names;
 }
 
-// The table while it is written: one call a parameter, in the order of help texts.
+// Builds the table: one call per parameter, in the order of help texts.
 struct Table {
     using Text = std::string_view;
     using Default = std::optional<ParameterValue>;

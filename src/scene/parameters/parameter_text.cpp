@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ParameterKind;
 
-// The whole of `text` as one finite number; a leading '+' is welcome, blanks are not.
+// The whole of `text` as one finite number. A leading '+' is allowed, blanks are not.
 std::optional<double> parse_real(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0.0;
@@ -52,7 +52,7 @@ std::optional<glm::vec3> parse_triple(std::string_view text) {
     return value;
 }
 
-// "#rrggbb" is what pickers and web pages show: sRGB, decoded here once.
+// "#rrggbb", as color pickers and web pages show it, is sRGB; it is decoded here only.
 std::optional<glm::vec3> parse_color(std::string_view text) {
     if (!text.starts_with('#')) return parse_triple(text);
     std::uint32_t code = 0;
@@ -65,7 +65,7 @@ std::optional<glm::vec3> parse_color(std::string_view text) {
     return glm::vec3(channel(16), channel(8), channel(0));
 }
 
-// A value as a variant, where there is one.
+// Wraps an optional value in an optional variant.
 template <typename Value>
 std::optional<ParameterValue> any_of(const std::optional<Value>& value) {
     if (!value) return std::nullopt;
@@ -76,7 +76,7 @@ bool in_range(const Parameter& p, double value) {
     return std::isfinite(value) && value >= p.low && value <= p.high;
 }
 
-// The alternative of ParameterValue that a kind takes.
+// The index of the alternative of ParameterValue that a kind takes.
 std::size_t index_of(Kind kind) {
     switch (kind) {
         case Kind::real:
@@ -96,7 +96,7 @@ std::size_t index_of(Kind kind) {
     return std::variant_npos;
 }
 
-// By the type of a value: whether the parameter takes it.
+// Visitor by the type of a value: whether the parameter accepts it.
 struct Validity {
     const Parameter& p;
     bool operator()(double value) const { return in_range(p, value); }
@@ -114,7 +114,7 @@ struct Validity {
     }
 };
 
-// By the type of a value: its text. Numbers have the fewest digits that give them back.
+// Visitor by the type of a value: its text. Numbers have the fewest digits that round-trip.
 struct Wording {
     std::span<const std::string_view> choices;
     std::string operator()(double value) const { return fmt::format("{}", value); }

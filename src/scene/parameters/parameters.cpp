@@ -27,8 +27,8 @@ namespace {
 
 using Kind = ParameterKind;
 
-// The start of an error line: `where` itself when it already ends in the parameter's name (a flag,
-// a key path of a scene file), else `where` and the name, else the flag.
+// The start of an error line. It is `where` when that already ends in the parameter's name (a flag,
+// a key path of a scene file); `where` and the name otherwise; the flag when `where` is empty.
 std::string place_of(std::string_view name, std::string_view where) {
     std::string flag = flag_of(name);
     if (where.empty()) return flag;
@@ -37,7 +37,7 @@ std::string place_of(std::string_view name, std::string_view where) {
     return fmt::format("{}: {}", where, name);
 }
 
-// What may have been meant, in brackets.
+// A suggestion for a misspelt choice, in brackets; empty without one.
 std::string hint_for(const Parameter& p, std::string_view text) {
     const std::string_view instead = p.name == "brdf" ? instead_of_undrawn(text) : "";
     if (!instead.empty()) return fmt::format(" ({})", instead);
@@ -54,7 +54,7 @@ Names with_its_own(std::string_view name) {
     return names;
 }
 
-// Ways of saying the same thing: the later one replaces the earlier one with all its names.
+// Groups of parameters that exclude each other: setting one group unsets the others.
 const std::vector<std::vector<Names>>& alternatives() {
     static const Names scratch = with_its_own("scratch"), weave = with_its_own("weave");
     static const std::vector<std::vector<Names>> all = {
