@@ -1,4 +1,4 @@
-// Albedo tables on the device, which hold the energy of --image-light prefiltered.
+// Albedo tables on the device, which --image-light prefiltered needs to conserve energy.
 #pragma once
 
 #include <map>
@@ -8,14 +8,14 @@
 
 namespace burnish::gpu {
 
-// One texture a model and distribution. Part of a context (context.hpp): a table serves all
+// One texture per model and distribution. Part of a context (context.hpp): a table serves all
 // renderers.
 class AlbedoTables {
   public:
-    // Makes the table unless it is there: 6.3 million samples of the model.
+    // Makes the table if it is missing, from 6.3 million samples of the model.
     void require(Brdf brdf, Mdf mdf);
     bool has(Brdf brdf, Mdf mdf) const;
-    // Binds a table that was required to kAlbedoUnit.
+    // Binds a table that was required before to kAlbedoUnit.
     void bind(Brdf brdf, Mdf mdf) const;
 
   private:

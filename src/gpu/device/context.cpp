@@ -60,8 +60,8 @@ DeviceInfo describe_device(EGLDeviceEXT device, int index) {
     return info;
 }
 
-// A display is shared by all contexts of its device, and eglTerminate ends it for all of them: it
-// is initialised by the first and terminated by the last.
+// A display is shared by all contexts of its device, and eglTerminate ends it for all of them. The
+// first context initializes it and the last terminates it.
 class SharedDisplay {
   public:
     explicit SharedDisplay(EGLDisplay display) : display_(display) {
@@ -168,7 +168,7 @@ EGLDisplay open_display(const Candidate& candidate) {
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
 }
 
-// In the order in which they are to be tried.
+// Candidate displays, in the order in which they are tried.
 std::vector<Candidate> candidates(int wanted) {
     const std::vector<EGLDeviceEXT> devices = egl_devices();
     const std::vector<DeviceInfo> infos = list_devices();
@@ -196,8 +196,8 @@ std::vector<Candidate> candidates(int wanted) {
     return list;
 }
 
-// The context that is current on this thread, whoever made it; null: none. GLX is asked where the
-// host has loaded it, so that we need neither X11 nor its library.
+// The context that is current on this thread, whoever made it; null: none. GLX is queried only
+// where the host has loaded it, so that neither X11 nor its library is needed.
 void* current_context() {
     if (EGLContext context = eglGetCurrentContext(); context != EGL_NO_CONTEXT) return context;
     void* library = dlopen("libGL.so.1", RTLD_LAZY | RTLD_NOLOAD);
@@ -209,7 +209,7 @@ void* current_context() {
     return context;
 }
 
-// What is current on this thread as EGL has it.
+// The context that is current on this thread, as EGL knows it.
 class CurrentContext {
   public:
     EGLContext context() const { return context_; }
@@ -287,7 +287,7 @@ Context::~Context() {
     const CurrentContext before;
     try {
         make_current();
-    } catch (const Error&) {  // the context is lost, and everything in it with it
+    } catch (const Error&) {  // the context is lost, with everything in it
     }
     albedos_.reset();
     programs_.reset();

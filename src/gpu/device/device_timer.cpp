@@ -19,7 +19,7 @@ DeviceTimer::DeviceTimer(const Context& context) : disjoint_(context.is_es()) {
     } else {
         glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
     }
-    if (bits == 0) return;  // allowed by the specification: the query exists and counts nothing
+    if (bits == 0) return;  // allowed by the specification: the query exists but counts nothing
     if (disjoint_) {
         glGenQueriesEXT(1, &query_);
     } else {
@@ -39,7 +39,7 @@ DeviceTimer::~DeviceTimer() {
 void DeviceTimer::begin() const {
     if (query_ == 0) return;
     if (disjoint_) {
-        GLint forgotten = 0;  // reading it clears what was disturbed before
+        GLint forgotten = 0;  // reading it clears earlier disjoint events
         glGetIntegerv(GL_GPU_DISJOINT_EXT, &forgotten);
         glBeginQueryEXT(GL_TIME_ELAPSED_EXT, query_);
     } else {

@@ -1,7 +1,7 @@
-// Device time of OpenGL commands: GL_TIME_ELAPSED, on ES that of GL_EXT_disjoint_timer_query.
+// Device time of OpenGL commands: GL_TIME_ELAPSED, and GL_EXT_disjoint_timer_query on ES.
 //
-// What a driver answers is not always true: llvmpipe offers 64 bits of nanoseconds and counts
-// almost nothing. Whoever reports the numbers checks them first (app/timer_check.hpp).
+// The answer of a driver may be wrong: llvmpipe offers 64 bits of nanoseconds and counts almost
+// nothing. Callers that report the numbers check them first (app/timer_check.hpp).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace burnish::gpu {
 
-// The context must be current, and no other query of elapsed time under way.
+// The context must be current, and no other query of elapsed time may be active.
 class DeviceTimer {
   public:
     explicit DeviceTimer(const Context& context);
@@ -20,15 +20,15 @@ class DeviceTimer {
     DeviceTimer& operator=(const DeviceTimer&) = delete;
 
     bool available() const { return query_ != 0; }
-    void begin() const;  // nothing where there is none
+    void begin() const;  // does nothing where there is no query
     void end() const;
 
-    // Between `begin` and `end`, seconds; waits for the device. Empty where there is no query, or
-    // where the device says that something has disturbed it.
+    // Seconds between `begin` and `end`; waits for the device. Empty where there is no query, or
+    // where the device reports a disjoint event.
     std::optional<double> seconds() const;
 
   private:
-    bool disjoint_ = false;  // the functions of the ES extension
+    bool disjoint_ = false;  // use the functions of the ES extension
     GLuint query_ = 0;
 };
 

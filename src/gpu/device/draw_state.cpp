@@ -11,7 +11,7 @@ void set_enabled(GLenum what, bool on) {
     }
 }
 
-// On ES the last two do not exist: cube maps are seamless, and framebuffers decide on encoding.
+// ES lacks the last two: its cube maps are seamless, and its framebuffers decide on encoding.
 constexpr std::array<GLenum, 7> kSwitches = {
     GL_BLEND,     GL_DEPTH_TEST,          GL_STENCIL_TEST,    GL_SCISSOR_TEST,
     GL_CULL_FACE, GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB};

@@ -1,5 +1,5 @@
-// The raster state of a draw, set as a whole, so that no draw depends on what was drawn before it;
-// and the state of a host program, given back to it.
+// The raster state of a draw, set as a whole, so that no draw depends on the draws before it. Saves
+// and restores the state of a host program.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ enum class Blend {
 };
 
 struct Stencil {
-    bool write = false;  // true: write `value`; false: draw where `value` stands
+    bool write = false;  // true: write `value`; false: draw where the stencil equals `value`
     int value = 0;
 };
 
@@ -30,7 +30,7 @@ struct DrawState {
     bool depth_test = true;
     bool depth_write = true;
     GLenum depth_function = GL_LEQUAL;
-    bool depth_offset = false;  // of shadow maps
+    bool depth_offset = false;  // for shadow maps
     Blend blend = Blend::none;
     bool cull = false;  // back faces
     bool mirrored = false;
@@ -39,12 +39,12 @@ struct DrawState {
 };
 
 void apply(const DrawState& state);
-// What differs between the items of one pass.
+// Sets the state that differs between the items of one pass.
 void apply_culling(bool cull, bool mirrored);
 
-// Saves the state of the host of an adopted context and sets what the renderer takes for granted;
-// gives the state back at its end. Does nothing in a context of our own. The state is what
-// Context::adopt_current names.
+// Saves the state of the host of an adopted context and sets the state that the renderer assumes;
+// its destructor restores the host's state. Does nothing in a context of our own. The state is
+// listed at Context::adopt_current.
 class HostState {
   public:
     explicit HostState(const Context& context);
@@ -73,7 +73,7 @@ class HostState {
     GLint active_texture_ = GL_TEXTURE0, pack_ = 4, unpack_ = 4, unpack_row_ = 0;
 };
 
-// Units that the renderer binds: their sampler objects are taken off at the end of a call.
+// Texture units that the renderer binds; their sampler objects are unbound at the end of a call.
 inline constexpr GLuint kUsedUnits = 26;
 
 }  // namespace burnish::gpu

@@ -1,5 +1,5 @@
-// The one place that includes the functions of OpenGL. epoxy finds each function in the context
-// that is current when it is first called: nothing has to be loaded.
+// The only header that includes the functions of OpenGL. epoxy looks up each function in the
+// current context at its first call, so nothing has to be loaded.
 #pragma once
 
 #include <epoxy/gl.h>

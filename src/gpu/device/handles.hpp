@@ -1,5 +1,5 @@
-// Owners of OpenGL names: made on construction, freed on destruction, moved but never copied. The
-// context they were made in must be current.
+// Owners of OpenGL names: created on construction, deleted on destruction, movable but not
+// copyable. The context that created them must be current.
 #pragma once
 
 #include <utility>
@@ -55,7 +55,7 @@ using GlTexture = Handle<TextureKind>;
 using Sampler = Handle<SamplerKind>;
 using Framebuffer = Handle<FramebufferKind>;
 
-// Throws Error with the name of what was being done when OpenGL has an error pending.
+// Throws Error when OpenGL has an error pending; `doing` names the operation.
 void check_gl(const char* doing);
 
 }  // namespace burnish::gpu

@@ -11,7 +11,7 @@
 namespace burnish::gpu {
 namespace {
 
-// The first line of a log that speaks of an error; else the first.
+// The first line of a log that contains "error"; the first line otherwise.
 std::string first_error(const std::string& log) {
     std::size_t from = log.find("error");
     if (from == std::string::npos) from = 0;
@@ -19,8 +19,8 @@ std::string first_error(const std::string& log) {
     return log.substr(from, log.find('\n', from) - from);
 }
 
-// Compilers begin a message with the number that #line gave the file: "7:12(3): error ...",
-// "7(12) : error ...".
+// Replaces the file number of #line, with which compilers begin a message ("7:12(3): error ...",
+// "7(12) : error ..."), by the file's name.
 std::string with_file(const ShaderStage& stage, const std::string& message) {
     const std::size_t digit = message.find_first_of("0123456789");
     if (digit == std::string::npos) return message;

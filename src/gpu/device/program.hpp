@@ -19,7 +19,7 @@
 
 namespace burnish::gpu {
 
-// Uniforms that are set together and stay in a program until another version of them is set.
+// Uniforms that are set together and stay in a program until another version of the group is set.
 enum class UniformGroup { frame, material };
 
 class Program {
@@ -30,20 +30,22 @@ class Program {
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    // Sends the stages to the compiler without waiting for it; finish() before anything else.
+    // Sends the stages to the compiler without waiting for it. Call finish() before any other
+    // function.
     static std::unique_ptr<Program> start(const ShaderStage& vertex, const ShaderStage& fragment);
     bool is_finished() const { return unfinished_ == nullptr; }
-    // Whether finish() would not wait; asks KHR_parallel_shader_compile, which must be there.
+    // Whether finish() would return without waiting. Requires KHR_parallel_shader_compile.
     bool is_compiled() const;
     void finish();  // throws as the constructor
 
     void use() const { glUseProgram(program_); }
 
-    // True when `version` of the group is not the one in the program, and records it: the caller
-    // sets the uniforms of the group. Versions are never 0 and differ between renderers.
+    // Returns true when the program does not hold `version` of the group, and records that version.
+    // The caller then sets the uniforms of the group. Versions are never 0 and differ between
+    // renderers.
     bool take(UniformGroup group, std::uint64_t version);
 
-    // Set on the program in use; a uniform that the compiler has removed is passed over.
+    // Sets a uniform of the program in use; uniforms that the compiler has removed are ignored.
     void set(const char* name, int value);
     void set(const char* name, unsigned value);
     void set(const char* name, float value);
@@ -60,7 +62,7 @@ class Program {
     void set(const char* name, std::span<const glm::mat4> values);
 
   private:
-    struct Stages;  // of a program that is not finished, for its messages
+    struct Stages;  // stages of a program that is not finished, for error messages
     Program();
     void send(const ShaderStage& vertex, const ShaderStage& fragment);
     GLint location(const char* name);
@@ -74,20 +76,21 @@ class Program {
 // A number that no other version has had in this process.
 std::uint64_t new_uniform_version();
 
-// Programs by stages and defines, each compiled once; they live as long as the cache. Part of a
+// Programs by stages and defines, each compiled once. They live as long as the cache. Part of a
 // context (context.hpp).
 class ProgramCache {
   public:
     // `parallel`: the device has KHR_parallel_shader_compile.
     ProgramCache(ShaderDialect dialect, bool parallel) : dialect_(dialect), parallel_(parallel) {}
 
-    // Stages: names below shaders/. Compiled when it is not there; Error when it does not compile.
+    // Stages: names below shaders/. Compiles the program if it is missing. Throws Error when it
+    // does not compile.
     Program& get(std::string_view vertex, std::string_view fragment, const std::string& defines);
-    // The same without waiting for the compiler: finish() it before it is used.
+    // As get, without waiting for the compiler: call finish() before use.
     Program& start(std::string_view vertex, std::string_view fragment, const std::string& defines);
 
     bool parallel() const { return parallel_; }
-    std::size_t size() const { return programs_.size(); }  // how many were compiled
+    std::size_t size() const { return programs_.size(); }  // number of programs compiled
 
   private:
     ShaderDialect dialect_;

@@ -28,8 +28,8 @@ std::string text_of(std::string_view name) {
     throw Error(name, "", "a shader text of this name", "none");
 }
 
-// Appends `text` line by line, includes expanded once each, with #line so that messages of the
-// compiler lead back to the file.
+// Appends `text` line by line and expands each include once. #line directives lead messages of the
+// compiler back to the file.
 void append_expanded(ShaderStage& stage, std::string_view name, std::string_view text) {
     const std::size_t number = stage.files.size();
     stage.files.emplace_back(name);

@@ -20,20 +20,20 @@ struct ShaderText {
     std::string_view text;
 };
 
-std::span<const ShaderText> shader_texts();   // all that are embedded
+std::span<const ShaderText> shader_texts();   // all embedded texts
 std::span<const ShaderText> shading_texts();  // the prelude and shading/, in order
 
 enum class ShaderDialect { gl330, es300 };
 
 struct ShaderStage {
     std::string text;
-    std::vector<std::string> files;  // number n of the compiler's messages is files[n]
+    std::vector<std::string> files;  // by number in the compiler's messages
 };
 
 // `defines`: whole lines. Throws Error for a file that does not exist.
 ShaderStage assemble_stage(ShaderDialect dialect, std::string_view defines, std::string_view name);
 
-// The same for a stage that is no file of ours (tests).
+// As assemble_stage, for a stage that is not a file of shaders/ (tests).
 ShaderStage assemble_text(ShaderDialect dialect, std::string_view defines, std::string_view name,
                           std::string_view text);
 

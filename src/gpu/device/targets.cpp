@@ -95,7 +95,8 @@ void Targets::bind_gbuffer(bool with_position, bool with_shape) {
     if (with_position) add_to_gbuffer(gbuffer_->position, GL_COLOR_ATTACHMENT1);
     if (with_shape) add_to_gbuffer(gbuffer_->shape, GL_COLOR_ATTACHMENT2);
     glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
-    // Only what is asked for now: an image that is attached and not written costs time too.
+    // Only the images that this frame needs: an attached image costs time even if it is not
+    // written.
     const GLenum outputs[] = {GL_COLOR_ATTACHMENT0,
                               static_cast<GLenum>(with_position ? GL_COLOR_ATTACHMENT1 : GL_NONE),
                               static_cast<GLenum>(with_shape ? GL_COLOR_ATTACHMENT2 : GL_NONE)};

@@ -1,5 +1,5 @@
-// What is drawn into: the frame in progress with its depth, the triangle seen at each pixel, and
-// the sum of frames.
+// Render targets: the frame in progress with its depth, the triangle seen at each pixel, and the
+// sum of frames.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace burnish::gpu {
 
-// A renderable float format was found: RGBA32F, or RGBA16F on a device that has no other. Throws
-// Error on one that has neither.
+// The renderable float format of the device: RGBA32F, or RGBA16F where that is the only one. Throws
+// Error on a device with neither.
 struct ColorFormat {
     GLenum internal;
     GLenum type;
@@ -27,15 +27,14 @@ class Targets {
     int height() const { return height_; }
 
     void bind_frame() const;  // color, depth and stencil
-    // The images of gbuffer.frag with the same depth and stencil; made when first asked for.
+    // The images of gbuffer.frag with the same depth and stencil; created at the first call.
     void bind_gbuffer(bool with_position, bool with_shape);
     void bind_gbuffer_textures(Program& program) const;
 
     void clear_sum();
-    // Adds the frame to the sum; `program` is accumulate.frag's. A viewport must be set.
+    // Adds the frame to the sum. `program` is that of accumulate.frag. A viewport must be set.
     void accumulate(Program& program, GLuint empty_vertex_array);
-    // Draws the sum by `program`, display.frag's, over the viewport of the framebuffer that is
-    // bound.
+    // Draws the sum by `program`, that of display.frag, over the viewport of the bound framebuffer.
     void show_sum(Program& program, GLuint empty_vertex_array) const;
     // RGBA of the lower left width x height pixels, bottom row first.
     std::vector<float> read_sum(int width, int height) const;

@@ -1,4 +1,4 @@
-// Which texture unit holds what, so that binding one thing never disturbs another.
+// The texture unit of each texture, so that binding one never disturbs another.
 #pragma once
 
 #include "gpu/device/gl.hpp"
@@ -17,14 +17,14 @@ inline constexpr GLuint kLatestUnit = 11;
 inline constexpr GLuint kLobeUnit = 12;
 inline constexpr GLuint kAlbedoUnit = 13;
 inline constexpr GLuint kShadowUnit = 14;
-inline constexpr GLuint kScratchUnit = 15;  // uploads
-// Cloth. Units may be more than the 16 samplers that a program may have, which none does.
+inline constexpr GLuint kScratchUnit = 15;  // for uploads
+// Cloth. The unit numbers exceed 15, but no program has more than the 16 samplers it may have.
 inline constexpr GLuint kWeaveCellsUnit = 16;
 inline constexpr GLuint kWeaveWeftUnit = 17;
 inline constexpr GLuint kWeaveWarpUnit = 18;
 inline constexpr GLuint kWeaveLobesUnit = 19;
 // Tabulated materials.
-inline constexpr GLuint kTabulatedUnits = 20;  // and the four behind it
-inline constexpr GLuint kShapeUnit = 25;       // likewise an image of gbuffer.frag
+inline constexpr GLuint kTabulatedUnits = 20;  // and the next four
+inline constexpr GLuint kShapeUnit = 25;       // also an image of gbuffer.frag
 
 }  // namespace burnish::gpu

@@ -1,5 +1,5 @@
-// Build step: writes the assembled stages, in both dialects and in the variants that differ in
-// kind, into the folder argv[1] for glslang to check.
+// Build step: writes the assembled stages, in both dialects and in variants of every kind, into the
+// folder argv[1] for glslang to check.
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -26,7 +26,7 @@ SurfaceVariant with_everything() {
     return v;
 }
 
-// Every method with one lobe, every lobe with one method, every switch at least once each way.
+// Every method with one lobe, every lobe with one method, and both values of every switch.
 std::vector<SurfaceVariant> variants() {
     std::vector<SurfaceVariant> list;
     for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
@@ -113,7 +113,8 @@ class Writer {
     int count_ = 0;
 };
 
-// The stages that are compiled with #defines, and with which; every other stage is compiled without.
+// The stages that are compiled with #defines, and their #defines; other stages are compiled
+// without.
 const std::map<std::string, std::vector<std::string>> kDefines = {
     {"ground.vert",
      {"#define LIGHTS 0\n#define POSITION\n", "#define LIGHTS 2\n#define POSITION\n"}},
@@ -131,7 +132,7 @@ bool is_of_variants(const std::string& stage) {
     return stage == "surface.frag" || stage == "surface.vert" || stage == "resolve.frag";
 }
 
-// All stages of shaders/: a new one needs no line here.
+// All stages of shaders/. A new stage needs no entry here.
 std::vector<std::string> stages() {
     std::vector<std::string> names;
     for (const ShaderText& text : shader_texts()) {

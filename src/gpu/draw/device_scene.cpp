@@ -8,7 +8,7 @@
 
 namespace burnish::gpu {
 
-// What is worked out from instances, meshes and lights.
+// Values derived from instances, meshes and lights.
 struct DeviceScene::Placement {
     std::vector<DrawItem> items;
     Bounds bounds;

@@ -1,8 +1,8 @@
-// A scene on the device that can be edited: slots whose numbers stay, and what is worked out from
+// A scene on the device that can be edited: slots with permanent numbers, and values derived from
 // them.
 //
-// Every edit is done as a whole or, when it throws, not at all. What an edit does not touch stays
-// on the device. The context must be current.
+// An edit takes effect as a whole or, when it throws, not at all. Data that an edit does not touch
+// stays on the device. The context must be current.
 #pragma once
 
 #include <cstdint>
@@ -38,11 +38,11 @@ struct PreparedProgram {
 
 struct MaterialSlot {
     Material material;
-    std::uint64_t version = 0;  // of its uniforms
-    SurfaceVariant full, flat;  // without light and mesh; flat: as if it had no normal map
+    std::uint64_t version = 0;  // version of its uniforms
+    SurfaceVariant full, flat;  // without light and mesh; flat: without a normal map
     std::shared_ptr<const ClothMaps> cloth;
     std::shared_ptr<TabulatedMaps> tabulated;
-    std::vector<PreparedProgram> programs;  // filled as they are asked for
+    std::vector<PreparedProgram> programs;  // added as they are requested
 
     bool blended() const { return material.alpha_mode == AlphaMode::blend; }
 };
@@ -56,7 +56,7 @@ class DeviceScene {
   public:
     explicit DeviceScene(const Context& context);
 
-    // Edits, as Renderer has them.
+    // Edits, as in Renderer.
     void set_scene(const Scene& scene, const Progress& progress);
     void set_environment(const std::shared_ptr<const PreparedEnvironment>& prepared);
     void set_lights(std::span<const Light> lights);
@@ -71,7 +71,7 @@ class DeviceScene {
     void update_instance(int id, const Instance& instance);
     void remove_instance(int id);
 
-    // What is drawn.
+    // Access for drawing.
     MaterialSlot& material(int id) { return materials_[static_cast<std::size_t>(id)]; }
     const MaterialSlot& material(int id) const { return materials_[static_cast<std::size_t>(id)]; }
     std::span<MaterialSlot> materials() { return materials_; }
@@ -108,10 +108,11 @@ class DeviceScene {
     std::vector<MeshSlot> meshes_;
     Instances instances_;
     std::vector<Light> light_list_;
-    std::shared_ptr<const Environment> environment_source_;  // the ground's sky is found in it
+    // The ground finds its sky lights in it.
+    std::shared_ptr<const Environment> environment_source_;
     std::unique_ptr<EnvironmentMaps> environment_;
 
-    std::vector<DrawItem> items_;  // of the instances that are there
+    std::vector<DrawItem> items_;  // of the instances that exist
     Bounds bounds_;
     std::size_t triangles_ = 0;
     LightUniforms lights_;

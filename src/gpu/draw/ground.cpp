@@ -16,19 +16,21 @@ namespace burnish::gpu {
 namespace {
 
 constexpr int kSide = 1024;
-// A step of a shadow is 1/256 of what the sky gives, that of a display; as long as that many
-// drawings of the model take a few seconds in software.
+// Number of drawings that sample the sky's light. With 256, one step of a shadow is 1/256 of the
+// sky's irradiance, a step of an 8-bit display. Fewer for large models, so that all drawings take a
+// few seconds in software.
 constexpr std::size_t kMostSkyLights = 256, kFewestSkyLights = 64;
-constexpr std::size_t kTriangles = 25'000'000;  // of all drawings
+constexpr std::size_t kTriangles = 25'000'000;  // in all drawings together
 
 int sky_light_count(std::size_t triangles) {
     return static_cast<int>(std::clamp(kTriangles / std::max<std::size_t>(triangles, 1),
                                        kFewestSkyLights, kMostSkyLights));
 }
 
-// Draws for a lamp: what is left of a texel's steps.
+// Drawings per lamp, shifted within a texel: the anti-aliasing of its shadow's edge.
 constexpr int kLampDraws = 16;
-// Half the square's side: the model's own, and so many of its heights for shadows to run out.
+// Half the square's side is half the model's diagonal and kHeights of its heights, room for long
+// shadows.
 constexpr float kHeights = 1.5f;
 
 glm::vec3 turned(const glm::vec3& d, float rotation) {
@@ -57,7 +59,7 @@ void draw_fullscreen(GLuint empty_vertex_array, GLsizei vertices) {
     glBindVertexArray(0);
 }
 
-// The part of the square that the box's shadow can reach, a texel wider for the shift.
+// The part of the square that the box's shadow can reach, one texel larger for the sub-texel shift.
 Tile reach_of(const Bounds& box, const glm::mat4& clip_from_world) {
     constexpr float kMiddle = 0.5f * static_cast<float>(kSide);
     glm::vec2 low(kSide), high(0.0f);
@@ -66,7 +68,7 @@ Tile reach_of(const Bounds& box, const glm::mat4& clip_from_world) {
                           (corner & 2) != 0 ? box.high.y : box.low.y,
                           (corner & 4) != 0 ? box.high.z : box.low.z);
         const glm::vec4 clip = clip_from_world * glm::vec4(p, 1.0f);
-        // A corner no nearer to the plane than the lamp: its shadow has no end.
+        // A corner no nearer to the plane than the lamp has an infinite shadow.
         if (!(clip.w > 0.0f)) return {0, 0, kSide, kSide};
         const glm::vec2 place = kMiddle + kMiddle * glm::vec2(clip) / clip.w;
         low = glm::min(low, place - 2.0f);
@@ -77,7 +79,7 @@ Tile reach_of(const Bounds& box, const glm::mat4& clip_from_world) {
     return {first.x, first.y, std::max(last.x - first.x, 0), std::max(last.y - first.y, 0)};
 }
 
-// One program for all numbers of lights: it is drawn in moments, and compiled as long as another.
+// One program for all numbers of lights: drawing takes moments, compiling a program does not.
 std::string light_defines(const LightUniforms& lights) {
     if (lights.count() == 0) return "#define LIGHTS 0\n#define POSITION\n";
     return "#define LIGHTS " + std::to_string(kMostLights) +
@@ -183,7 +185,7 @@ void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const Li
     }
     if (sky.intensity > 0.0f) {
         for (std::size_t i = 0; i < sky_lights_.size(); ++i) {
-            // Every fourth: often enough to be cancelled, and the device is not kept waiting.
+            // Progress at every fourth light: cancellation is prompt, and the device rarely waits.
             if (i % 4 == 0) {
                 glFinish();
                 progress.step(kStage,
@@ -200,8 +202,9 @@ void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const Li
 
 void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& sky) const {
     const glm::vec4 place = light < 0 ? glm::vec4(sky.direction, 0.0f) : tools.lights.place(light);
-    if (!(place.y > center_.y * place.w)) return;  // below: the plane is dark with or without model
-    // From above: x to the right, z down; the depth of the plane is 0, that of nothing 1.
+    // Below the plane, which is dark with or without the model.
+    if (!(place.y > center_.y * place.w)) return;
+    // Seen from above: x to the right, z down. The plane has depth 0, the background 1.
     const float r = 1.0f / half_;
     glm::mat4 square(0.0f);
     square[0].x = r;
@@ -251,7 +254,8 @@ void Ground::paint(ProgramCache& programs, GLuint empty_vertex_array, const Ligh
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_2D, made_->blocked.get());
     glBindSampler(kScratchUnit, made_->sampler.get());
-    // Over a background: times what is left. Over nothing: black that covers what is missing.
+    // Over a background, multiply by the fraction of light left. Without one, blend black with the
+    // coverage of the missing light.
     apply(DrawState{.depth_write = false,
                     .blend = transparent ? Blend::premultiplied : Blend::multiply});
     draw_fullscreen(empty_vertex_array, 6);

@@ -1,4 +1,4 @@
-// From a Material to the variant of the surface shader it needs and the uniforms it sets.
+// Determines the variant of the surface shader that a Material needs, and sets its uniforms.
 #pragma once
 
 #include "burnish/scene.hpp"
@@ -8,19 +8,19 @@
 
 namespace burnish::gpu {
 
-// Everything but the light and the mesh: lights, image_light and vertex_color are left 0.
-// `with_normal_map` false: the material as if it had none.
+// All fields but those of light and mesh: lights, image_light and vertex_color stay 0.
+// `with_normal_map` false: ignores the normal map.
 SurfaceVariant variant_of(const Material& material, const TextureStore::Slots& textures,
                           bool with_normal_map);
 
-// Binds the textures to the units that set_material names to programs.
+// Binds the textures to the units that set_material passes to programs.
 void bind_textures(const Material& material, TextureStore& textures);
 
 // Sets the uniforms of shaders/lib/material.glsl.
 void set_material(Program& program, const Material& material, const TextureStore& textures,
                   float lod_bias);
 
-// The uniforms of surface.vert for the one texture transform in use.
+// Sets the uniforms of surface.vert for the one texture transform that all textures share.
 void set_shared_uv(Program& program, const Material& material);
 
 }  // namespace burnish::gpu

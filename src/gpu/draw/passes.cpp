@@ -14,8 +14,9 @@
 namespace burnish::gpu {
 namespace {
 
-// Sub-pixel samples see less of a texture each, so they may read finer mips: half the pixel's side
-// at 4 samples. -2: beyond 16 samples nothing more is seen.
+// Offset of the mip level. Sub-pixel samples may read finer mips, because their average covers the
+// pixel: at 4 samples those of half the pixel's side. At least -2: finer mips show nothing more
+// beyond 16 samples.
 float lod_bias(int samples) {
     return std::max(-0.5f * std::log2(static_cast<float>(std::max(samples, 1))), -2.0f);
 }
@@ -35,7 +36,7 @@ void Painter::set_frame(Program& program, const Frame& frame) {
     program.set("u_tile_origin", glm::ivec2(frame.tile.x, frame.tile.y));
     program.set("u_image_samples", o.image_light_samples);
     program.set("u_frame", static_cast<unsigned>(frame.sample));
-    // A sample of so many stands for no more than a texel of the sharpest mip.
+    // With so many samples, one covers no more than a texel of the sharpest mip.
     constexpr float kSharp = 1e12f;
     program.set("u_total_samples", o.filter_image_samples
                                        ? static_cast<float>(o.image_light_samples) *
@@ -49,7 +50,8 @@ void Painter::set_frame(Program& program, const Frame& frame) {
     }
 }
 
-// Textures when another material was drawn last, uniforms when the program has others.
+// Binds textures when the last draw had another material, and sets uniforms when the program holds
+// those of another version.
 void Painter::set_surface(Program& program, const Frame& frame, int material) {
     const MaterialSlot& slot = scene_.material(material);
     const Material& m = slot.material;
@@ -57,7 +59,7 @@ void Painter::set_surface(Program& program, const Frame& frame, int material) {
     set_frame(program, frame);
     const bool bound = std::exchange(bound_material_, material) == material;
     if (!bound) bind_textures(m, scene_.textures());
-    // Versions stay below 2^32: a million edits a second for an hour.
+    // Versions stay below 2^32: a million edits a second for over an hour.
     const bool set = program.take(UniformGroup::material, slot.version + (needs_.settings << 32));
     if (set) set_material(program, m, scene_.textures(), lod_bias(o.samples));
     if (bound && !set) return;
@@ -138,8 +140,9 @@ void Painter::paint(const Frame& frame, Targets& targets) {
     if (!gouraud) paint_blended(frame);
 }
 
-// The surfaces into the images of gbuffer.frag, then each material where it is seen: the stencil
-// has its number, and a full-screen triangle at the far plane passes where something is nearer.
+// Draws the surfaces into the images of gbuffer.frag, then shades each material. The stencil holds
+// the material's number, and a full-screen triangle at the far plane passes where a surface is
+// nearer.
 void Painter::paint_deferred(const Frame& frame, Targets& targets,
                              std::vector<std::size_t>& forward) {
     targets.bind_gbuffer(needs_.position, needs_.shape);
@@ -183,7 +186,7 @@ void Painter::resolve_material(const Frame& frame, Targets& targets, int materia
     draw_fullscreen(program, 1.0f);
 }
 
-// Sets where an item is and draws it.
+// Sets the transform of an item and draws it.
 void Painter::draw_item(Program& program, const DrawItem& item) {
     program.set("u_world_from_local", item.world_from_local);
     program.set("u_normal_from_local", item.normal_from_local);
@@ -225,7 +228,8 @@ void Painter::paint_blended(const Frame& frame) {
         const DrawItem& item = scene_.items()[i];
         if (!scene_.material(item.material).blended()) continue;
         const glm::vec4 clip = frame.view.clip_from_world * glm::vec4(item.bounds.center(), 1.0f);
-        // Orthographic views have w = 1 and depth in z; z grows with depth in both.
+        // In orthographic views w = 1 and z holds the depth; z grows with depth in both kinds of
+        // view.
         order.emplace_back(-(frame.view.eye.w > 0.0f ? clip.w : clip.z), i);
     }
     if (order.empty()) return;

@@ -17,8 +17,8 @@
 
 namespace burnish::gpu {
 
-// Whether the number of lights is compiled into programs, which is fastest, or a uniform, so that
-// adding a light compiles nothing.
+// Whether programs are compiled for the number of lights, which is fastest, or take it as a
+// uniform, so that adding a light compiles nothing.
 enum class LightCount { compiled, at_run_time };
 
 // One sub-pixel sample of one tile.
@@ -35,29 +35,29 @@ class Painter {
   public:
     Painter(Context& context, DeviceScene& scene);
 
-    // Makes everything that frames with these settings need and that is not there: programs, albedo
-    // tables, blurred environments, tables to draw from, the shadow on the ground (`ground`: it can
-    // be seen). What was made stays when `progress` throws.
+    // Makes everything that frames with these settings need and that is missing: programs, albedo
+    // tables, blurred environments, tables to draw from, the shadow on the ground (`ground`: it is
+    // visible). Results that are complete stay when `progress` throws.
     void prepare(const Frame& frame, bool ground, const Progress& progress);
 
     // Draws a prepared frame into `targets`; the viewport is left at the tile's size.
     void paint(const Frame& frame, Targets& targets);
-    // Adds it to the sum of `targets`.
+    // Adds the frame to the sum of `targets`.
     void accumulate(Targets& targets);
 
     bool sees_ground(const Frame& frame);
     GLuint empty_vertex_array() const { return empty_.get(); }
 
   private:
-    // What a frame needs to know of the scene, worked out once.
+    // Properties of the scene that a frame needs, determined once.
     struct Needs {
         bool defers = false;
         bool shadows = false;   // of lights
         bool position = false;  // of surfaces, beside their normals
-        bool shape = false;     // of pixels on their textures: tabulated materials read it
+        bool shape = false;     // position on the texture: tabulated materials read it
         bool ground = false;
         std::uint64_t frame = 0;     // version of the frame's uniforms
-        std::uint64_t settings = 0;  // version of what materials take from the settings
+        std::uint64_t settings = 0;  // version of the settings that materials depend on
     };
     Needs needs_of(const Frame& frame);
     void start_programs(const Frame& frame, std::vector<Program*>& programs);
@@ -78,7 +78,7 @@ class Painter {
     void draw_casters(const glm::mat4& clip_from_world);
     void draw_shadows(const Frame& frame);
     void clear(const Frame& frame, Targets& targets);
-    // Items that were shaded once a pixel are left out of `forward`.
+    // Items that deferred shading has drawn are removed from `forward`.
     void paint_deferred(const Frame& frame, Targets& targets, std::vector<std::size_t>& forward);
     void write_gbuffer(const Frame& frame, const DrawItem& item);
     void resolve_material(const Frame& frame, Targets& targets, int material,
@@ -95,8 +95,8 @@ class Painter {
     Context& context_;
     DeviceScene& scene_;
     VertexArray empty_;
-    Needs needs_;              // of the frame in progress
-    int bound_material_ = -1;  // whose textures are bound
+    Needs needs_;              // needs of the frame in progress
+    int bound_material_ = -1;  // material whose textures are bound
     std::pair<int, bool> material_settings_{0, false};
     std::uint64_t settings_version_ = 0;
 };

@@ -1,4 +1,4 @@
-// What frames need before they are drawn, and the programs they are drawn with.
+// Prepares the data and programs of a frame.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -9,13 +9,13 @@
 namespace burnish::gpu {
 namespace {
 
-// Deferred shading pays below this average size of a triangle, in pixels of the picture. Measured
-// on llvmpipe, which shades blocks of 4 x 4 pixels: a triangle of 40 pixels costs forward shading
-// about twice its pixels. Tabulated materials cost more a pixel.
+// Average size of a triangle, in pixels of the picture, below which deferred shading is faster.
+// Measured on llvmpipe, which shades blocks of 4 x 4 pixels: forward shading costs about twice the
+// pixels of a triangle of 40 pixels. Tabulated materials cost more per pixel.
 constexpr double kSoftwarePixels = 40.0;
 constexpr double kSoftwareTabulatedPixels = 400.0;
-// Hardware shades blocks of 2 x 2 pixels: a triangle of 8 pixels costs about twice its pixels,
-// counted from its outline (8 pixels inside touch 4 to 5 blocks). Not measured.
+// Hardware shades blocks of 2 x 2 pixels: forward shading costs about twice the pixels of a
+// triangle of 8 pixels, estimated from its outline (8 pixels touch 4 to 5 blocks). Not measured.
 constexpr double kHardwarePixels = 8.0;
 
 Program& of(ProgramCache& programs, bool wait, const char* vertex, const char* fragment,
@@ -84,7 +84,7 @@ SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot,
 }
 
 bool Painter::can_defer(const Frame& frame, const DrawItem& item) const {
-    // 254: the stencil has one number a material.
+    // 254: the stencil has one number per material.
     return item.material < 254 &&
            variant_of(frame, scene_.material(item.material), scene_.mesh(item.mesh).has_color())
                .can_resolve();
@@ -122,7 +122,7 @@ Program& Painter::gouraud_program(bool wait) {
     return of(context_.programs(), wait, "gouraud.vert", "gouraud.frag", defines);
 }
 
-// Everything that paint() will ask for, sent to the compiler.
+// Sends every program that paint() needs to the compiler.
 void Painter::start_programs(const Frame& frame, std::vector<Program*>& programs) {
     programs.push_back(&plain_program("fullscreen.vert", "accumulate.frag", false));
     if (needs_.shadows || frame.options->ground)
@@ -152,7 +152,8 @@ void Painter::prepare_programs(const Frame& frame, const Progress& progress) {
     while (!programs.empty()) {
         progress.step("shaders",
                       1.0 - static_cast<double>(programs.size()) / static_cast<double>(count));
-        // Those first that the compiler's threads are done with; without such threads the last.
+        // Finish programs first that the compiler's threads have completed. Without such threads,
+        // finish the last.
         auto next = programs.end();
         if (context_.programs().parallel())
             next =
@@ -187,7 +188,7 @@ void Painter::prepare_tables(const Frame& frame, const Progress& progress) {
 void Painter::prepare_ground(const Frame& frame, const Progress& progress) {
     const RenderSettings& o = *frame.options;
     Ground::require_programs(context_.programs(), scene_.lights());
-    // An environment that is shown but lights nothing casts no shadow either.
+    // An environment that is visible but gives no light casts no shadow.
     const bool lit = o.image_light != ImageLight::off;
     scene_.ground().require(
         context_.programs(), empty_.get(), scene_.lights(),

@@ -18,7 +18,7 @@
 namespace burnish::gpu {
 namespace {
 
-// 2048: a tile's targets take 230 MB.
+// Pixels. The targets of a tile of 2048 take 230 MB.
 constexpr int kLargestTile = 2048;
 constexpr int kLargestPicture = 16384;
 
@@ -35,7 +35,7 @@ void require_sound(const RenderSettings& o) {
     within("tile_size", o.tile_size, 0, kLargestPicture);
 }
 
-// A tabulated lobe has no shortcut for image light.
+// Throws Error when image light would be an approximation, which tabulated lobes do not have.
 void require_drawable(const DeviceScene& scene, const RenderSettings& o) {
     const bool sampled =
         o.image_light == ImageLight::importance || o.image_light == ImageLight::off;
@@ -56,7 +56,7 @@ float writable(float v) {
     return std::isfinite(v) ? std::clamp(v, 0.0f, 65504.0f) : 0.0f;
 }
 
-// The mean of `samples` frames of a tile into its place in the picture, the right way up.
+// Writes the mean of `samples` frames of a tile to its place in the picture, with row 0 at the top.
 void store(const std::vector<float>& sum, const Tile& tile, int samples, bool transparent,
            Image& image) {
     const float scale = 1.0f / static_cast<float>(samples);
@@ -66,7 +66,7 @@ void store(const std::vector<float>& sum, const Tile& tile, int samples, bool tr
         float* to = image.at(tile.x, image.height - 1 - (tile.y + y));
         for (int x = 0; x < tile.width; ++x, from += 4, to += 4) {
             const float alpha = transparent ? std::min(writable(from[3] * scale), 1.0f) : 1.0f;
-            // Sums are premultiplied; below 1e-6 there is nothing but rounding to divide.
+            // Sums are premultiplied. An alpha below 1e-6 is rounding error and must not divide.
             const float each = !transparent ? scale : alpha > 1e-6f ? scale / alpha : 0.0f;
             for (int c = 0; c < 3; ++c) to[c] = writable(from[c] * each);
             to[3] = alpha;
@@ -79,7 +79,7 @@ void store(const std::vector<float>& sum, const Tile& tile, int samples, bool tr
 struct Renderer::Impl {
     explicit Impl(Context& c) : context(c), scene(c), painter(c, scene) {}
 
-    // A call from outside: the context is current, the state of its host is kept.
+    // Scope of a public call: makes the context current and preserves the state of its host.
     class Use {
       public:
         explicit Use(Impl& impl) : host_(current(impl)) {}
@@ -126,7 +126,7 @@ struct Renderer::Impl {
         return frame;
     }
 
-    // Clears the sum and prepares; the series counts from here.
+    // Clears the sum, prepares the frame and starts the series at sample 0.
     void start(const Progress& progress) {
         require_drawable(scene, series->settings);
         series->samples = 0;
@@ -142,7 +142,7 @@ struct Renderer::Impl {
         ++series->samples;
     }
 
-    // The mean into its place in the picture.
+    // Writes the mean to its place in the picture.
     void store_into(Image& image) {
         const Tile& tile = series->tile;
         store(targets->read_sum(tile.width, tile.height), tile, series->samples,
@@ -195,7 +195,7 @@ Renderer::Renderer(Context& context, const Scene& scene, const Environment* envi
 Renderer::~Renderer() {
     try {
         impl_->context.make_current();
-    } catch (const Error&) {  // the context is lost, and everything in it with it
+    } catch (const Error&) {  // the context is lost, with everything in it
     }
 }
 
@@ -336,7 +336,7 @@ Image Renderer::render(const Camera& camera, const RenderSettings& settings,
         impl_->series = Impl::Series{camera, settings, tile};
         impl_->start(progress);
         for (int sample = 0; sample < settings.samples; ++sample) {
-            // Every fourth: often enough to be cancelled, and the device is not kept waiting.
+            // Progress at every fourth sample: cancellation is prompt, and the device rarely waits.
             if (sample % 4 == 0) {
                 glFinish();
                 progress.step("render", done / total);
@@ -365,7 +365,7 @@ FrameTimes Renderer::measure_frames(const Camera& camera, const RenderSettings& 
     Frame frame = impl_->frame_of(once);
     frame.variant = variant;
     impl_->painter.prepare(frame, impl_->painter.sees_ground(frame), {});
-    // Each frame is sent off by itself, as the swap of a window would.
+    // Each frame is submitted by itself, as the buffer swap of a window would.
     const auto paint = [&](int sample) {
         frame.sample = sample;
         impl_->painter.paint(frame, targets);

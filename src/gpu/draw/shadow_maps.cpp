@@ -15,16 +15,18 @@
 namespace burnish::gpu {
 namespace {
 
-// 128 MB of 32-bit depths at most: 2048 for up to 8 maps, 1024 for up to 24.
+// Texels of all maps. 128 MB of 32-bit depths at most: side 2048 for up to 8 maps, 1024 for up to
+// 24.
 constexpr std::size_t kMostTexels = std::size_t{1} << 25;
-// A spot wider than this is seen through six faces: near 90 degrees one plane cannot hold it.
+// Half angle in radians. A wider spot is rendered into six faces, because one plane cannot cover
+// nearly 90 degrees.
 constexpr float kWidestSpot = 1.3f;
 
 struct Axis {
     glm::vec3 forward, up;
 };
 
-// In the order in which lights.glsl numbers the faces.
+// The faces in the order of lights.glsl.
 constexpr std::array<Axis, 6> kFaces = {{{{1, 0, 0}, {0, 1, 0}},
                                          {{-1, 0, 0}, {0, 1, 0}},
                                          {{0, 1, 0}, {0, 0, 1}},
@@ -84,7 +86,8 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
     }
     const float distance = glm::length(light.position - center);
     const float far_plane = distance + 1.01f * radius;
-    // Outside the scene nothing is nearer than its sphere; inside, a 500th keeps 15 bits of depth.
+    // Outside the scene nothing is nearer than its bounding sphere. Inside, 1/500 of the far
+    // distance keeps 15 bits of depth.
     const float near_plane = std::max(distance - 1.01f * radius, far_plane / 500.0f);
     if (one) {
         const float half = std::max(light.outer_cone, 0.01f) * 1.02f;
@@ -93,7 +96,8 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
                          2.0f * std::tan(half)});
         return;
     }
-    // The faces meet under 45 degrees: near planes of the cube must lie nearer.
+    // Adjacent faces meet at 45 degrees to their axes (1/sqrt(3) in the corners), so the near
+    // planes of the cube are nearer.
     const glm::mat4 clip = glm::perspective(1.5707963f, 1.0f, near_plane * 0.57f, far_plane);
     for (const Axis& face : kFaces) {
         maps_.push_back(
@@ -129,7 +133,7 @@ void ShadowMaps::make_device() {
 glm::mat4 ShadowMaps::begin(int index, int sample) {
     if (!device_) make_device();
     const auto i = static_cast<std::size_t>(index);
-    // pixel_offset: a triangle filter of half width 1, here in texels.
+    // pixel_offset is a triangle filter of half width 1, here in texels.
     const glm::dvec2 shift = pixel_offset(sample) * (2.0 / side_);
     glm::mat4 moved(1.0f);
     moved[3] = glm::vec4(static_cast<float>(shift.x), static_cast<float>(shift.y), 0.0f, 1.0f);
@@ -144,7 +148,8 @@ glm::mat4 ShadowMaps::begin(int index, int sample) {
     apply(DrawState{.depth_offset = true});
     const float deepest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &deepest);
-    // A surface slopes through a texel; the filter of the look-up reaches one and a half beside it.
+    // The slope factor covers a surface's slope over the 1.5 texels that the filter of the look-up
+    // reaches.
     glPolygonOffset(2.0f, 4.0f);
     return current_[i];
 }

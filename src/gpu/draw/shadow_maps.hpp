@@ -13,23 +13,24 @@
 
 namespace burnish::gpu {
 
-// 24 matrices are 96 of the 224 vectors that ES 3.0 grants a fragment shader. Lights get maps in
-// their order while there are any left; the others cast no shadow.
+// 24 matrices take 96 of the 224 vectors that ES 3.0 guarantees a fragment shader. Lights get maps
+// in their order; lights for which no maps are left cast no shadow.
 inline constexpr int kMostShadowMaps = 24;
 
 class ShadowMaps {
   public:
-    // `bounds`: what may cast or catch a shadow. Nothing is made on the device before begin().
+    // `bounds`: box of all shadow casters and receivers. Nothing is created on the device before
+    // begin().
     ShadowMaps(std::span<const Light> lights, const Bounds& bounds);
 
-    // The images of the maps that these follow, where they have as many of the same size.
+    // Takes over the images of `before` when their number and size are the same.
     void take_device(ShadowMaps& before);
 
     int count() const { return static_cast<int>(maps_.size()); }
 
-    // Makes map `index` the target, cleared, with the state to draw into it, for sub-pixel sample
-    // `sample`: every sample sees the light through texels shifted by a part of themselves, so that
-    // many together have soft edges. Returns its clip_from_world.
+    // Makes map `index` the target, clears it and sets the state to draw into it. Sub-pixel sample
+    // `sample` shifts the map by a fraction of a texel, so that the average over samples has soft
+    // edges. Returns the clip_from_world of the map.
     glm::mat4 begin(int index, int sample);
 
     // The uniforms of shaders/lib/lights.glsl and the texture.
@@ -38,7 +39,7 @@ class ShadowMaps {
   private:
     struct Map {
         glm::mat4 clip_from_world{1.0f};
-        float texel = 0.0f;  // side in the world at distance 1; of a directional light anywhere
+        float texel = 0.0f;  // side in the world at distance 1; constant for a directional light
     };
     struct Device {
         GlTexture texture;
@@ -50,7 +51,7 @@ class ShadowMaps {
 
     std::vector<Map> maps_;
     std::vector<glm::vec2> of_light_;  // first map or -1, number of maps
-    std::vector<glm::mat4> current_;   // as last drawn, shifted
+    std::vector<glm::mat4> current_;   // as last drawn, with the shift
     int side_ = 0;
     std::optional<Device> device_;
 };

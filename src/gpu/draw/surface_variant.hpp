@@ -1,5 +1,5 @@
-// Which of the many forms of the surface shader a draw needs: everything that is known before a
-// pixel is shaded is a #define, so that branches on it fold away. One program a variant.
+// The variant of the surface shader that a draw needs. Everything known before shading is a
+// #define, so that branches on it fold away. One program per variant.
 #pragma once
 
 #include <string>
@@ -14,31 +14,31 @@ struct SurfaceVariant {
     Brdf brdf = Brdf::microfacet;
     bool conserve = false;
     bool conductor = false;
-    bool metal = false;  // nothing is diffuse
+    bool metal = false;  // no diffuse term
     bool lobe_from_texture = false;
     bool grooves_along_x = true;  // unless lobe_from_texture
     bool turned = false;          // the stretch is not along the tangent
     bool base_color_map = false;
     bool metallic_roughness_map = false;
     bool normal_map = false;
-    bool normal_map_xy = false;   // two channels: z is what is left of 1
+    bool normal_map_xy = false;   // two channels: z follows from unit length
     bool normal_moments = false;  // the normal map holds slopes and their variances
     bool occlusion_map = false;
     bool emissive_map = false;
     bool anisotropy_map = false;
     bool cloth = false;
-    bool cloth_colors = false;  // its draft colours each yarn
+    bool cloth_colors = false;  // its draft has a color per yarn
     bool tabulated = false;
     bool uv_per_texture = false;
     bool vertex_color = false;
     AlphaMode alpha_mode = AlphaMode::opaque;
-    int lights = 0;  // of light_count_at_run_time: room for so many
+    int lights = 0;  // with light_count_at_run_time: capacity
     bool light_count_at_run_time = false;
-    bool position = false;  // a light asks where the surface is
+    bool position = false;  // a light needs the position of the surface
     int shadow_maps = 0;
     int image_light = 0;  // 0 off, 1 importance, 2 bent normal, 3 prefiltered
 
-    // Whether gbuffer.frag holds all that shading needs.
+    // Whether gbuffer.frag stores all that shading needs.
     bool can_resolve() const {
         return alpha_mode == AlphaMode::opaque && !vertex_color && !uv_per_texture;
     }

@@ -20,7 +20,7 @@ f32::WeaveShape shape_of(const Cloth& c) {
     return {c.crimp, c.bulge, c.gap, {1.0f, 0.0f}};
 }
 
-// From the yarn to the lobe's x axis.
+// Cosine and sine of the angle from the yarn to the x axis of the lobe.
 f32::vec2 turn_of(const Material& m) {
     const float angle = cloth_of(m)->twist + m.anisotropy_rotation;
     return {std::cos(angle), std::sin(angle)};
@@ -76,7 +76,7 @@ glm::vec3 base_of(const Material& m) {
     return glm::vec3(m.base_color);
 }
 
-// Whether maps made for one serve the other.
+// Whether the maps of one material serve the other.
 bool same_cloth(const Material& a, const Material& b) {
     const Cloth &c = *cloth_of(a), &d = *cloth_of(b);
     return c.draft == d.draft && c.crimp == d.crimp && c.bulge == d.bulge && c.gap == d.gap &&

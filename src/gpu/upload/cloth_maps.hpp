@@ -1,6 +1,5 @@
-// What the shader of woven cloth reads (shaders/lib/cloth.glsl): the cells of the draft, where and
-// in which color each family of yarns shows (maps/weave/cloth_levels.hpp), and the mean lobe of
-// each.
+// Data of the shader of woven cloth (shaders/lib/cloth.glsl): the cells of the draft, coverage and
+// color of each family of yarns (maps/weave/cloth_levels.hpp), and the mean lobe of each family.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -18,17 +17,18 @@ bool has_yarn_colors(const Cloth& cloth);
 
 class ClothMaps {
   public:
-    // Of a material with `cloth`. Throws Error when the draft is larger than the device's textures.
+    // For a material with `cloth`. Throws Error when the draft is larger than the device's
+    // textures.
     explicit ClothMaps(const Material& material);
 
-    // Whether maps made for this material would be the same.
+    // Whether the maps of this material would be the same.
     bool serves(const Material& material) const;
-    // Binds the textures and sets the uniforms of shaders/lib/cloth.glsl; `material` is one it
-    // serves.
+    // Binds the textures and sets the uniforms of shaders/lib/cloth.glsl; serves(material) must be
+    // true.
     void bind(Program& program, const Material& material) const;
 
   private:
-    Material material_;  // what the maps were made for
+    Material material_;  // the material of the maps
     GlTexture cells_, weft_, warp_, lobes_;
     WeaveMean weft_mean_, warp_mean_;  // without their tables
     glm::vec4 wide_lobe_[2];

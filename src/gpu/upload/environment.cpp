@@ -21,7 +21,7 @@ EnvironmentMaps::EnvironmentMaps(const Context& context, const PreparedEnvironme
     : scale_(prepared.scale),
       face_(static_cast<float>(prepared.radiance.front().size)),
       last_lod_(static_cast<float>(prepared.radiance.size() - 1)) {
-    if (!context.is_es()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // ES: always
+    if (!context.is_es()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // ES: always on
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindTexture(GL_TEXTURE_CUBE_MAP, radiance_.get());

@@ -1,5 +1,5 @@
-// An environment on the device: a cube map of radiance with all its mips, one of irradiance and,
-// when asked for, one of radiance blurred by lobes.
+// An environment on the device: a cube map of radiance with all its mips, one of irradiance and, on
+// request, one of radiance blurred by lobes.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ class EnvironmentMaps {
   public:
     EnvironmentMaps(const Context& context, const PreparedEnvironment& prepared);
 
-    // Makes the lobe map unless there is one. Changes framebuffer, viewport and raster state.
+    // Makes the lobe map if it is missing. Changes framebuffer, viewport and raster state.
     void require_lobes(ProgramCache& programs, GLuint empty_vertex_array);
     bool has_lobes() const { return lobes_.has_value(); }
     // Binds all to their units and sets the uniforms of shaders/lib/environment.glsl.

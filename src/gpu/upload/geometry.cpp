@@ -115,7 +115,7 @@ std::uint64_t content_of(const Mesh& mesh) {
     const auto add = [&](const auto& values) {
         const auto bytes = std::as_bytes(std::span(values));
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        // An odd factor: the order of the attributes counts.
+        // Multiplying by an odd factor makes the sum depend on the order of the attributes.
         sum = (sum ^ std::hash<std::string_view>()(text)) * 0x9E3779B97F4A7C15U;
     };
     add(mesh.positions);
@@ -153,7 +153,7 @@ MeshBuffers::MeshBuffers(const Mesh& mesh) : content_(content_of(mesh)) {
 
 void MeshBuffers::draw() const {
     if (index_count_ == 0) return;
-    // What a mesh does not have: a constant.
+    // Constants for the attributes that a mesh lacks.
     glVertexAttrib4f(Location::tangent, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::texcoord0, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::texcoord1, 0.0f, 0.0f, 0.0f, 1.0f);
@@ -186,7 +186,8 @@ std::vector<DrawItem> draw_items(std::span<const std::optional<Instance>> instan
         const glm::mat3 linear(instance.transform);
         const float determinant = glm::determinant(linear);
         item.mirrored = determinant < 0.0f;
-        // Cofactors: the inverse transpose times the determinant, which a flat scale has too.
+        // Cofactors: the inverse transpose times the determinant. They exist for a singular scale
+        // too.
         const glm::mat3 cofactors(glm::cross(linear[1], linear[2]),
                                   glm::cross(linear[2], linear[0]),
                                   glm::cross(linear[0], linear[1]));

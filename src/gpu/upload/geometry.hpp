@@ -15,17 +15,17 @@
 
 namespace burnish::gpu {
 
-// Throws Error naming the mesh when attributes differ in length or an index points nowhere.
+// Throws Error naming the mesh when attributes differ in length or an index is out of range.
 void require_sound(const Mesh& mesh);
 
-std::uint64_t content_of(const Mesh& mesh);  // without its name
+std::uint64_t content_of(const Mesh& mesh);  // a hash without the name
 
 class MeshBuffers {
   public:
     explicit MeshBuffers(const Mesh& mesh);
 
     void draw() const;
-    // A number that equal meshes share and others, but for one case in 2^64, do not.
+    // A hash: equal for equal meshes, and different for others except in one case in 2^64.
     std::uint64_t content() const { return content_; }
     bool has_color() const { return has_color_; }
     std::size_t triangles() const { return static_cast<std::size_t>(index_count_) / 3; }
@@ -39,19 +39,19 @@ class MeshBuffers {
     std::uint64_t content_ = 0;
 };
 
-// An instance with what is worked out of its transform once.
+// An instance with the values derived from its transform.
 struct DrawItem {
     int mesh = 0;
     int material = 0;
     glm::mat4 world_from_local{1.0f};
     glm::mat3 normal_from_local{1.0f};  // inverse transpose, up to a positive factor
-    bool mirrored = false;              // the transform turns space inside out
+    bool mirrored = false;              // the transform reverses handedness
     Bounds bounds;                      // world space
 };
 
 // Throws Error for an instance of a mesh or material that does not exist or a transform that is not
-// finite. `meshes`: their boxes. `instances`: those that are there, in the order of their numbers;
-// `name`: of the scene, for messages.
+// finite. `meshes`: their boxes. `instances`: by number, empty where erased. `name`: of the scene,
+// for messages.
 std::vector<DrawItem> draw_items(std::span<const std::optional<Instance>> instances,
                                  std::span<const Bounds> meshes, std::size_t materials,
                                  const std::string& name);

@@ -20,7 +20,7 @@ class LightUniforms {
     bool any_positional() const { return any_positional_; }
     // Position and 1, or the direction towards a directional light and 0.
     const glm::vec4& place(int light) const { return place_[static_cast<std::size_t>(light)]; }
-    // What it gives at most a surface there: without range and cone.
+    // The irradiance on a surface at `position` that faces the light, without range and cone.
     glm::vec3 irradiance(int light, const glm::vec3& position) const;
     void set(Program& program) const;
 

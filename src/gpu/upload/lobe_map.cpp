@@ -8,8 +8,8 @@
 namespace burnish::gpu {
 namespace {
 
-// Points a texel: 96 leave 1 % of ripple beside a sun of 0.5 degrees; the first level, 2 texels
-// wide, needs no more than its neighbours.
+// Samples per texel. 96 leave 1 % of ripple beside a sun of 0.5 degrees. The first level, whose
+// lobe is 2 texels wide, needs no more than its neighborhood.
 constexpr int kKernelSamples = 96;
 constexpr int kFirstKernelSamples = 32;
 
@@ -26,7 +26,7 @@ void define_levels(int size) {
 
 }  // namespace
 
-// A texel of a face is some pi/2 / size wide and a lobe, in directions, twice its alpha.
+// A texel of a face spans about pi/2 / size radians; a lobe spans twice its alpha in directions.
 LobeMap::LobeMap(Program& program, int size, GLuint empty_vertex_array)
     : first_alpha_(1.5707963f / static_cast<float>(size)) {
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);

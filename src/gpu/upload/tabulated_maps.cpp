@@ -12,7 +12,7 @@ struct TableFormat {
     GLenum internal, layout, type;
 };
 
-// Read by texel, never filtered by the device.
+// Uploads a picture that shaders read by texel, without filtering.
 void upload(GLuint texture, const TableFormat& format, int width, int height, const void* texels) {
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_2D, texture);

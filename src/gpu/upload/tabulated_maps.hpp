@@ -15,9 +15,9 @@ class TabulatedMaps {
     // Throws Error when a picture is larger than the device's textures.
     explicit TabulatedMaps(std::shared_ptr<const TabulatedMaterial> material);
 
-    // The picture that sampling an environment reads; made when first asked for.
+    // Makes the picture that sampling an environment reads, if it is missing.
     void require_draws();
-    // Binds all that is made and sets the uniforms of shaders/lib/tabulated.glsl.
+    // Binds all existing pictures and sets the uniforms of shaders/lib/tabulated.glsl.
     void bind(Program& program) const;
 
     const std::shared_ptr<const TabulatedMaterial>& material() const { return material_; }

@@ -41,7 +41,7 @@ struct Format {
     GLenum internal, layout, type;
 };
 
-// Texels as they are handed to OpenGL.
+// Texels in the form that OpenGL receives.
 struct Pixels {
     std::vector<std::byte> converted;  // empty: the texture's own
     const void* data = nullptr;
@@ -53,8 +53,8 @@ T opaque() {
     return std::is_floating_point_v<T> ? T(1) : std::numeric_limits<T>::max();
 }
 
-// Four channels a texel: gray is repeated, alpha filled in. WebGL 2 cannot swizzle. `convert`: T to
-// U.
+// Four channels a texel: gray is repeated and alpha filled in, because WebGL 2 cannot swizzle.
+// `convert`: T to U.
 template <typename T, typename U, typename Convert>
 std::vector<std::byte> to_four_channels(const Texture& texture, Convert convert) {
     const std::size_t count =
@@ -109,10 +109,10 @@ Pixels u16_pixels(const Texture& texture, bool es) {
 
 Pixels f32_pixels(const Texture& texture, bool es, TextureForm form) {
     Pixels p;
-    // ES filters half floats, not floats, the largest of which is 65504. It is the brightest that a
-    // pixel can be, and sums of such texels (filters, mips) stay far from infinity, whose
-    // differences would be NaN. Normals lie in [0, 1]: within 16 their squares stay far from
-    // overflow, whatever scale is put on them.
+    // ES filters half floats, whose largest value is 65504, but not floats. 65504 is the greatest
+    // value of a pixel. Sums of such texels (filters, mips) stay far from infinity, whose
+    // differences would be NaN. Normals lie in [0, 1]; with a limit of 16 their squares cannot
+    // overflow at any scale.
     p.format = {static_cast<GLenum>(es ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT};
     const bool normals = form == TextureForm::normal;
     const float limit = normals ? 16.0f : 65504.0f;
@@ -178,14 +178,15 @@ GLint wrap_of(Wrap wrap) {
                                   : GL_CLAMP_TO_EDGE;
 }
 
-// Only floats may hold what is no normal, and only two channels mean something else in a normal map
-// (x and y, not gray and alpha): other textures have one form for both uses.
+// Forms differ for float textures only, which may hold values that are not normals, and for two
+// channels, which are x and y in a normal map but gray and alpha elsewhere. Other textures have one
+// form for both uses.
 TextureForm form_of(const Texture& texture, TextureForm wished) {
     const bool apart = texture.type == TexelType::f32 || texture.channels == 2;
     return wished == TextureForm::normal && !apart ? TextureForm::plain : wished;
 }
 
-// x and y of a normal map in red and green; blue, which is not read, 0.
+// x and y of a normal map in red and green; blue is not read and is 0.
 Texture with_third_channel(const Texture& xy) {
     Texture xyz = xy;
     xyz.channels = 3;
@@ -216,8 +217,8 @@ bool wants_slopes(const Material& material) {
 
 TextureStore::TextureStore(const Context& context)
     : es_(context.is_es()), max_size_(context.max_texture_size()) {
-    // The software renderer pays for every probe of an anisotropic fetch; jittered samples do the
-    // same work there for nothing.
+    // The software renderer pays for every probe of an anisotropic fetch, and jittered samples
+    // filter equally well there at no cost.
     if (!context.is_software() && context.has_extension("GL_EXT_texture_filter_anisotropic")) {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy_);
         anisotropy_ = std::clamp(anisotropy_, 1.0f, 8.0f);

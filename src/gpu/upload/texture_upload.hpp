@@ -15,50 +15,50 @@
 
 namespace burnish::gpu {
 
-// How shaders read a texture. Texels that are not finite are replaced, so that filtering cannot
-// spread them: `plain` by 0, `normal` by a flat normal. `slopes`: slopes and their variances
-// (maps/normal/slope_mips.hpp).
+// The form in which shaders read a texture. Texels that are not finite are replaced, so that
+// filtering cannot spread them: `plain` by 0, `normal` by a flat normal. `slopes`: slopes and their
+// variances (maps/normal/slope_mips.hpp).
 enum class TextureForm { plain, normal, slopes };
 
-// Whether a material reads its normal map as slopes.
+// Whether a material uses its normal map in the form of slopes.
 bool wants_slopes(const Material& material);
 
-// Texels and how they are to be read are equal; names may differ.
+// Whether texels and sampling are equal; names may differ.
 bool same_texels(const Texture& a, const Texture& b);
 
-// The textures of a scene by their numbers, each uploaded in the forms that materials ask for. A
-// copy of the texels is kept: a material that is changed may ask for another form. 8-bit color is
-// decoded from sRGB by the hardware; 16 bits stay 16 bits on the desktop; what has no filterable
-// format of its own becomes half float.
+// The textures of a scene by number, each uploaded in the forms that materials need. A copy of the
+// texels is kept, because a changed material may need another form. The hardware decodes 8-bit
+// color from sRGB. 16-bit textures keep 16 bits on the desktop. Types without a filterable format
+// of their own become half float.
 class TextureStore {
   public:
     struct Slot {
         std::shared_ptr<const Texture> source;
         std::array<std::shared_ptr<const GlTexture>, 3>
-            forms;  // by TextureForm; null: not asked for
+            forms;  // by TextureForm; null: not uploaded
     };
-    using Slots = std::vector<Slot>;  // copies share what is on the device
+    using Slots = std::vector<Slot>;  // copies share the data on the device
 
     explicit TextureStore(const Context& context);
 
     const Slots& slots() const { return slots_; }
     void set_slots(Slots slots) noexcept { slots_ = std::move(slots); }
 
-    // Uploads what the material reads and `slots` lack. Throws Error naming the texture when there
-    // is none of this number, when it is broken or too large for the device; Interrupted. What was
-    // uploaded before stays in `slots`.
+    // Uploads the forms that the material reads and `slots` lack. Throws Error naming the texture
+    // when the number does not exist, or the texture is broken or too large for the device; throws
+    // Interrupted. Completed uploads stay in `slots`.
     void require(Slots& slots, const Material& material, const Progress& progress);
     void require(const Material& material, const Progress& progress) {
         require(slots_, material, progress);
     }
     bool uses(const Material& material, int texture) const;
 
-    // `use` must have a texture, which was required in this form.
+    // `use` must have a texture, and the form must have been required.
     void bind(GLuint unit, const TextureUse& use, TextureForm form);
     static int channels(const Slots& slots, const TextureUse& use);
     float log2_side(const TextureUse& use) const;  // of the longer side in texels
 
-    int uploads() const { return uploads_; }  // of this store so far
+    int uploads() const { return uploads_; }  // of this store since its creation
 
   private:
     struct Need {

@@ -56,7 +56,7 @@ double mirrored_bits(std::uint32_t i) {
 
 std::vector<SkyLight> sky_lights(const Environment& environment, int count) {
     const Image& map = environment.radiance;
-    // the middle row of an odd height straddles the horizon: cut there
+    // The middle row of an odd height straddles the horizon; row_weight cuts it there.
     const int rows = (map.height + 1) / 2;
     const double step = std::numbers::pi / map.height;
     // Int L cos dw of a texel: the width of its column times Int cos sin dtheta of its row.

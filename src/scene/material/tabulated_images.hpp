@@ -4,14 +4,14 @@
 //
 //   tables  azimuths x rings: D of the cell, of the next azimuth, of the next ring, and of both
 //   draws   azimuths x rings: cumulative share of the ring's draws including the cell, density of
-//          draws of the cell
-//  areas   kAreaGrid: g - z, four values as in the tables; below them the cumulative share of
-//          draws including each ring, kAreaGrid.azimuths a row
+//           draws of the cell
+//   areas   kAreaGrid: g - z, four values as in the tables; below them the cumulative share of
+//           draws including each ring, kAreaGrid.azimuths a row
 //
 // Every texel of the material has, in words of 16 bits,
 //
 //   texels  exemplar, angle of its groove (2 pi / 65536); x, y of the normal; cosine and sine of
-//          the angle; cosine and sine of angle and groove together
+//           the angle; cosine and sine of angle and groove together
 //   colors  diffuse and specular, as half floats
 //
 // One fetch of four values serves an interpolation between four cells, because the cost of software
