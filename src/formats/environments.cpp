@@ -21,7 +21,8 @@ namespace {
 constexpr std::string_view kPrefix = "builtin:";
 constexpr std::array<std::string_view, 3> kNames = {"studio", "white", "black"};
 constexpr int kLeastHeight = 2;
-// The sun's disk in cd/m^2 is 1.6e9. More is no radiance, and would overflow when it is summed.
+// Largest radiance. The sun's disk has 1.6e9 cd/m^2. Larger values are errors, and their sums would
+// overflow.
 constexpr float kBrightest = 1e12f;
 
 Environment builtin_environment(std::string_view name) {
@@ -46,8 +47,8 @@ void check_shape(const std::string& path, const Image& image) {
                     fmt::format("{}x{}", image.width, image.height));
 }
 
-// Filters with negative lobes leave values a little below zero, which are black; what is far above
-// any light is a broken file.
+// Values slightly below zero, which filters with negative lobes produce, become 0. Values far above
+// any light source are an error of the file.
 void check_values(const std::string& path, Image& image) {
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         float& value = image.pixels[i];

@@ -19,10 +19,10 @@ namespace {
 
 using nlohmann::json;
 
-// A scene file nests four deep; this is far beyond, and far from any stack's end.
+// A scene file nests four levels deep; 32 is ample and far below the limit of any stack.
 constexpr std::size_t kDeepest = 32;
 
-// Input iterator over the text that tells how far the parser has come.
+// Input iterator over the text that records the position of the parser.
 class CountingIterator {
   public:
     using iterator_category = std::input_iterator_tag;
@@ -67,7 +67,7 @@ std::string shown_at(std::string_view text, std::size_t offset) {
     return shown(rest.substr(0, 20));
 }
 
-// Refuses, while the parser is still reading, what it would accept.
+// Rejects duplicate keys and deep nesting, which the parser would accept, during parsing.
 class Guard {
   public:
     Guard(const std::string& file, std::string_view text, const std::size_t& read)
@@ -96,10 +96,10 @@ class Guard {
     const std::string& file_;
     std::string_view text_;
     const std::size_t& read_;
-    std::vector<std::set<std::string>> keys_;  // of each value the parser is inside of
+    std::vector<std::set<std::string>> keys_;  // of each value that contains the current position
 };
 
-// "[0, 0, 0]", with what is long or nested shortened.
+// A list such as "[0, 0, 0]"; long or nested items are shortened.
 std::string described_list(const json& list) {
     constexpr std::size_t kShown = 4, kLongest = 24;
     std::string text = "[";
@@ -136,10 +136,10 @@ nlohmann::json parse_json(const std::string& file, std::string_view text) {
                            CountingIterator(text.data() + text.size(), &unused),
                            Guard(file, text, read));
     } catch (const json::parse_error& error) {
-        // `byte` counts from 1 and is one past the last byte at the end of the text.
+        // `byte` counts from 1; at the end of the text it is one past the last byte.
         const std::size_t offset = error.byte > 0 ? error.byte - 1 : 0;
         throw Error(file, line_and_column(text, offset), "JSON", shown_at(text, offset));
-    } catch (const json::exception&) {  // a number beyond double
+    } catch (const json::exception&) {  // a number beyond the range of double
         throw Error(file, line_and_column(text, read > 0 ? read - 1 : 0), "a number in range",
                     "one too large");
     }
@@ -201,7 +201,7 @@ std::string JsonPlace::text() const {
 }
 
 double JsonPlace::number(double low, double high) const {
-    // The parser lets no NaN and no infinity pass.
+    // The parser accepts neither NaN nor infinity, so NAN marks another type.
     const double value = value_->is_number() ? value_->get<double>() : NAN;
     if (!(value >= low && value <= high))
         fail(fmt::format("a number from {:g} to {:g}", low, high));

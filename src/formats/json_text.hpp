@@ -1,4 +1,4 @@
-// Reading JSON that a person wrote: errors say where, and what the format leaves open is refused.
+// Reads JSON written by a person: errors name the position, and duplicate keys are rejected.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace burnish {
 
-// Parses a JSON document. Throws Error "<file>: line 3, column 7: expected ..., found ..." for text
-// that is no JSON, for a key given twice in one object and for nesting deeper than 32.
+// Parses a JSON document. Throws Error "<file>: line 3, column 7: expected ..., found ..." for
+// invalid JSON, for a key given twice in one object and for nesting deeper than 32.
 nlohmann::json parse_json(const std::string& file, std::string_view text);
 
-// A value and the path to it, such as "objects[2].translate", for messages. Does not own the value.
+// A value and its path, such as "objects[2].translate", for messages. Does not own the value.
 class JsonPlace {
   public:
     JsonPlace(const std::string& file, const nlohmann::json& value)
@@ -29,7 +29,7 @@ class JsonPlace {
     // Throws Error "<file>: <path>: expected <expected>, found <the value>".
     [[noreturn]] void fail(std::string_view expected) const;
 
-    // Throws unless the value is an object with none but these keys; names the nearest.
+    // Throws unless the value is an object with only these keys; suggests the nearest one.
     void require_object(std::span<const std::string_view> keys) const;
     void require_object() const;  // any keys
     void require_array(std::size_t most) const;

@@ -33,8 +33,7 @@ Scene scene_of_builtin(const std::string& name, int triangles) {
     Material& material = scene.materials.emplace_back();
     material.name = "default";
     material.base_color = {0.8f, 0.8f, 0.8f, 1.0f};
-    material.lobe =
-        GltfLobe{0.4f};  // a metal that shows its lobe; glTF's own default is fully rough
+    material.lobe = GltfLobe{0.4f};  // a metal with a visible lobe; glTF's default is fully rough
     material.double_sided = shape == "drape" || shape == "plane";  // sheets
     scene.instances.emplace_back();
     return scene;
@@ -48,7 +47,7 @@ Scene load_model(const std::string& path_or_builtin, int triangles) {
     const std::string extension = lower_extension(path);
     if (extension == ".obj") return load_obj(path);
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
-    // Other names are told by content: a binary glTF starts with its name.
+    // Other names are recognized by content: a binary glTF starts with "glTF".
     if (std::filesystem::is_directory(path))
         throw Error(path_or_builtin, "", "a model or a scene", "a folder");
     std::ifstream file(path, std::ios::binary);

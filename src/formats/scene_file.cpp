@@ -29,14 +29,14 @@ namespace burnish {
 namespace {
 
 constexpr std::string_view kFormat = "burnish-scene";
-// Ten thousand objects with every key spelled out take two megabytes.
+// Ten thousand objects with every key take two megabytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kMostObjects = 10000, kMostLights = 1000;
 constexpr double kFar = 1e6;                        // metres, as in the parameter table
 constexpr double kSmallest = 1e-6, kLargest = 1e6;  // scale factors
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
-// Refuses a name that is none of `known`, with the nearest one when there is one.
+// Throws Error for a name that is not in `known`; suggests the nearest one.
 [[noreturn]] void refuse_name(const JsonPlace& place, std::span<const std::string_view> known,
                               const std::string& kind) {
     const std::string_view nearest = nearest_name(known, place.text());
@@ -48,7 +48,7 @@ constexpr std::string_view kBuiltinPrefix = "builtin:";
                         : fmt::format("{}; did you mean '{}'?", shown(place.text()), nearest));
 }
 
-// A file named by a scene file lies beside it, unless its path is absolute.
+// Resolves a file name in a scene file relative to the scene file; absolute paths stay.
 std::string beside(const std::filesystem::path& scene_file, const std::string& name) {
     if (name.starts_with(kBuiltinPrefix) || name == "none") return name;
     return (scene_file.parent_path() / name).string();
@@ -58,7 +58,7 @@ bool is_among(std::span<const std::string_view> names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Whether the text parameter `key` names a file by `name`.
+// Whether the value `name` of the text parameter `key` is a file name.
 bool names_file(std::string_view key, std::string_view name) {
     if (key == "scratch") return !is_among(scratch_preset_names(), name);
     if (key == "weave") return !is_among(draft_names(), name);
@@ -77,7 +77,7 @@ glm::vec3 read_numbers(const JsonPlace& place) {
     return numbers;
 }
 
-// Sets `key` to the JSON value at `place`; a number beyond an int is none of any parameter.
+// Sets `key` to the JSON value at `place`. A number out of the range of int suits no parameter.
 void read_parameter(const JsonPlace& place, const Parameter& parameter,
                     const std::filesystem::path& file, ParameterValues& values) {
     const nlohmann::json& value = place.value();
@@ -94,7 +94,7 @@ void read_parameter(const JsonPlace& place, const Parameter& parameter,
             if (!value.is_number_integer()) place.fail("a whole number");
             const double number = value.get<double>();
             if (number < parameter.low || number > parameter.high)
-                return values.set(parameter.name, value.dump(), where);  // which refuses it
+                return values.set(parameter.name, value.dump(), where);  // throws Error
             return set(value.get<int>());
         }
         case Kind::boolean:
@@ -129,7 +129,7 @@ ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::p
                 throw Error(place.file(), member.path(), "a parameter of materials", shown(key));
             read_parameter(member, *parameter, file, values);
         } catch (const UsageError& error) {
-            throw Error(error.what());  // the fault is the file's, not the command's
+            throw Error(error.what());  // an error of the file, not of the command line
         }
     }
     return values;
@@ -150,7 +150,7 @@ glm::vec3 read_color(const JsonPlace& place) {
 
 glm::vec3 read_direction(const JsonPlace& place) {
     const glm::vec3 direction = place.triple(-kFar, kFar);
-    // Shorter than this its square underflows, and nobody means a direction by it.
+    // The square of a shorter vector would underflow, and no such vector is an intended direction.
     if (glm::length(direction) < 1e-12f) place.fail("a direction that is not zero");
     return glm::normalize(direction);
 }
@@ -199,7 +199,7 @@ glm::mat4 read_transform(const JsonPlace& place) {
     if (place.has("translate")) m = glm::translate(m, place.at("translate").triple(-kFar, kFar));
     if (place.has("rotate_deg")) {
         const glm::vec3 turn = glm::radians(place.at("rotate_deg").triple(-3600.0, 3600.0));
-        m = glm::rotate(m, turn.z, glm::vec3(0, 0, 1));  // x first, then y, then z
+        m = glm::rotate(m, turn.z, glm::vec3(0, 0, 1));  // rotates about x first, then y, then z
         m = glm::rotate(m, turn.y, glm::vec3(0, 1, 0));
         m = glm::rotate(m, turn.x, glm::vec3(1, 0, 0));
     }
@@ -214,7 +214,7 @@ glm::mat4 read_transform(const JsonPlace& place) {
     return m;
 }
 
-// A model that is in the scene already: where its meshes and textures are, and the rest of it.
+// A model that is already in the scene: its first mesh and texture there, and its other data.
 struct LoadedModel {
     int first_mesh = 0, first_texture = 0;
     Scene rest;                                 // without meshes and textures
@@ -254,8 +254,8 @@ class SceneFileReader {
     }
 
   private:
-    // The material parameters of "parameters" hold for every material that its named set does not
-    // overrule; the others are the caller's.
+    // Material parameters in "parameters" apply to every material unless its named set overrides
+    // them. The other parameters go to the caller.
     void read_parameter_sets() {
         if (root_.has("parameters")) {
             const ParameterValues all = read_parameters(root_.at("parameters"), path_, false);
@@ -316,7 +316,7 @@ class SceneFileReader {
         return models_.emplace(name, std::move(model)).first->second;
     }
 
-    // Index of the first of the model's materials under the named set of parameters.
+    // Index of the first of the model's materials with the named set of parameters.
     int materials_of(LoadedModel& model, const std::string& set, const JsonPlace& place) {
         const auto [found, is_new] =
             model.first_material.try_emplace(set, static_cast<int>(out_.scene.materials.size()));
@@ -389,8 +389,8 @@ SceneFile load_scene_file(const std::filesystem::path& path) {
 }
 
 bool is_scene_file(const std::filesystem::path& path) {
-    // Enough for "format" to come up; a scene file whose JSON is broken still counts, so that the
-    // error is about that.
+    // The first 64 KiB contain "format". A scene file with broken JSON is still recognized, so that
+    // the error is about its JSON.
     constexpr std::size_t kLookedAt = 65536;
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return false;

@@ -8,7 +8,7 @@ namespace {
 
 struct Place {
     std::size_t low = 0, high = 0;
-    double part = 0;  // of the way from low to high
+    double part = 0;  // position between low and high, 0 to 1
 };
 
 Place place_in(const std::vector<double>& values, double value) {
@@ -25,15 +25,15 @@ double between(double a, double b, double t) {
     return (1 - t) * a + t * b;
 }
 
-// t in [0, 1] with a t + (b - a) t^2 / 2 = area: how far a trapezoid with sides a, b >= 0 is
-// filled. In this form of the root nothing cancels and a = b is no special case.
+// t in [0, 1] with a t + (b - a) t^2 / 2 = area: the width at which a trapezoid with sides a, b >=
+// 0 is filled to `area`. In this form of the root nothing cancels and a = b needs no special case.
 double filled(double a, double b, double area) {
     const double root = std::sqrt(std::max(a * a + 2 * area * (b - a), 0.0));
     const double below = a + root;
     return below > 0 ? std::clamp(2 * area / below, 0.0, 1.0) : 0.0;
 }
 
-// The last i in [0, count - 2] with part(i) <= value, for parts that rise.
+// The last i in [0, count - 2] with part(i) <= value, for non-decreasing parts.
 template <typename Part>
 std::size_t last_below(std::size_t count, double value, const Part& part) {
     std::size_t low = 0, high = count - 1;
@@ -78,7 +78,7 @@ double BilinearTable::value(const SliceMix& mix, double x, double y) const {
 
 // ---- BilinearWarp -------------------------------------------------------------------------------
 
-// A cell of the grid and a place in it.
+// A cell of the grid and a position in it.
 struct BilinearWarp::Cell {
     std::size_t column, row;
     double tx, ty;
@@ -152,18 +152,18 @@ double BilinearWarp::density(const SliceMix& mix, double x, double y) const {
 }
 
 Warped BilinearWarp::sample(const SliceMix& mix, double u, double v) const {
-    // Below 1, so that the last strip of area is not left behind.
+    // Below 1, so that the last strip of area is reachable.
     const double most = 1 - 0x1p-53;
     u = std::clamp(u, 0.0, most);
     v = std::clamp(v, 0.0, most);
     // The row: the marginal density is linear between rows.
     const std::size_t row = last_below(rows_, v, [&](std::size_t i) { return marginal(mix, i); });
     const double r0 = row_total(mix, row), r1 = row_total(mix, row + 1);
-    // Off the row's ends by less than doubles of the square resolve: a row that holds nothing at
-    // all tells no column, the one beside it does.
+    // Keeps ty away from the ends of the row by less than doubles in the unit square resolve. A row
+    // without density determines no column; the adjacent row does.
     constexpr double kInside = 1e-14;
     const double ty = std::clamp(filled(r0, r1, v - marginal(mix, row)), kInside, 1 - kInside);
-    // The column, in the row that lies between two of the table's.
+    // The column, in the interpolated row between two rows of the table.
     const auto part = [&](std::size_t column) {
         return between(row_part(mix, row, column), row_part(mix, row + 1, column), ty);
     };
@@ -187,7 +187,7 @@ Warped BilinearWarp::invert(const SliceMix& mix, double x, double y) const {
                                   row_part(mix, cell.row + 1, cell.column), cell.ty);
     const double r0 = row_total(mix, cell.row), r1 = row_total(mix, cell.row + 1);
     const double total = between(r0, r1, cell.ty);
-    // A row without any density is reached by no sample: any place in it will do.
+    // No sample reaches a row without density, so any u serves.
     const double u =
         total > 0 ? (before + cell.tx * (c0 + 0.5 * cell.tx * (c1 - c0))) / total : 0.5;
     const double v = marginal(mix, cell.row) + cell.ty * (r0 + 0.5 * cell.ty * (r1 - r0));

@@ -13,12 +13,12 @@
 namespace burnish {
 namespace {
 
-// A hundred times the tables of the largest material of the database would be 8 million numbers.
+// The largest material of the database has some 80,000 table values; this allows 200 times as many.
 constexpr std::size_t kMostTableValues = std::size_t{16} << 20;
 constexpr std::size_t kLongestDescription = 4096;
-// Angles are single-precision numbers of some program's degrees.
+// Radians. Angles in files are single-precision numbers that some program converted from degrees.
 constexpr double kAngleTolerance = 1e-3;
-// What cosines are held at; see eval.
+// The least cosine that eval divides by.
 constexpr double kLeastTableCosine = 1e-6;
 
 double u_of_theta(double theta) {
@@ -29,13 +29,13 @@ double theta_of_u(double u) {
     return u * u * (kPi / 2);
 }
 
-// (phi + pi) / (2 pi), turned into [0, 1).
+// (phi + pi) / (2 pi), wrapped into [0, 1).
 double v_of_phi(double phi) {
     const double v = (phi + kPi) / (2 * kPi);
     return v - std::floor(v);
 }
 
-// From components, so that it is exact near the normal.
+// From components, which keeps precision near the normal.
 double theta_of(Direction<double> w) {
     return std::atan2(std::hypot(w.x, w.y), w.z);
 }
@@ -44,18 +44,19 @@ Direction<double> direction_at(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-// Of wi + wo, which at the horizon may be as short as rounding makes it.
+// The unit half vector of sum = wi + wo, which may vanish by rounding at the horizon.
 Direction<double> half_vector(Direction<double> sum) {
     if (!make_unit(sum)) sum = {0, 0, 1};
     return sum;
 }
 
-// Draws whose half vector is seen at less than this cosine are thrown away: their density, which
-// divides by it, would not be a number. No table resolves such angles.
+// Least cosine between a direction and the half vector of a draw. Draws below it are rejected:
+// their density, which divides by the cosine, would overflow. No table resolves such angles.
 constexpr double kLeastFacing = 1e-12;
 
-// Solid angle per area of the (u, v) square: theta = pi u^2 / 2, phi = pi (2 v - 1). Not 0, so that
-// the density of the very normal is a number; the next normal in single precision has 1e-14.
+// Solid angle per area of the (u, v) square: theta = pi u^2 / 2, phi = pi (2 v - 1). At least
+// 1e-18, so that the density at the normal itself is finite; the next normal in single precision
+// has 1e-14.
 double solid_angle_of_square(double u, double theta) {
     return std::max(2 * kPi * kPi * u * std::sin(theta), 1e-18);
 }
@@ -65,7 +66,7 @@ double solid_angle_of_square(double u, double theta) {
 // ---- evaluation ---------------------------------------------------------------------------------
 
 struct RglBrdf::Given {
-    Direction<double> w;  // within the azimuths of the file
+    Direction<double> w;  // flipped into the azimuths of the file
     double flip_x = 1, flip_y = 1;
     double theta = 0, phi = 0;
     SliceMix mix;
@@ -73,12 +74,12 @@ struct RglBrdf::Given {
     Direction<double> flipped(Direction<double> v) const {
         return {v.x * flip_x, v.y * flip_y, v.z};
     }
-    // The azimuth of the tables' own frame, which turns with the incident direction when isotropic.
+    // Azimuth of the frame of the tables, which rotates with the incident direction when isotropic.
     double offset(bool isotropic) const { return isotropic ? phi : 0.0; }
 };
 
-// Files with symmetry hold the azimuths from -pi on: both components are to be negative, or y
-// alone.
+// Files with symmetry store the azimuths from -pi. Four-fold symmetry needs both components
+// negative, two-fold y only.
 RglBrdf::Given RglBrdf::given(Direction<double> wo) const {
     Given at;
     if (symmetry_ == 4) {
@@ -89,7 +90,8 @@ RglBrdf::Given RglBrdf::given(Direction<double> wo) const {
     }
     at.w = at.flipped(wo);
     at.theta = theta_of(at.w);
-    // At the normal every azimuth is as good; the negative zero of y picks the file's own side.
+    // At the normal any azimuth serves; the negative zero of y selects the side that the file
+    // stores.
     at.phi = std::atan2(at.w.y, at.w.x);
     if (symmetry_ != 1 && at.phi > 0) at.phi = -at.phi;
     at.mix = grid_.at(at.phi, at.theta);
@@ -190,7 +192,8 @@ std::vector<double> read_angles(const TensorFile& file, std::string_view name, d
     return {values.begin(), values.end()};
 }
 
-// Axes beyond the first `outer` ones are a grid of at least 2 x 2; all of it within bounds.
+// Checks that the axes after the first `outer` ones form a grid of at least 2 x 2 and that the
+// field is within bounds.
 void check_grid(const TensorFile& file, const TensorField& field) {
     const std::size_t rank = field.shape.size();
     if (field.shape[rank - 1] < 2 || field.shape[rank - 2] < 2)

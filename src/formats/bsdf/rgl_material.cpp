@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-// As wide as the largest tables of the database are resolved.
+// Rings and azimuths: the resolution of the largest tables of the database.
 constexpr NdfGrid kBsdfGrid = {96, 192};
 
 }  // namespace
@@ -30,7 +30,7 @@ TabulatedMaterial tabulated_from_bsdf(const std::filesystem::path& path) {
         for (int a = 0; a < m.grid.azimuths; ++a) {
             const double D = std::max(brdf.ndf(theta, 2 * kPi * a / m.grid.azimuths), 0.0);
             m.D.push_back(static_cast<float>(D));
-            // Mean square of the slope along each line through the normal.
+            // Mean square slope along each line through the normal.
             second[static_cast<std::size_t>(a) % second.size()] +=
                 D * m.grid.solid_angle(r) * std::pow(std::sin(theta), 2);
         }
@@ -44,7 +44,7 @@ TabulatedMaterial tabulated_from_bsdf(const std::filesystem::path& path) {
     m.origin.assign(m.D.size(), NdfOrigin::measured);
     for (std::size_t i = 0; i < second.size(); ++i)
         if (second[i] > second[best]) best = i;
-    // Widest across the groove: the groove runs a quarter turn from there.
+    // The lobe is widest across the groove: the groove is 90 degrees from there.
     const double across = 2 * kPi * static_cast<double>(best) / m.grid.azimuths;
     m.groove = {brdf.isotropic() ? 0.0F : static_cast<float>(std::fmod(across + kPi / 2, kPi))};
     m.eta = 0;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFirst = 380, kLast = 780, kStep = 10;
 
-// CIE 15, every 10 nm from 380 to 780 nm.
+// Relative power of D65 from CIE 15, every 10 nm from 380 to 780 nm.
 constexpr std::array<double, 41> kD65 = {
     49.9755, 54.6482, 82.7549, 91.486,  93.4318, 86.6823, 104.865, 117.008, 117.812,
     114.861, 115.923, 108.811, 109.354, 107.802, 104.79,  107.689, 104.405, 104.046,
@@ -16,7 +16,7 @@ constexpr std::array<double, 41> kD65 = {
     80.0268, 80.2146, 82.2778, 78.2842, 69.7213, 71.6091, 74.349,  61.604,  69.8856,
     75.087,  63.5927, 46.4182, 66.8054, 63.3828};
 
-// A bell with another width to either side of its middle.
+// A Gaussian with different widths on the two sides of its middle.
 double lobe(double wavelength, double height, double middle, double left, double right) {
     const double t = (wavelength - middle) * (wavelength < middle ? left : right);
     return height * std::exp(-0.5 * t * t);
@@ -30,7 +30,7 @@ std::array<double, 3> rec709(const std::array<double, 3>& xyz) {
             0.0556434 * x - 0.2040259 * y + 1.0572252 * z};
 }
 
-// Adds `amount` to the samples on either side of `at`, as linear interpolation would weigh them.
+// Adds `amount` to the samples on either side of `at`, with the weights of linear interpolation.
 void spread(std::span<const float> wavelengths, double at, const std::array<double, 3>& amount,
             std::vector<std::array<double, 3>>& sums) {
     const std::size_t last = wavelengths.size() - 1;

@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 12> kTypeNames = {"",      "uint8",   "in
                                                          "int64", "float16", "float32", "float64"};
 constexpr std::array<std::size_t, 12> kTypeBytes = {0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
-// Walks the table of contents; reading past the end is an error of the file.
+// Reads the table of contents in order; throws Error when it ends beyond the file.
 class TableCursor {
   public:
     TableCursor(const TensorFile& file, std::span<const std::byte> bytes)
@@ -67,7 +67,7 @@ void check_head(const TensorFile& file, TableCursor& cursor) {
     if (major != 1 || minor != 0) file.fail("version", "1.0", fmt::format("{}.{}", major, minor));
 }
 
-// Sizes whose product fits a file of kMostTensorBytes; so no multiplication overflows.
+// Reads sizes whose product fits a file of kMostTensorBytes, so that no multiplication overflows.
 void read_shape(const TensorFile& file, TableCursor& cursor, std::size_t rank, TensorField& field) {
     const std::size_t most = kMostTensorBytes / bytes_of(field.type);
     for (std::size_t i = 0; i < rank; ++i) {

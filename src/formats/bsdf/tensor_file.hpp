@@ -20,7 +20,7 @@
 
 namespace burnish {
 
-// The numbers are those of the file.
+// The enumerators have the values in the file.
 enum class TensorType : std::uint8_t {
     uint8 = 1,
     int8,
@@ -52,12 +52,12 @@ struct TensorField {
 inline constexpr std::size_t kMostTensorBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMostTensorFields = 256;
 inline constexpr std::size_t kMostTensorRank = 8;
-// Sums and products of a few such numbers stay far from the largest double.
+// Largest magnitude of a value: sums and products of a few such numbers stay far from the largest
+// double.
 inline constexpr float kMostTensorValue = 1e12F;
 
-// A whole file in memory, its table checked: every field lies within the file, behind the table,
-// and apart from every other; names are unique. Throws Error "<file>: <field>: expected ..., found
-// ...".
+// A whole file in memory with a checked table: every field lies within the file, after the table,
+// and overlaps no other; names are unique. Throws Error "<file>: <field>: expected ..., found ...".
 class TensorFile {
   public:
     static TensorFile load(const std::filesystem::path& path);
@@ -70,7 +70,7 @@ class TensorFile {
     const TensorField* find(std::string_view field) const;  // nullptr when there is none
     const TensorField& require(std::string_view field, TensorType type, std::size_t rank) const;
 
-    // Of a float32 field; each finite and within +-kMostTensorValue.
+    // Values of a float32 field; each is finite and within +-kMostTensorValue, else throws Error.
     std::vector<float> floats(const TensorField& field) const;
     std::span<const std::byte> data(const TensorField& field) const;
 
@@ -86,7 +86,7 @@ class TensorFile {
     std::vector<TensorField> fields_;
 };
 
-// By its first bytes. Throws Error when the file cannot be read.
+// Recognizes the format by its first bytes. Throws Error when the file cannot be read.
 bool is_tensor_file(const std::filesystem::path& path);
 
 }  // namespace burnish

@@ -19,12 +19,12 @@
 namespace burnish {
 namespace {
 
-// False for a transform that flattens what it moves, whose normals have no direction.
+// False for a singular transform, which leaves normals without a direction.
 bool keeps_volume(const glm::mat4& world) {
     const glm::dmat3 linear(world);
     double largest = 0.0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::length(linear[c]));
-    // Below this the inverse, which normals need, is beyond the precision of floats.
+    // Below this ratio the inverse, which normals need, exceeds the precision of floats.
     return std::abs(glm::determinant(linear)) > 1e-12 * largest * largest * largest;
 }
 

@@ -1,6 +1,6 @@
-// glTF 2.0 (.gltf, .glb) into a Scene. Throws Error with one line naming the file, the key, what was expected and what was found, for
-// any broken, hostile or unsupported input; never crashes, hangs, or allocates by a count that it
-// has not checked.
+// glTF 2.0 (.gltf, .glb) into a Scene. Throws Error for any broken, hostile or unsupported input,
+// with one line: file, key, expected, found. Never crashes, hangs, or allocates by an unchecked
+// count.
 #pragma once
 
 #include <filesystem>

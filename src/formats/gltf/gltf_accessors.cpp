@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-// Equally spaced elements inside a view; checked before it is made.
+// Equally spaced elements inside a view; the range is checked before construction.
 struct Elements {
     const std::byte* data = nullptr;
     std::size_t stride = 0;
@@ -49,7 +49,7 @@ Elements elements_in(std::span<const std::byte> view, std::size_t offset, std::s
 
 template <class Component>
 Component load(const std::byte* bytes) {
-    Component value;  // views need not be aligned
+    Component value;  // copied bytewise: views need not be aligned
     std::memcpy(&value, bytes, sizeof value);
     return value;
 }

@@ -1,4 +1,4 @@
-// Typed, checked reading of glTF accessors: every component type, strides, normalised integers,
+// Typed, checked reading of glTF accessors: every component type, strides, normalized integers,
 // sparse accessors and accessors without a buffer view.
 #pragma once
 
@@ -21,8 +21,8 @@ struct Accessor;
 namespace burnish {
 
 // `user` is the key that refers to the accessor, for messages. Every function throws Error for
-// indices out of range, the wrong number of components, component types glTF does not know, and
-// elements outside their buffer view.
+// indices out of range, the wrong number of components, unknown component types, and elements
+// outside their buffer view.
 class GltfAccessors {
   public:
     GltfAccessors(const tinygltf::Model& model, GltfBuffers& buffers, GltfReport& report)
@@ -36,7 +36,7 @@ class GltfAccessors {
                                  std::string_view user);
     std::vector<glm::vec4> vec4s(int accessor, std::size_t first, std::size_t count,
                                  std::string_view user);
-    // RGB or RGBA; alpha is 1 where there is none.
+    // RGB or RGBA; a missing alpha is 1.
     std::vector<glm::vec4> colors(int accessor, std::size_t first, std::size_t count,
                                   std::string_view user);
 

@@ -73,8 +73,8 @@ GltfBuffers::GltfBuffers(const GltfContainer& container, const GltfDocument& doc
       decompressed_(document.model->bufferViews.size()) {
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
         const GltfBuffer& buffer = document.buffers[i];
-        // A buffer without URI is the binary chunk if it is the first of a .glb, else it holds
-        // nothing and may only be the stand-in of compressed views.
+        // A buffer without URI is the binary chunk if it is the first of a .glb. Otherwise it is
+        // empty, and only a fallback buffer of compressed views may be so.
         if (buffer.has_uri && !buffer.fallback) {
             owned_[i] = read_uri(i);
             buffers_[i] = owned_[i];

@@ -1,4 +1,4 @@
-// The bytes behind the buffer views of a glTF file, decompressed where they need to be.
+// The bytes of the buffer views of a glTF file, decompressed where necessary.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@ namespace burnish {
 
 class GltfBuffers {
   public:
-    // Reads every buffer that has data. Throws Error for missing files, URIs that lead out of the
-    // folder, and buffers shorter than they say. Keeps references to all three.
+    // Reads every buffer that has data. Throws Error for missing files, URIs outside the folder,
+    // and buffers shorter than declared. Keeps references to all three arguments.
     GltfBuffers(const GltfContainer& container, const GltfDocument& document, GltfReport& report);
 
-    // The bytes of one view, valid as long as this object. `user` names who asks, for messages.
-    // EXT_meshopt_compression is undone on first use. Throws Error when they lie outside the
-    // buffer.
+    // The bytes of one view, valid for the lifetime of this object. `user` is the key that refers
+    // to the view, for messages. EXT_meshopt_compression is decoded at the first use. Throws Error
+    // when the view exceeds its buffer.
     std::span<const std::byte> view(int index, std::string_view user);
 
   private:
@@ -37,12 +37,12 @@ class GltfBuffers {
     const GltfContainer& container_;
     const GltfDocument& document_;
     GltfReport& report_;
-    std::vector<std::vector<std::byte>> owned_;  // a buffer each; empty for the GLB's
+    std::vector<std::vector<std::byte>> owned_;  // one per buffer; empty for the GLB's
     std::vector<std::span<const std::byte>> buffers_;
-    std::vector<std::optional<std::vector<std::byte>>> decompressed_;  // a view each
+    std::vector<std::optional<std::vector<std::byte>>> decompressed_;  // one per view
 };
 
-// The bytes of a "data:" URI, or nothing when `uri` is none. Throws Error when it is broken.
+// The bytes of a "data:" URI; nothing for another URI. Throws Error for a malformed one.
 std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri, std::string_view key,
                                                       const GltfReport& report);
 

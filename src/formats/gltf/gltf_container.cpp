@@ -30,7 +30,7 @@ std::string_view text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// One chunk at `offset`, which moves behind it.
+// Reads the chunk at `offset` and advances `offset` past it.
 std::span<const std::byte> take_chunk(std::span<const std::byte> bytes, std::size_t& offset,
                                       std::uint32_t& type, const GltfReport& report) {
     if (bytes.size() - offset < kChunkHeaderBytes)
@@ -43,7 +43,7 @@ std::span<const std::byte> take_chunk(std::span<const std::byte> bytes, std::siz
                     fmt::format("{} bytes: the file is truncated", bytes.size() - offset));
     }
     const auto chunk = bytes.subspan(offset, length);
-    // Chunks are padded to four bytes; a last one that is not is taken as it is.
+    // Chunks are padded to four bytes; an unpadded last chunk is accepted.
     offset = std::min(bytes.size(), offset + (length + 3) / 4 * 4);
     return chunk;
 }

@@ -1,4 +1,4 @@
-// A .gltf or .glb file taken apart into JSON text and binary chunk.
+// Splits a .gltf or .glb file into JSON text and binary chunk.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 namespace burnish {
 
 struct GltfContainer {
-    std::filesystem::path folder;  // relative URIs start here
+    std::filesystem::path folder;  // base of relative URIs
     std::vector<std::byte> bytes;  // the whole file; the next two point into it
     std::string_view json;
     std::span<const std::byte> binary;  // of a .glb; empty when there is none
 };
 
-// Tells the two kinds apart by content. Throws Error for truncated files, other versions of glTF
-// and files that are neither.
+// Distinguishes the two formats by content. Throws Error for truncated files, other versions of
+// glTF and files of another format.
 GltfContainer open_gltf_container(const std::filesystem::path& path, GltfReport& report);
 
-// The file behind a URI of a glTF file. Throws Error unless it is a relative path that stays inside
-// `folder`; percent-encoding is undone.
+// The path of the file that a URI of a glTF file names. Percent-encoding is decoded. Throws Error
+// unless the URI is a relative path inside `folder`.
 std::filesystem::path resolve_gltf_uri(const std::filesystem::path& folder, std::string_view uri,
                                        std::string_view key, const GltfReport& report);
 

@@ -15,13 +15,13 @@ namespace {
 
 using nlohmann::json;
 
-// glTF needs about ten levels. The parsers behind us recurse, so the stack sets the limit.
+// glTF needs about ten levels. The parsers called later recurse, so the stack sets the limit.
 constexpr int kDeepestJson = 64;
-// Every value costs tens to hundreds of bytes once parsed. The largest real files (a hundred
-// thousand nodes with matrices) have two million.
+// A parsed value takes tens to hundreds of bytes. The largest real files (a hundred thousand nodes
+// with matrices) have two million values.
 constexpr std::size_t kMostValues = 4'000'000;
 
-// Walks over the text once, before any parser sees it.
+// Checks depth and number of values in one pass over the text, before any parser reads it.
 void check_nesting(std::string_view text, const GltfReport& report) {
     int depth = 0;
     std::size_t values = 1;
@@ -39,7 +39,8 @@ void check_nesting(std::string_view text, const GltfReport& report) {
             in_string = true;
         } else if (c == '[' || c == '{') {
             if (++depth > kDeepestJson)
-                report.fail("JSON", fmt::format("at most {} levels", kDeepestJson), "deeper nesting");
+                report.fail("JSON", fmt::format("at most {} levels", kDeepestJson),
+                            "deeper nesting");
             ++values;
         } else if (c == ']' || c == '}') {
             --depth;
@@ -54,7 +55,8 @@ json parse_json(std::string_view text, const GltfReport& report) {
     try {
         return json::parse(text);
     } catch (const json::exception& exception) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+        // Removes the prefix of messages such as "[json.exception.parse_error.101] parse error at
+        // line 1, column 2: ...".
         std::string_view reason = exception.what();
         if (const auto end = reason.find("] "); end != std::string_view::npos)
             reason.remove_prefix(end + 2);
@@ -67,7 +69,7 @@ json parse_json(std::string_view text, const GltfReport& report) {
     }
 }
 
-// Drops what is never read and could be of any size. The depth is known to be small.
+// Removes values that are never read and could have any size. The depth is checked before.
 void prune(json& value) {
     if (value.is_object()) {
         value.erase("extras");
@@ -122,7 +124,7 @@ void take_images(json& root, GltfDocument& document, const GltfReport& report) {
     root.erase(it);
 }
 
-// Animation, skins and morph targets are not read at all.
+// Removes animations, skins and morph targets, which are not read.
 void drop_motion(json& root, GltfReport& report) {
     if (root.erase("animations") > 0) report.warn("animations are not played");
     if (root.erase("skins") > 0)

@@ -17,7 +17,7 @@ constexpr std::string_view kRead[] = {
 
 struct Loss {
     std::string_view name;
-    std::string_view loss;  // empty: nothing to see
+    std::string_view loss;  // empty: no visible loss
 };
 
 constexpr Loss kLosses[] = {

@@ -1,4 +1,4 @@
-// Which extensions of glTF are read, and what the absence of the others does to the picture.
+// Supported extensions of glTF, and the effect on the picture of each unsupported one.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace burnish {
 
 bool is_gltf_extension_read(std::string_view name);
 
-// Throws Error for a required extension we do not have; warns once for each other one.
+// Throws Error for an unsupported required extension; warns once for each other unsupported one.
 void check_gltf_extensions(const std::vector<std::string>& used,
                            const std::vector<std::string>& required, GltfReport& report);
 

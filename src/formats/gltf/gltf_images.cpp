@@ -14,8 +14,8 @@
 namespace burnish {
 namespace {
 
-// Pictures compress a thousandfold, so a small file can ask for any amount. 16 GiB are sixty RGBA
-// textures of 8192 x 8192, more than any renderer of ours could upload.
+// Limit of decoded texels. Pictures compress a thousandfold, so a small file can require any
+// amount. 16 GiB are sixty RGBA textures of 8192 x 8192, more than a renderer can upload.
 constexpr std::uint64_t kMostTexelBytes = std::uint64_t{16} << 30;
 
 }  // namespace
@@ -46,7 +46,7 @@ Texture GltfImages::decode_one(int index, ColorSpace color_space,
 }
 
 std::vector<Texture> GltfImages::decode() {
-    // Views may have to be decompressed, which is not done by several threads at once.
+    // Decompresses views on one thread, because decompression is not thread-safe.
     std::vector<std::span<const std::byte>> views(used_.size());
     for (std::size_t i = 0; i < used_.size(); ++i) {
         const int image = used_[i].first;
@@ -67,7 +67,7 @@ std::vector<Texture> GltfImages::decode() {
             }
         }
     });
-    // The first in the file's order, whichever thread was faster.
+    // Rethrow the first error in the file's order, independent of thread timing.
     for (const std::exception_ptr& error : errors)
         if (error) std::rethrow_exception(error);
     return textures;

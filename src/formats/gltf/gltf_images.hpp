@@ -1,4 +1,4 @@
-// The pictures of a glTF file, each decoded once for each way it is read.
+// The pictures of a glTF file, decoded once for each use.
 #pragma once
 
 #include <map>
@@ -16,11 +16,11 @@ class GltfImages {
                GltfReport& report)
         : container_(container), document_(document), buffers_(buffers), report_(report) {}
 
-    // Where image `image`, read as `color_space`, will stand among the textures.
+    // The index that image `image`, read as `color_space`, will have among the textures.
     int use(int image, ColorSpace color_space, std::string_view user);
 
-    // Reads and decodes all that are used, several at a time. Throws Error naming the model and the
-    // picture for missing files, broken pictures and more texels than memory should be asked for.
+    // Reads and decodes all pictures in use, in parallel. Throws Error naming the model and the
+    // picture for missing files, broken pictures and more texels than the limit.
     std::vector<Texture> decode();
 
   private:

@@ -14,12 +14,11 @@
 namespace burnish {
 namespace {
 
-// Colour times intensity must stay a float; the sun is 1e5 lux, a lighthouse 1e7 candela.
+// Color times intensity must be a finite float. The sun is 1e5 lux, a lighthouse 1e7 candela.
 constexpr double kBrightestLight = 1e12;
 constexpr const char* kBrightness = "0 to 1e12";
 
-
-// Unit vector along a column of a transform, or `otherwise` where it has no length.
+// Unit vector along a column of a transform; `otherwise` for a column without length.
 glm::vec3 axis(const glm::mat4& matrix, int column, glm::vec3 otherwise) {
     const glm::dvec3 direction(matrix[column]);
     const double length = glm::length(direction);
@@ -46,15 +45,15 @@ Light read_light(const tinygltf::Light& from, const std::string& key, const Gltf
               from.color[i], report);
         light.color[static_cast<int>(i)] = static_cast<float>(from.color[i]);
     }
-    check(from.intensity >= 0.0 && from.intensity <= kBrightestLight, key + ".intensity", kBrightness,
-          from.intensity, report);
+    check(from.intensity >= 0.0 && from.intensity <= kBrightestLight, key + ".intensity",
+          kBrightness, from.intensity, report);
     light.intensity = static_cast<float>(from.intensity);
     check(from.range >= 0.0, key + ".range", "more than 0", from.range, report);
     light.range = static_cast<float>(from.range);
     if (light.type == LightType::spot) {
         const double outer = from.spot.outerConeAngle;
         const double inner = from.spot.innerConeAngle;
-        // Rounded angles of 90 degrees may lie a little above.
+        // Rounded angles of 90 degrees may slightly exceed pi/2.
         check(outer > 0.0 && outer <= kHalfPi + 1e-4, key + ".spot.outerConeAngle",
               "more than 0, up to pi/2", outer, report);
         check(inner >= 0.0 && inner < outer, key + ".spot.innerConeAngle",
@@ -73,7 +72,8 @@ void read_projection(const tinygltf::Camera& from, const std::string& key, const
     if (camera.orthographic) {
         near = from.orthographic.znear;
         far = from.orthographic.zfar;
-        const double ymag = std::abs(from.orthographic.ymag);  // some exporters mirror with a sign
+        // Some exporters encode mirroring in the sign.
+        const double ymag = std::abs(from.orthographic.ymag);
         check(ymag > 0.0 && ymag <= kFarthest, key + ".orthographic.ymag",
               "a number up to 1e9 other than 0", ymag, report);
         camera.ymag = static_cast<float>(ymag);
@@ -87,7 +87,7 @@ void read_projection(const tinygltf::Camera& from, const std::string& key, const
         check(near > 0.0, key + ".perspective.znear", "more than 0", near, report);
         check(far == 0.0 || far > near, key + ".perspective.zfar", "more than znear", far, report);
     }
-    // Nothing is farther away than kFarthest, and some files say 1e38.
+    // No geometry is farther away than kFarthest, but some files say 1e38.
     camera.near_plane = static_cast<float>(std::min(near, kFarthest));
     camera.far_plane = static_cast<float>(std::min(far, 4.0 * kFarthest));
 }
@@ -125,7 +125,7 @@ void add_gltf_cameras(const tinygltf::Model& model, const std::vector<GltfPlacem
         read_projection(from, fmt::format("cameras[{}]", index), report, camera);
         camera.position = glm::vec3(placement.world[3]);
         const glm::vec3 forward = -axis(placement.world, 2, {0.0f, 0.0f, 1.0f});
-        // One metre for a camera inside the scene, so that there is something to orbit.
+        // At least one meter for a camera inside the scene, so that it can orbit the target.
         const float distance = std::max(glm::distance(camera.position, center), 1.0f);
         camera.target = camera.position + distance * forward;
         camera.up = axis(placement.world, 1, {0.0f, 1.0f, 0.0f});

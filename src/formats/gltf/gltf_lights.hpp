@@ -10,8 +10,8 @@
 namespace burnish {
 
 // Adds the lights and cameras of the placed nodes to `scene`, in the order of the nodes. Cameras
-// look along -z of their node; their target is as far away as the centre of the scene's bounds.
-// Throws Error for indices out of range and values the format does not allow.
+// look along -z of their node; the distance of their target is that of the center of the scene's
+// bounds. Throws Error for indices out of range and values that the format does not allow.
 void add_gltf_lights(const tinygltf::Model& model, const std::vector<GltfPlacement>& placements,
                      const GltfReport& report, Scene& scene);
 void add_gltf_cameras(const tinygltf::Model& model, const std::vector<GltfPlacement>& placements,

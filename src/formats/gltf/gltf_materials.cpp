@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-// Reads one file's materials; `where` is the key of the material at hand.
+// Reads the materials of one file; `where` is the key of the current material.
 class MaterialReader {
   public:
     MaterialReader(const tinygltf::Model& model, GltfImages& images, GltfReport& report)
@@ -59,9 +59,9 @@ glm::vec2 pair(const tinygltf::Value& object, const char* key, glm::vec2 otherwi
             static_cast<float>(array.Get(1).GetNumberAsDouble())};
 }
 
-// KHR_texture_transform: scale, then rotate, then move. v runs downwards, so that a rotation that
-// looks counter-clockwise in the picture has this sign; the extension's test model and all engines
-// agree on it, though the matrix printed in its text is the transpose.
+// KHR_texture_transform: scale, then rotation, then translation. v runs downwards, so a rotation
+// that is counter-clockwise in the picture has this sign. The extension's test model and all
+// engines agree on it, but the matrix printed in its text is the transpose.
 glm::mat3 texture_transform(const tinygltf::Value& from) {
     const glm::vec2 offset = pair(from, "offset", glm::vec2(0.0f));
     const glm::vec2 scale = pair(from, "scale", glm::vec2(1.0f));
@@ -176,12 +176,12 @@ void MaterialReader::read_extensions(const tinygltf::ExtensionMap& from, Materia
         if (n != 0.0 && n < 1.0)
             report_.fail(where_ + ".extensions.KHR_materials_ior.ior", "0, or 1 or more",
                          fmt::format("{}", n));
-        // 0 stands for infinity: everything is reflected.
+        // 0 represents infinity: everything is reflected.
         const double root = n == 0.0 ? 1.0 : (n - 1.0) / (n + 1.0);
         to.dielectric_f0 = static_cast<float>(root * root);
     }
     if (const auto* strength = find(from, "KHR_materials_emissive_strength")) {
-        // Half floats, in which renderers sum up light, end at 65504; no lamp needs more.
+        // Renderers sum light in half floats, which end at 65504; no lamp needs more.
         to.emissive *= clamped(number(*strength, "emissiveStrength", 1.0), 0.0, 65504.0,
                                "extensions.KHR_materials_emissive_strength.emissiveStrength");
     }
@@ -201,7 +201,7 @@ Material MaterialReader::read(const tinygltf::Material& from, std::size_t index)
     GltfLobe lobe;
     read_base(from.pbrMetallicRoughness, to, lobe);
     to.normal_texture = use(from.normalTexture, ColorSpace::linear, "normalTexture");
-    // A hundred turns the gentlest slope of an 8-bit map, 1/127, into 38 degrees: enough.
+    // 100 times the least slope of an 8-bit map, 1/127, is 38 degrees: steep enough.
     to.normal_scale = clamped(from.normalTexture.scale, -100.0, 100.0, "normalTexture.scale");
     to.occlusion_texture = use(from.occlusionTexture, ColorSpace::linear, "occlusionTexture");
     to.occlusion_strength =

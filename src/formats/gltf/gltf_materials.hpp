@@ -12,13 +12,13 @@ class Model;
 
 namespace burnish {
 
-// All materials in the file's order; their textures are asked for from `images`. Factors outside
-// their range are clamped with a warning. Throws Error for texture, sampler and image indices out
-// of range and for unknown names.
+// All materials in the file's order; `images` records their textures. Factors out of range are
+// clamped with a warning. Throws Error for texture, sampler and image indices out of range and for
+// unknown names.
 std::vector<Material> read_gltf_materials(const tinygltf::Model& model, GltfImages& images,
                                           GltfReport& report);
 
-// The texture uses of a material, with what to call them in messages.
+// The texture uses of a material, with their names in messages.
 struct NamedTextureUse {
     TextureUse Material::*use;
     const char* name;

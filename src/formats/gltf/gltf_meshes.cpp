@@ -22,7 +22,7 @@ int attribute(const tinygltf::Primitive& primitive, const char* name) {
     return it == primitive.attributes.end() ? -1 : it->second;
 }
 
-// Everything the mesh of a primitive depends on.
+// A text that is equal for primitives with the same mesh data.
 std::string fingerprint(const tinygltf::Primitive& primitive, bool second_texcoord) {
     std::string text = fmt::format("{} {} {}", primitive.mode, primitive.indices, second_texcoord);
     for (const auto& [name, accessor] : primitive.attributes)
@@ -43,7 +43,8 @@ void check_positions(const std::vector<glm::vec3>& positions, const std::string&
     }
 }
 
-// Coordinates and colours that are no numbers become 0; returns whether there were any.
+// Replaces coordinates and colors that are not finite or out of range by 0; returns whether there
+// were any.
 template <class Vec>
 bool clean(std::vector<Vec>& items, float low, float high) {
     bool found = false;
@@ -57,7 +58,8 @@ bool clean(std::vector<Vec>& items, float low, float high) {
     return found;
 }
 
-// The set of texture coordinates that tangents belong to: the normal map's, else the grain's.
+// The set of texture coordinates for tangents: that of the normal map, else that of the anisotropy
+// texture.
 int tangent_set(const Material& material) {
     if (material.normal_texture) return material.normal_texture.texcoord;
     if (material.anisotropy_texture) return material.anisotropy_texture.texcoord;
@@ -87,7 +89,7 @@ class VertexReader {
         read_texcoords("TEXCOORD_1", mesh.texcoord1);
         if (!has("COLOR_0")) return;
         mesh.colors = accessors_.colors(checked("COLOR_0"), first_, count_, user("COLOR_0"));
-        // Half floats end at 65504; a vertex colour scales a reflectance.
+        // Half floats end at 65504; a vertex color scales a reflectance.
         if (clean(mesh.colors, 0.0f, 65504.0f))
             report_.warn(user("COLOR_0") + ": values that are no colours are read as 0");
     }
@@ -96,7 +98,7 @@ class VertexReader {
     bool has(const char* name) const { return attribute(primitive_, name) >= 0; }
     std::string user(const char* name) const { return fmt::format("{}.attributes.{}", key_, name); }
 
-    // The accessor of an attribute, once it is known to have as many elements as POSITION.
+    // The accessor of an attribute; throws Error unless it has as many elements as POSITION.
     int checked(const char* name) const {
         const int accessor = attribute(primitive_, name);
         const std::size_t expected =
@@ -123,10 +125,10 @@ class VertexReader {
     std::size_t count_;
 };
 
-// Normals and tangents, in place; returns how many stored ones had to be replaced.
+// Completes normals and tangents in place; returns the number of stored ones that were replaced.
 std::size_t finish_mesh(Mesh& mesh, bool second_texcoord) {
     if (mesh.normals.empty()) {
-        make_normals(mesh, true);  // what glTF 3.7.2.1 asks for
+        make_normals(mesh, true);  // required by glTF 3.7.2.1
         mesh.tangents.clear();
     }
     const std::size_t mended = repair_frames(mesh);
@@ -203,7 +205,7 @@ int GltfMeshes::read_mesh(const tinygltf::Primitive& primitive, const std::strin
     if (vertices >= std::numeric_limits<std::uint32_t>::max())
         report_.fail(position_key, "fewer than 2^32 - 1 elements", fmt::format("{}", vertices));
 
-    // Meshes that share one large vertex buffer take only the part they use.
+    // Of a large vertex buffer that several meshes share, only the range in use is read.
     std::vector<std::uint32_t> indices;
     std::size_t first = 0;
     std::size_t count = vertices;
@@ -222,12 +224,13 @@ int GltfMeshes::read_mesh(const tinygltf::Primitive& primitive, const std::strin
         indices.resize(count);
         std::iota(indices.begin(), indices.end(), 0u);
     }
-    // Corners are counted in 31 bits from here on, and a strip has three times its indices.
+    // Corners are 31-bit numbers from here on, and a strip has up to three times as many corners as
+    // indices.
     constexpr std::size_t kMostIndices = std::numeric_limits<std::int32_t>::max() / 3;
     if (indices.size() > kMostIndices)
         report_.fail(key, fmt::format("at most {} indices", kMostIndices),
                      fmt::format("{}", indices.size()));
-    // A strip unfolds threefold, and meshes without normals into three vertices a triangle.
+    // A strip expands threefold, and meshes without normals to three vertices per triangle.
     report_.pay(indices.size() * 3 * sizeof(std::uint32_t), key);
     mesh.indices = triangle_list(std::move(indices), primitive.mode);
     if (mesh.indices.empty()) {

@@ -1,4 +1,4 @@
-// Mesh primitives of a glTF file as meshes of the scene.
+// Converts mesh primitives of a glTF file to meshes of the scene.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ struct Primitive;
 
 namespace burnish {
 
-// A mesh and material of the scene.
+// Indices of a mesh and a material of the scene.
 struct GltfPart {
     int mesh = 0;
     int material = 0;
@@ -24,17 +24,17 @@ struct GltfPart {
 
 class GltfMeshes {
   public:
-    // `scene` holds the file's materials already; meshes, and copies of materials that must do
-    // without a texture, are added to it.
+    // `scene` already holds the file's materials. Meshes are added to it, and copies of materials
+    // for meshes that lack a set of texture coordinates.
     GltfMeshes(const tinygltf::Model& model, GltfAccessors& accessors, GltfReport& report,
                Scene& scene);
 
-    // The triangles of one mesh of the file, read on first use. Primitives with the same data share
-    // a mesh. Points, lines and primitives without positions are left out with a warning. Throws
-    // Error for broken geometry.
+    // The triangles of one mesh of the file, read at the first use. Primitives with the same data
+    // share a mesh. Points, lines and primitives without positions are skipped with a warning.
+    // Throws Error for broken geometry.
     const std::vector<GltfPart>& parts(int mesh, std::string_view user);
 
-    // Gives every mesh sound normals and tangents; call once, at the end.
+    // Gives every mesh valid normals and tangents; call once, at the end.
     void finish();
 
   private:
@@ -52,9 +52,9 @@ class GltfMeshes {
     Scene& scene_;
     std::vector<std::vector<GltfPart>> parts_;
     std::vector<char> has_parts_;
-    std::map<std::string, int> known_meshes_;               // by what they are made of
+    std::map<std::string, int> known_meshes_;               // by fingerprint
     std::map<std::pair<int, int>, int> reduced_materials_;  // (material, missing sets) -> copy
-    std::vector<char> tangents_from_texcoord1_;             // a mesh of the scene each
+    std::vector<char> tangents_from_texcoord1_;             // one per mesh of the scene
     int default_material_ = -1;
 };
 

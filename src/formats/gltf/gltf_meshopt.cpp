@@ -17,7 +17,7 @@ Mode mode_of(const MeshoptView& view, std::string_view key, const GltfReport& re
     report.fail(fmt::format("{}.mode", key), "ATTRIBUTES, TRIANGLES or INDICES", shown(view.mode));
 }
 
-// The extension's table of what goes together.
+// Checks the combination of mode, stride and filter against the extension's table.
 void check_layout(const MeshoptView& view, Mode mode, std::string_view key,
                   const GltfReport& report) {
     const std::size_t stride = view.stride;
@@ -40,9 +40,9 @@ void check_layout(const MeshoptView& view, Mode mode, std::string_view key,
                     found);
 }
 
-// The least that can be compressed into one byte bounds the count before memory is taken for it:
-// 64 bytes of attributes (2 bits of header for 16 equal bytes), three 4-byte indices of a triangle,
-// or one index.
+// Largest number of elements that `bytes` can encode, which bounds the count before memory is
+// allocated. One byte encodes at most 64 bytes of attributes (2 bits of header for 16 equal bytes),
+// three 4-byte indices of a triangle, or one index.
 std::size_t most_unpacked(Mode mode, std::size_t bytes, std::size_t stride) {
     switch (mode) {
         case Mode::attributes:

@@ -21,8 +21,8 @@ struct MeshoptView {
     std::string filter = "NONE";  // OCTAHEDRAL, QUATERNION, EXPONENTIAL
 };
 
-// count x stride bytes. Throws Error for layouts the extension does not allow, for counts the
-// compressed bytes cannot hold, and for corrupt data.
+// Returns count x stride bytes. Throws Error for layouts that the extension does not allow, for
+// counts that the compressed bytes cannot encode, and for corrupt data.
 std::vector<std::byte> decode_meshopt_view(const MeshoptView& view, std::string_view key,
                                            GltfReport& report);
 

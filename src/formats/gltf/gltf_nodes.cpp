@@ -29,7 +29,7 @@ glm::dmat4 local_transform(const tinygltf::Node& node, const std::string& key,
         const auto& r = node.rotation;
         const glm::dquat rotation(r[3], r[0], r[1], r[2]);
         const double length = glm::length(rotation);
-        // Exporters round to five digits or so; a length this far from 1 is no rotation.
+        // Exporters round to about five digits; a length 0.1 away from 1 is not a rounded rotation.
         if (!(std::abs(length - 1.0) < 0.1))
             report.fail(key + ".rotation", "a unit quaternion", fmt::format("length {}", length));
         matrix *= glm::mat4_cast(rotation / length);
@@ -72,7 +72,7 @@ std::vector<GltfPlacement> walk_gltf_nodes(const tinygltf::Model& model, const G
         int node;
         glm::dmat4 parent;
     };
-    // A stack of our own: nodes may be nested a hundred thousand deep.
+    // An explicit stack: nodes may be nested a hundred thousand deep.
     std::vector<Pending> pending;
     const std::vector<int> roots = root_nodes(model, report);
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)

@@ -1,4 +1,4 @@
-// The node tree of a glTF file: what stands where in the world.
+// The node tree of a glTF file: transforms of all nodes to world space.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -12,15 +12,15 @@ class Model;
 
 namespace burnish {
 
-// A node of the scene shown, with its transform to world space.
+// A node of the displayed scene with its transform to world space.
 struct GltfPlacement {
     int node = 0;
     glm::mat4 world{1.0f};
 };
 
-// The nodes of the default scene, or of the first, or all roots where there is none; parents before
-// children. Throws Error for indices out of range, nodes with two parents or in a cycle, and
-// transforms that leave the range of floats.
+// The nodes of the default scene; without a default, of the first scene; without scenes, of all
+// roots. Parents precede children. Throws Error for indices out of range, nodes with two parents or
+// in a cycle, and transforms out of the range of floats.
 std::vector<GltfPlacement> walk_gltf_nodes(const tinygltf::Model& model, const GltfReport& report);
 
 }  // namespace burnish

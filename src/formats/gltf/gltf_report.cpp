@@ -14,7 +14,7 @@ void GltfReport::fail(std::string_view key, std::string_view expected,
 }
 
 void GltfReport::warn(std::string line) {
-    line = one_line(line);  // names in the file may hold anything
+    line = one_line(line);  // names in the file may hold any characters
     if (std::find(warnings_.begin(), warnings_.end(), line) != warnings_.end()) return;
     if (warnings_.size() < kMostWarnings)
         warnings_.push_back(std::move(line));

@@ -1,5 +1,5 @@
-// What the readers of one glTF file share: its name for messages, its warnings, and how much memory
-// it may still unfold into.
+// The state that the readers of one glTF file share: its name for messages, its warnings, and the
+// amount of memory that it may still expand to.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ class GltfReport {
     [[noreturn]] void fail(std::string_view key, std::string_view expected,
                            std::string_view found) const;
 
-    // Keeps a warning once; a file that earns more than a screenful gets one line for the rest.
+    // Keeps each warning once; beyond a screenful, one line summarizes the rest.
     void warn(std::string line);
     std::vector<std::string> take_warnings();
 
-    // Small files can be made to unfold into any amount of memory: accessors that share bytes, or
-    // have none, and compressed views. Whoever is about to unfold something pays first; the file's
-    // own bytes earn credit. Throws Error when the account is empty.
+    // Small files can expand to any amount of memory: through accessors that share bytes or have
+    // none, and through compressed views. Code that expands data first calls pay(); the file's own
+    // bytes earn credit. Throws Error when the credit is used up.
     void earn(std::uint64_t file_bytes);
     void pay(std::uint64_t bytes, std::string_view key);
 
@@ -36,8 +36,8 @@ class GltfReport {
     std::size_t more_warnings_ = 0;
     std::uint64_t credit_ = kFirstCredit;
 
-    // 256 MiB for any file and 64 times its size: quantised and compressed files unfold about
-    // twentyfold, files that share one vertex buffer among all their meshes some more.
+    // 256 MiB plus 64 times the file's size. Quantized and compressed files expand about
+    // twentyfold, files whose meshes share one vertex buffer more.
     static constexpr std::uint64_t kFirstCredit = std::uint64_t{256} << 20;
     static constexpr std::uint64_t kCreditPerByte = 64;
     static constexpr std::size_t kMostWarnings = 60;

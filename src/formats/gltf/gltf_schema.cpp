@@ -16,13 +16,13 @@ using nlohmann::json;
 
 enum class Kind {
     object,
-    objects,  // an array of them
+    objects,  // an array of objects
     text,
     texts,
     boolean,
-    number,   // one that a float can hold
-    numbers,  // `count` of them, any number when 0
-    index,    // 0 .. 2^31-1: indices, enumerants, and whatever tinygltf keeps in an int
+    number,   // a number within the range of float
+    numbers,  // an array of `count` numbers, of any length when 0
+    index,    // 0 .. 2^31-1: indices, enumerants, and other values that tinygltf stores in an int
     indices,
     index_map,
     size,  // 0 .. 2^63-1
@@ -30,7 +30,7 @@ enum class Kind {
 };
 
 struct Rule {
-    std::string_view where;  // path of the object; "[]" behind a name: every item of that array
+    std::string_view where;  // path of the object; "[]" after a name: every item of that array
     std::string_view key;
     Kind kind;
     bool required = false;
@@ -39,7 +39,7 @@ struct Rule {
 
 constexpr bool kRequired = true;
 
-// Parents stand before their children.
+// Parents precede their children.
 constexpr Rule kRules[] = {
     {"", "asset", Kind::object, kRequired},
     {"asset", "version", Kind::text, kRequired},
@@ -169,7 +169,7 @@ constexpr Rule kRules[] = {
     {"extensions.KHR_lights_punctual.lights[].spot", "outerConeAngle", Kind::number},
 };
 
-// Where a textureInfo stands, and what each holds.
+// The paths of all textureInfo objects; rules for their keys follow.
 constexpr std::string_view kTextureInfos[] = {
     "materials[].pbrMetallicRoughness.baseColorTexture",
     "materials[].pbrMetallicRoughness.metallicRoughnessTexture",
@@ -267,7 +267,7 @@ std::string expectation(const Rule& rule) {
     return {};
 }
 
-// The value as text, without writing out a container that may be huge.
+// The value as text; containers, which may be huge, are summarized.
 std::string found_in(const json& value) {
     if (value.is_array()) return fmt::format("an array of {} items", value.size());
     if (value.is_object()) return "an object";
@@ -287,7 +287,7 @@ void check_object(const json& object, const Rule& rule, const std::string& path,
     }
 }
 
-// Checks `rule` in every object that `where`, relative to `node`, leads to.
+// Checks `rule` in every object at the path `where`, relative to `node`.
 void check_rule(const json& node, std::string_view where, const Rule& rule, std::string& path,
                 const GltfReport& report) {
     if (where.empty()) {

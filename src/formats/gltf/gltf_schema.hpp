@@ -1,4 +1,4 @@
-// The keys of glTF that are read, and what each must be.
+// The keys of glTF that are read, and the type and range of each.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-// Throws Error naming the first key whose value is of the wrong kind, missing, or out of the range
-// of the type it is read into. Keys that are not read are not looked at. Afterwards every known key
-// can be handed to tinygltf, which ignores wrong kinds and cuts large integers.
+// Throws Error naming the first key whose value is of the wrong type, missing, or out of the range
+// of the type it is read into. Unknown keys are ignored. Afterwards the document is safe for
+// tinygltf, which ignores wrong types and truncates large integers.
 void check_gltf_schema(const nlohmann::json& root, const GltfReport& report);
 
 }  // namespace burnish

@@ -31,7 +31,7 @@ std::vector<std::uint32_t> triangle_list(std::vector<std::uint32_t> indices, int
     triangles.reserve(3 * (indices.size() - 2));
     for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
         if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
-            // Every second triangle of a strip runs the other way round.
+            // Every second triangle of a strip has the opposite orientation.
             triangles.push_back(indices[i]);
             triangles.push_back(indices[i + 1 + i % 2]);
             triangles.push_back(indices[i + 2 - i % 2]);

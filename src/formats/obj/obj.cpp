@@ -24,10 +24,10 @@ namespace {
 
 using tinyobj::index_t;
 
-// Corners of the triangles of one material; three in a row are a triangle.
+// A corner of the triangles of one material; three consecutive corners form a triangle.
 struct Corner {
     index_t index;
-    std::uint32_t smoothing;  // corners at one position share a normal when this is equal
+    std::uint32_t smoothing;  // corners at one position and of equal smoothing share a normal
 };
 using Corners = std::vector<Corner>;
 
@@ -36,7 +36,7 @@ struct ParsedObj {
     std::vector<tinyobj::shape_t> shapes;
 };
 
-// Tells the parser that the material named "7" is number 7.
+// Tells the parser that the material named "7" has index 7.
 class NumberedMaterials : public tinyobj::MaterialReader {
   public:
     explicit NumberedMaterials(std::size_t count) : count_(count) {}
@@ -55,7 +55,7 @@ ParsedObj parse(const ObjText& text, const std::string& file) {
     ParsedObj parsed;
     NumberedMaterials numbered(text.materials.size());
     std::vector<tinyobj::material_t> no_materials;
-    std::string warnings;  // repeats what is checked below
+    std::string warnings;  // repeats checks made below
     std::string errors;
     std::istringstream stream("mtllib numbers\n" + text.geometry);
     const bool good = tinyobj::LoadObj(&parsed.attributes, &parsed.shapes, &no_materials, &warnings,
@@ -66,7 +66,7 @@ ParsedObj parse(const ObjText& text, const std::string& file) {
     return parsed;
 }
 
-// Positions within reach, all finite.
+// Throws Error for positions that are not finite or too far from the origin.
 void check_positions(const tinyobj::attrib_t& attributes, const std::string& file) {
     for (std::size_t i = 0; i < attributes.vertices.size(); ++i) {
         const float x = attributes.vertices[i];
@@ -76,7 +76,7 @@ void check_positions(const tinyobj::attrib_t& attributes, const std::string& fil
     }
 }
 
-// A position must be there; normals and texture coordinates that are not are left out.
+// Throws Error for a missing position; missing normals and texture coordinates become -1.
 void check_index(index_t& index, const tinyobj::attrib_t& attributes, const std::string& file) {
     const auto inside = [](int i, std::size_t count) {
         return i >= 0 && static_cast<std::size_t>(i) < count;
@@ -106,7 +106,7 @@ class Triangulator {
         for (tinyobj::shape_t& shape : parsed.shapes) take_shape(shape.mesh);
     }
 
-    // The last ones have no material.
+    // The last entry holds the triangles without a material.
     std::vector<Corners>& by_material() { return by_material_; }
 
   private:
@@ -121,8 +121,8 @@ class Triangulator {
         }
     }
 
-    // The first bit tells faces without a group (flat) from groups; a file that never mentions
-    // groups is smooth all over.
+    // The lowest bit separates faces without a group (flat) from groups. A file without any group
+    // is smooth everywhere.
     std::uint32_t smoothing(std::uint32_t group) {
         if (!text_.has_smoothing) return 1;
         return group == 0 ? (flat_faces_ += 2) : (group << 1) | 1u;
@@ -155,12 +155,12 @@ class Triangulator {
 };
 
 glm::vec3 normal_of(const tinyobj::attrib_t& attributes, index_t index) {
-    if (index.normal_index < 0) return glm::vec3(0.0f);  // to be made
+    if (index.normal_index < 0) return glm::vec3(0.0f);  // computed later
     const auto at = 3 * static_cast<std::size_t>(index.normal_index);
     return {attributes.normals[at], attributes.normals[at + 1], attributes.normals[at + 2]};
 }
 
-// OBJ's v runs upwards, ours downwards.
+// v runs upwards in OBJ, downwards in Mesh.
 glm::vec2 texcoord_of(const tinyobj::attrib_t& attributes, index_t index) {
     if (index.texcoord_index < 0) return glm::vec2(0.0f);
     const auto at = 2 * static_cast<std::size_t>(index.texcoord_index);
@@ -168,8 +168,8 @@ glm::vec2 texcoord_of(const tinyobj::attrib_t& attributes, index_t index) {
     return {sound(attributes.texcoords[at]), 1.0f - sound(attributes.texcoords[at + 1])};
 }
 
-// Sets the normals that the file leaves open: those of corners at one position and of one smoothing
-// group become one.
+// Computes the normals missing in the file: corners at one position and of one smoothing group
+// share one.
 void make_missing_normals(const Corners& corners, const std::vector<std::uint32_t>& vertex_of,
                           Mesh& mesh) {
     const bool missing = std::any_of(corners.begin(), corners.end(), [](const Corner& corner) {
@@ -191,7 +191,7 @@ void make_missing_normals(const Corners& corners, const std::vector<std::uint32_
 }
 
 Mesh build_mesh(const Corners& corners, const tinyobj::attrib_t& attributes) {
-    // Corners are one vertex when everything they refer to is the same.
+    // Corners with equal indices and smoothing are one vertex.
     const Welding vertices = weld<4>(corners.size(), [&](std::size_t i, std::uint32_t* words) {
         const Corner& corner = corners[i];
         words[0] = static_cast<std::uint32_t>(corner.index.vertex_index);
@@ -230,7 +230,7 @@ bool has_textures(const Material& material) {
 // Adds one mesh with its material.
 void add_part(Mesh mesh, const Material& material, Scene& scene) {
     mesh.name = material.name;
-    const std::string name = one_line(mesh.name);  // a line of OBJ may hold carriage returns
+    const std::string name = one_line(mesh.name);  // a line of OBJ may contain carriage returns
     const std::size_t mended = repair_frames(mesh);
     if (mended > 0)
         scene.warnings.push_back(

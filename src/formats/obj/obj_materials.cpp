@@ -20,7 +20,7 @@
 namespace burnish {
 namespace {
 
-// Where a file named inside another one lies; nothing when that leads out of the folder.
+// The path of a file named inside another one; nothing when it lies outside the folder.
 std::optional<std::filesystem::path> inside(const std::filesystem::path& folder, std::string name) {
     std::replace(name.begin(), name.end(), '\\', '/');
     const auto relative = std::filesystem::path(name).lexically_normal();
@@ -30,7 +30,8 @@ std::optional<std::filesystem::path> inside(const std::filesystem::path& folder,
     return folder / relative;
 }
 
-// Which keywords each material of a library has: the parser does not tell 0 from nothing.
+// The keywords of each material of a library, because the parser does not distinguish 0 from
+// missing.
 std::map<std::string, std::set<std::string>> keywords_of(std::string_view text) {
     std::map<std::string, std::set<std::string>> keywords;
     std::string material;
@@ -76,7 +77,7 @@ class LibraryReader {
     std::filesystem::path folder_;
     ObjMaterials& out_;
     std::map<std::pair<std::string, ColorSpace>, int> slots_;
-    std::vector<std::pair<std::filesystem::path, ColorSpace>> wanted_;  // a texture each
+    std::vector<std::pair<std::filesystem::path, ColorSpace>> wanted_;  // one per texture
 };
 
 TextureUse LibraryReader::use(const std::string& name, const tinyobj::texture_option_t& options,
@@ -94,7 +95,7 @@ TextureUse LibraryReader::use(const std::string& name, const tinyobj::texture_op
     if (fresh) wanted_.emplace_back(*path, color_space);
     use.texture = slot->second;
     if (options.clamp) use.wrap_s = use.wrap_t = Wrap::clamp;
-    // uv' = scale uv + origin with v upwards; ours runs downwards, v_down = 1 - v.
+    // uv' = scale uv + origin with v upwards; here v runs downwards, v_down = 1 - v.
     const auto number = [](float value, float otherwise) {
         return std::abs(value) <= kLargestTexcoord ? value : otherwise;
     };
@@ -107,7 +108,7 @@ TextureUse LibraryReader::use(const std::string& name, const tinyobj::texture_op
     return use;
 }
 
-// Roughness and reflection: the PBR keys where they are given, else Phong's.
+// Converts roughness and reflection: from the PBR keys where present, else from Phong's.
 void LibraryReader::convert_surface(const tinyobj::material_t& from, const Keywords& keywords,
                                     Material& to, GltfLobe& lobe) {
     to.metallic = keywords.contains("Pm") ? unit(from.metallic, 0.0f) : 0.0f;
@@ -117,7 +118,8 @@ void LibraryReader::convert_surface(const tinyobj::material_t& from, const Keywo
     }
     const float strongest = std::max({from.specular[0], from.specular[1], from.specular[2]});
     if (keywords.contains("Ks") && !(strongest > 0.0f)) to.dielectric_f0 = 0.0f;
-    // A Blinn-Phong lobe of exponent Ns is about as wide as a Beckmann one of alpha^2 = 2/(Ns+2).
+    // A Blinn-Phong lobe of exponent Ns has about the width of a Beckmann lobe with alpha^2 =
+    // 2/(Ns+2).
     if (keywords.contains("Ns") && from.shininess >= 0.0f && std::isfinite(from.shininess))
         lobe.roughness = std::pow(2.0f / (from.shininess + 2.0f), 0.25f);
 }

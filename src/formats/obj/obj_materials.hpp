@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-// Materials of an OBJ file with what they need to be put into a scene.
+// Materials of an OBJ file with their textures and indices by name.
 struct ObjMaterials {
     std::vector<Material> materials;
     std::vector<Texture> textures;
@@ -18,12 +18,12 @@ struct ObjMaterials {
     std::vector<std::string> warnings;
 };
 
-// Reads the libraries, which lie in `folder` or below. What cannot be found or read becomes a
-// warning and is left out: an OBJ file is worth looking at without.
+// Reads the libraries, which lie in `folder` or below. Missing or unreadable files are skipped with
+// a warning, because the model is worth showing without them.
 ObjMaterials read_obj_materials(const std::filesystem::path& folder,
                                 const std::vector<std::string>& libraries);
 
-// For faces without a material: grey plastic.
+// For faces without a material: gray plastic.
 Material default_obj_material();
 
 }  // namespace burnish

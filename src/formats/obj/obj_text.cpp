@@ -15,7 +15,7 @@ constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr std::size_t kMostCorners = 255;
 constexpr std::array<std::string_view, 5> kGeometry = {"v", "vn", "vt", "f", "s"};
 
-// One line, without its end; `rest` moves behind it.
+// Returns one line without its end and advances `rest` past it.
 std::string_view take_line(std::string_view& rest) {
     const std::size_t end = rest.find('\n');
     const std::string_view line = rest.substr(0, end);
@@ -67,7 +67,7 @@ class LineSorter {
         }
     }
 
-    // Names may hold blanks, which the parser would cut.
+    // Replaces the name by a number, because the parser would cut names at blanks.
     void use_material(std::string name) {
         const auto [known, fresh] = numbers_.try_emplace(name, out_.materials.size());
         if (fresh) out_.materials.push_back(std::move(name));
@@ -80,7 +80,7 @@ class LineSorter {
     }
 
     ObjText& out_;
-    std::map<std::string, std::size_t> numbers_;  // of material names
+    std::map<std::string, std::size_t> numbers_;  // by material name
     const std::string& file_;
 };
 

@@ -1,4 +1,4 @@
-// The lines of an OBJ file that are read, before any parser sees them.
+// Preprocesses an OBJ file: keeps the lines that are read, before the parser runs.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,12 @@
 namespace burnish {
 
 struct ObjText {
-    std::string geometry;                // v, vn, vt, f, usemtl and s lines alone
-    std::vector<std::string> materials;  // names after usemtl; the lines above say their number
+    std::string geometry;  // v, vn, vt, f, usemtl and s lines only
+    // Names after usemtl; usemtl lines in `geometry` hold indices into this.
+    std::vector<std::string> materials;
     std::vector<std::string> libraries;  // file names after mtllib
-    bool has_smoothing = false;          // there are s lines
-    std::vector<std::string> warnings;   // of lines that describe something that is not drawn
+    bool has_smoothing = false;          // the file has s lines
+    std::vector<std::string> warnings;   // for lines that describe elements that are not drawn
 };
 
 // Joins continued lines and sorts the lines. Throws Error naming `file` and the line for faces with

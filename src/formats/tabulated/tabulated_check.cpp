@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-// Every value of a channel; `width` is that of the picture it lies in.
+// Checks every value of a channel; `width` is that of the picture, for the position in messages.
 void require_range(const std::string& file, const std::string& place, std::span<const float> values,
                    float low, float high, std::size_t width) {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -83,7 +83,7 @@ void check_image(const std::string& file, const char* name, const Image& image,
     require_range(file, place, image.pixels, low, high, 3 * static_cast<std::size_t>(m.width));
 }
 
-// 1e-2: of unit length as half floats or filters leave it.
+// 1e-2: tolerance of unit length after storage as half floats or filtering.
 void check_normals(const std::string& file, const TabulatedMaterial& m) {
     for (std::size_t i = 0; i < m.texels(); ++i) {
         const float* n = m.normal.pixels.data() + 3 * i;
@@ -106,7 +106,7 @@ void check_texels(const std::string& file, const TabulatedMaterial& m) {
         throw Error(file, "texels: exemplar", fmt::format("-1, or 0 to {}", m.exemplars - 1),
                     fmt::format("{} at ({}, {})", m.exemplar[i], i % width, i / width));
     }
-    // 1000: a hundred turns and more; beyond, single precision knows an angle to 1e-4 no longer.
+    // 1000 rad is more than a hundred turns; beyond, single precision cannot resolve 1e-4 rad.
     require_range(file, "texels: angle", m.angle, -1000, 1000, width);
     check_image(file, "diffuse", m.diffuse, m, 0, kMostColor);
     check_image(file, "specular", m.specular, m, 0, kMostColor);

@@ -1,4 +1,4 @@
-// What a tabulated material must be, whoever made it.
+// Validity of a tabulated material from any source.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-// Throws Error naming `file`, the part and channel at fault: sizes, numbers that are not finite,
-// negative distributions or colours, masses away from 1, indices out of range, normals that do not
+// Throws Error naming `file`, part and channel for: wrong sizes, numbers that are not finite,
+// negative distributions or colors, masses other than 1, indices out of range, normals that do not
 // point out of the surface.
 void check_tabulated_material(const std::string& file, const TabulatedMaterial& material);
 

@@ -1,4 +1,4 @@
-// What readers and writers of tabulated materials share.
+// Functions that the reader and the writer of tabulated materials share.
 #include "formats/tabulated/tabulated_parts.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ std::size_t TabulatedAtlas::at(int exemplar, int ring, int azimuth) const {
 }
 
 TabulatedAtlas tabulated_atlas(const NdfGrid& grid, int exemplars) {
-    // About square, so that viewers show it all.
+    // A nearly square atlas, which viewers show as a whole.
     const double aspect = static_cast<double>(grid.rings) / grid.azimuths;
     const int wished = static_cast<int>(std::ceil(std::sqrt(exemplars * aspect)));
     const int most = std::max(kMostAtlasSide / grid.azimuths, 1);

@@ -57,7 +57,7 @@ class Parts {
     std::vector<ImagePart> parts_;
 };
 
-// Whole numbers from `low` to `high` of a channel.
+// The value of a channel as a whole number from `low` to `high`; throws Error for any other value.
 int whole(const Parts& parts, const std::string& place, float value, int low, int high) {
     if (value >= static_cast<float>(low) && value <= static_cast<float>(high) &&
         value == std::floor(value)) {

@@ -1,4 +1,4 @@
-// WIF: text -> tables of shafts -> which yarn is on top.
+// WIF: text -> tables of shafts -> the yarn on top at each crossing.
 #include "burnish/wif.hpp"
 
 #include <fmt/format.h>
@@ -20,11 +20,11 @@ namespace {
 
 constexpr std::uintmax_t kMostDraftBytes = std::uintmax_t{8} << 20;
 constexpr std::size_t kHeadBytes = 4096;
-constexpr int kMostShafts = 4096;  // a Jacquard loom has one an end
+constexpr int kMostShafts = 4096;  // a Jacquard loom has one per end
 constexpr int kMostTreadles = 4096;
 constexpr int kMostColors = 65536;
 
-using Shafts = std::bitset<kMostShafts + 1>;  // from 1
+using Shafts = std::bitset<kMostShafts + 1>;  // bit 0 is unused: shafts count from 1
 
 class Reader {
   public:
@@ -71,7 +71,7 @@ class Reader {
 
     // --- which yarn is on top -------------------------------------------------------------------
 
-    // Sets of shafts by number: of ends, treadles or picks.
+    // The set of shafts of each end, treadle or pick, by number.
     std::vector<Shafts> shafts_of(std::string_view section, int count,
                                   std::string_view count_is) const {
         std::vector<Shafts> sets(static_cast<std::size_t>(count) + 1);
@@ -80,7 +80,7 @@ class Reader {
             for (const int shaft : lines.list(entry, 0, out_.shafts, "Shafts of [WEAVING]"))
                 sets[static_cast<std::size_t>(number)].set(static_cast<std::size_t>(shaft));
         });
-        for (Shafts& set : sets) set.reset(0);  // 0 stands for none
+        for (Shafts& set : sets) set.reset(0);  // 0 means no shaft
         return sets;
     }
 
@@ -97,8 +97,8 @@ class Reader {
         return picks;
     }
 
-    // Shafts that the loom moves at each pick. Programs may write a lift plan beside the treadling:
-    // then both must say the same.
+    // Shafts that the loom moves at each pick. A file may have both a lift plan and a treadling;
+    // they must agree.
     std::vector<Shafts> moved_shafts() {
         const bool treadled = text_.has("TIEUP") && text_.has("TREADLING");
         out_.has_liftplan = text_.has("LIFTPLAN");
@@ -126,7 +126,7 @@ class Reader {
         const std::vector<Shafts> picks = moved_shafts();
         draft.warp_up.reserve(static_cast<std::size_t>(draft.ends) *
                               static_cast<std::size_t>(draft.picks));
-        // An end on several shafts goes with any of them.
+        // An end on several shafts moves with any of them.
         for (std::size_t p = 1; p < picks.size(); ++p)
             for (std::size_t e = 1; e < ends.size(); ++e)
                 draft.warp_up.push_back((ends[e] & picks[p]).any() == out_.rising_shed ? 1 : 0);
@@ -142,7 +142,7 @@ class Reader {
 
     // --- colours --------------------------------------------------------------------------------
 
-    // Values of the table are those of a screen, between the two numbers of Range.
+    // Values of the palette are those of a display (sRGB), between the two numbers of Range.
     std::vector<std::optional<glm::vec3>> table() {
         const WifSection& palette = text_.section("COLOR PALETTE");
         const WifSection& rows = text_.section("COLOR TABLE");
@@ -151,7 +151,7 @@ class Reader {
             palette.fail(form, "RGB", shown(form.value));
         }
         out_.colors = required(palette, "Entries", 1, kMostColors);
-        constexpr int kFarthest = 1 << 24;  // floats count so far
+        constexpr int kFarthest = 1 << 24;  // floats represent integers exactly up to here
         const auto range = palette.find("Range");
         const std::vector<int> ends =
             range ? palette.list(*range, -kFarthest, kFarthest, "black and white")
@@ -175,7 +175,7 @@ class Reader {
         return colors;
     }
 
-    // Of one family of yarns; none when the file gives them no colour.
+    // Colors of one family of yarns; empty when the file has none.
     std::vector<glm::vec3> yarn_colors(std::string_view family, int yarns,
                                        const std::vector<std::optional<glm::vec3>>& colors) const {
         const WifSection& all = text_.section(family);
@@ -214,11 +214,11 @@ class Reader {
         out_.draft.weft_colors = yarn_colors("WEFT", out_.draft.picks, colors);
     }
 
-    // --- what is passed over --------------------------------------------------------------------
+    // --- ignored information ---------------------------------------------------------------------
 
     void warn(std::string text) { out_.warnings.push_back(std::move(text)); }
 
-    // Centimetres; the plain number when there is no unit to compare by.
+    // Length in centimeters; the plain number when the file has no unit.
     double length(const WifSection& family, std::string_view key, double otherwise) const {
         const auto value = family.real(key);
         if (!value) return otherwise;
@@ -227,7 +227,7 @@ class Reader {
         return units == "INCHES" ? *value * 2.54 : *value;
     }
 
-    // True when a section such as [WARP SPACING] says anything else than the common value.
+    // True when a section such as [WARP SPACING] has a value other than the common one.
     bool varies(const std::string& family, const std::string& what, int yarns) const {
         const WifSection& each =
             text_.section(family + (what == "Spacing" ? " SPACING" : " THICKNESS"));
@@ -241,7 +241,8 @@ class Reader {
         return varies;
     }
 
-    // A file that was cut short may still make a cloth, in other colours.
+    // A truncated file may still give a valid cloth in other colors, so missing colors get a
+    // warning.
     void warn_of_missing_colors() {
         for (const char* name : {"COLOR TABLE", "WARP COLORS", "WEFT COLORS"}) {
             const std::string said = text_.section("CONTENTS").word(name).value_or("");

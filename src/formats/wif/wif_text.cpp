@@ -14,11 +14,12 @@ namespace burnish {
 
 namespace {
 
-constexpr std::size_t kLongestLine = 65536;  // 4096 numbers of five digits with their commas, twice
+// 4096 numbers of five digits with their commas, twice.
+constexpr std::size_t kLongestLine = 65536;
 constexpr std::size_t kMostInList = 4096;
 
-// What a draft is made of or is warned of; the other sections of WIF 1.1 and private ones do not
-// change what the cloth looks like.
+// Sections that are read or cause a warning. The other sections of WIF 1.1 and private ones do not
+// change the appearance of the cloth.
 constexpr std::array<std::string_view, 18> kSections = {
     "WIF",          "CONTENTS",       "COLOR PALETTE", "COLOR TABLE", "TEXT",
     "WEAVING",      "WARP",           "WEFT",          "THREADING",   "TIEUP",
@@ -40,7 +41,7 @@ bool same_word(std::string_view a, std::string_view b) {
                       [](char x, char y) { return capital(x) == capital(y); });
 }
 
-// Values may have a comment behind them; only free text, such as titles, keeps its semicolons.
+// Removes a comment after a value. Only free text, such as titles, may contain semicolons.
 std::string_view without_comment(std::string_view value) {
     return trimmed(value.substr(0, value.find(';')));
 }
@@ -56,7 +57,7 @@ std::string where_of(std::string_view section, std::string_view key, std::size_t
     return fmt::format("[{}] {}, line {}", section, one_line(key.substr(0, 40)), line);
 }
 
-// Takes one line off, ended by CR, LF or both.
+// Removes and returns one line, ended by CR, LF or both.
 std::string_view take_line_of(std::string_view& rest) {
     const std::size_t end = rest.find_first_of("\r\n");
     const std::string_view line = rest.substr(0, end);
@@ -76,7 +77,7 @@ void require_text(std::string_view text, const std::string& file) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         throw Error(file, "", kExpected, "UTF-16; save it as UTF-8");
     const auto bad = std::find_if(text.begin(), text.end(), [](char c) {
-        // Ctrl-Z ends files of old systems.
+        // Old systems end files with Ctrl-Z.
         constexpr std::string_view kFine = "\t\n\v\f\r\x1A";
         return static_cast<unsigned char>(c) < 0x20 && kFine.find(c) == kFine.npos;
     });
@@ -221,7 +222,7 @@ WifText::WifText(std::string text, std::string file)
 void WifText::take_line(std::string_view line, std::size_t number) {
     if (line.empty() || line.front() == ';' || line == "\x1A") return;
     if (line.front() == '[') return open_section(line, number);
-    if (any_section_ && !open_) return;  // of a section that is not read
+    if (any_section_ && !open_) return;  // belongs to a section that is not read
     const std::size_t equals = line.find('=');
     if (!any_section_ || equals == std::string_view::npos)
         throw Error(*file_, fmt::format("line {}", number),

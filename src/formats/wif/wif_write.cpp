@@ -24,7 +24,7 @@ Code code_of(const glm::vec3& color) {
     return {code(color.x), code(color.y), code(color.z)};
 }
 
-// Numbers from 1 in the order in which things come.
+// Assigns numbers from 1 in order of first occurrence.
 template <typename Thing>
 class Numbering {
   public:
