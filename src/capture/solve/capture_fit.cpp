@@ -47,6 +47,7 @@ bool is_whole(const Exemplars& found) {
 
 std::vector<LobeFit> lobes_of(const Exemplars& exemplars) {
     std::vector<LobeFit> out;
+    out.reserve(static_cast<std::size_t>(exemplars.count));
     for (int e = 0; e < exemplars.count; ++e)
         out.push_back(fit_lobe(exemplars.grid, exemplars.table(e), Mdf::ggx));
     return out;

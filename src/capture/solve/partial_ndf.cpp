@@ -99,8 +99,8 @@ PartialNdfSolver::PartialNdfSolver(const NdfGrid& grid, float spacing_rad, float
 }
 
 void PartialNdfSolver::splat(const PointSamples& samples, float low, PartialNdfWork& work) const {
-    PushPullImage& image = work.image;
-    fresnel_.of(samples.cosine_ih, work.fresnel);
+    PushPullImage& image = work.image_;
+    fresnel_.of(samples.cosine_ih, work.fresnel_);
     image.clear(side_);
     const float middle = 0.5f * static_cast<float>(side_);
     const float scale = static_cast<float>(side_) / std::numbers::pi_v<float>;
@@ -111,7 +111,7 @@ void PartialNdfSolver::splat(const PointSamples& samples, float low, PartialNdfW
         const float phi =
             place.column * 2.0f * std::numbers::pi_v<float> / static_cast<float>(grid_.azimuths);
         image.splat(middle + scale * theta * std::cos(phi), middle + scale * theta * std::sin(phi),
-                    4.0f * std::max(rho, 0.0f) / work.fresnel[q]);
+                    4.0f * std::max(rho, 0.0f) / work.fresnel_[q]);
     }
     push_pull(image, 2);
 }
@@ -122,7 +122,7 @@ void PartialNdfSolver::read_cells(const PointSamples& samples, PartialNdfWork& w
                                   float* weights) const {
     const auto side = static_cast<std::size_t>(side_);
     const float last = static_cast<float>(side_) - 1.001f;
-    work.known.clear();
+    work.known_.clear();
     for (std::size_t i = 0; i < cell_direction_.size(); ++i) {
         const Vec3f in = reflected(samples.to_eye, cell_direction_[i]);
         if (in[2] < kLeastLightCosine) continue;
@@ -134,35 +134,35 @@ void PartialNdfSolver::read_cells(const PointSamples& samples, PartialNdfWork& w
         for (std::size_t k = 0; k < 4; ++k) {
             const std::size_t at = (y0 + (k >> 1)) * side + x0 + (k & 1);
             const float w = ((k & 1) ? tx : 1.0f - tx) * ((k >> 1) ? ty : 1.0f - ty) *
-                            std::min(work.image.weight[at], 1.0f);
-            sum += w * work.image.value[at];
+                            std::min(work.image_.weight[at], 1.0f);
+            sum += w * work.image_.value[at];
             total += w;
         }
         if (total < 0.25f) continue;
         weights[i] = std::min(total, 1.0f);
-        work.known.push_back({i, sum / total, grid_place(kCoarse, in[0], in[1], in[2])});
+        work.known_.push_back({i, sum / total, grid_place(kCoarse, in[0], in[1], in[2])});
     }
 }
 
 // Computes g of the coarse directions from means over blocks of cells; unknown cells count as 0.
 float PartialNdfSolver::next_areas(const float* table, PartialNdfWork& work) const {
-    work.coarse.assign(least_area_.size(), 0.0f);
-    for (const auto& cell : work.known)
-        work.coarse[cell_block_[cell.index]] += cell_share_[cell.index] * table[cell.index];
-    work.next.assign(least_area_.size(), 0.0f);
-    for (std::size_t h = 0; h < work.coarse.size(); ++h) {
-        const float* kernel = area_kernel_.data() + h * work.next.size();
-        const float d = work.coarse[h];
+    work.coarse_.assign(least_area_.size(), 0.0f);
+    for (const auto& cell : work.known_)
+        work.coarse_[cell_block_[cell.index]] += cell_share_[cell.index] * table[cell.index];
+    work.next_.assign(least_area_.size(), 0.0f);
+    for (std::size_t h = 0; h < work.coarse_.size(); ++h) {
+        const float* kernel = area_kernel_.data() + h * work.next_.size();
+        const float d = work.coarse_[h];
         if (d <= 0.0f) continue;
-        for (std::size_t k = 0; k < work.next.size(); ++k) work.next[k] += kernel[k] * d;
+        for (std::size_t k = 0; k < work.next_.size(); ++k) work.next_[k] += kernel[k] * d;
     }
     float change = 0.0f;
-    for (std::size_t k = 0; k < work.next.size(); ++k) {
+    for (std::size_t k = 0; k < work.next_.size(); ++k) {
         // g(k) >= k_z holds for a complete distribution; a partial D can violate it.
-        work.next[k] = std::max(work.next[k], least_area_[k]);
-        change = std::max(change, std::abs(work.next[k] - work.areas[k]));
+        work.next_[k] = std::max(work.next_[k], least_area_[k]);
+        change = std::max(change, std::abs(work.next_[k] - work.areas_[k]));
     }
-    work.areas.swap(work.next);
+    work.areas_.swap(work.next_);
     return change;
 }
 
@@ -181,18 +181,18 @@ PartialNdf PartialNdfSolver::solve(const PointSamples& samples, PartialNdfWork& 
     // without shadowing, g(k) = k_z.
     const GridPlace out =
         grid_place(kCoarse, samples.to_eye[0], samples.to_eye[1], samples.to_eye[2]);
-    work.areas = least_area_;
+    work.areas_ = least_area_;
     for (result.rounds = 0; result.rounds < kMostRounds; ++result.rounds) {
-        const float area_out = lookup(kCoarse, work.areas.data(), out, 0.0f);
+        const float area_out = lookup(kCoarse, work.areas_.data(), out, 0.0f);
         float mass = 0.0f;
-        for (const auto& cell : work.known) {
+        for (const auto& cell : work.known_) {
             table[cell.index] =
-                cell.base * lookup(kCoarse, work.areas.data(), cell.in, 0.0f) * area_out;
+                cell.base * lookup(kCoarse, work.areas_.data(), cell.in, 0.0f) * area_out;
             mass += table[cell.index] * cell_mass_[cell.index];
         }
         result.specular = mass;
         if (mass <= 0.0f) break;
-        for (const auto& cell : work.known) table[cell.index] /= mass;
+        for (const auto& cell : work.known_) table[cell.index] /= mass;
         if (next_areas(table, work) < kTolerance) break;
     }
     return result;

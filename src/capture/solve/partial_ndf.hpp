@@ -28,9 +28,9 @@ class PartialNdfWork {
         float base;    // 4 (rho - diffuse) / (F(c)/F(1))
         GridPlace in;  // position of i of the cell's light on the coarse grid
     };
-    PushPullImage image;
-    std::vector<Cell> known;
-    std::vector<float> fresnel, coarse, areas, next;
+    PushPullImage image_;
+    std::vector<Cell> known_;
+    std::vector<float> fresnel_, coarse_, areas_, next_;
 };
 
 class PartialNdfSolver {

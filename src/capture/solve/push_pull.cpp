@@ -52,6 +52,7 @@ Extent extent_of(const PushPullImage& image, int y) {
 // neighbors.
 void push(const PushPullImage& coarse, PushPullImage& fine) {
     std::vector<Extent> extents;
+    extents.reserve(static_cast<std::size_t>(coarse.side));
     for (int y = 0; y < coarse.side; ++y) extents.push_back(extent_of(coarse, y));
     for (int y = 0; y < fine.side; ++y) {
         const int cy = y / 2, ny = std::clamp(cy + ((y & 1) ? 1 : -1), 0, coarse.side - 1);

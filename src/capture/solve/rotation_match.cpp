@@ -167,7 +167,7 @@ class RotationMatcher::Tile {
 
   private:
     // The four sums of the header, as indices of sums_.
-    enum Sum : std::size_t { kA, kO, kB, kX, kSums };
+    static constexpr std::size_t kA = 0, kO = 1, kB = 2, kX = 3, kSums = 4;
     // Points whose sums are computed at all rotations, then compared. The sums of 4 points and 64
     // exemplars take 0.4 MB and stay in the cache until they are compared.
     static constexpr std::size_t kChunk = 4;
@@ -262,7 +262,7 @@ class RotationMatcher::Tile {
                     static_cast<std::size_t>(best_shift_[p * exemplars_ + e]), p * exemplars_ + e);
     }
 
-    const float* at(Sum k, std::size_t shift) const {
+    const float* at(std::size_t k, std::size_t shift) const {
         return sums_[k].data() + shift * least_.size();
     }
 

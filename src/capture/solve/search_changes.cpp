@@ -76,6 +76,7 @@ Halves halves_of(const SearchState& state, std::vector<std::size_t>& points) {
         return sum / static_cast<double>(end - begin);
     };
     std::vector<const Signature*> signatures;
+    signatures.reserve(points.size());
     for (const std::size_t p : points) signatures.push_back(&state.points[p].signature);
     std::vector<float> place;  // coordinate of each point along the largest principal component
     const bool uneven = mean(half, points.size()) > kSplitRatio * mean(0, half);
