@@ -46,6 +46,7 @@ std::vector<fs::path> write_map_folder(const fs::path& folder, std::vector<FileT
     }
     write_files_whole(files);
     std::vector<fs::path> written;
+    written.reserve(files.size());
     for (const FileToWrite& file : files) written.push_back(file.path);
     return written;
 }

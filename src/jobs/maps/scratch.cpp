@@ -56,7 +56,7 @@ ScratchInputs read_inputs(const ScratchRecipe& recipe) {
 
 // Values of the height, converted by `value`.
 DataPicture height_picture(const ScratchMaps& maps, DataFormat format,
-                           std::function<float(float)> value) {
+                           const std::function<float(float)>& value) {
     return picture_of_rows(
         format, {"Y"}, maps.size, maps.size, [&maps, value](int begin, int end, float* to) {
             std::transform(maps.height.at(0, begin),
