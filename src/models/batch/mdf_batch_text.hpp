@@ -4,8 +4,10 @@
 
 inline constexpr int kWardNodes = dialect::Precision<Scalar>::ward_nodes;
 
+#include "shading/prelude_begin.hpp"
+#undef FN
+#undef CONSTANT
 #define FN BURNISH_INLINE
-#define OUT(T) T&
 #define CONSTANT(name, value) inline constexpr Scalar name = static_cast<Scalar>(value);
 // clang-format off
 #include "shading/closed_forms.hpp"
