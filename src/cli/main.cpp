@@ -20,7 +20,8 @@
 namespace burnish::cli {
 namespace {
 
-enum ExitCode { kDone = 0, kFailure = 1, kUsage = 2, kInterrupted = 130 };
+// Exit codes of the program.
+constexpr int kDone = 0, kFailure = 1, kUsage = 2, kInterrupted = 130;
 
 void on_interrupt(int) {
     interrupt_token().cancel();
@@ -78,9 +79,9 @@ void run(int argc, const char* const* argv) {
     }
 }
 
-int complain(const std::string& line, ExitCode code) {
+int complain(const std::string& line, int exit_code) {
     std::fprintf(stderr, "burnish: %s\n", line.c_str());
-    return code;
+    return exit_code;
 }
 
 }  // namespace

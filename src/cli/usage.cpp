@@ -76,7 +76,7 @@ std::string unknown_word(const Apps& chain, const std::string& word) {
 
 // CLI11's complaints, which start with the flag, in the words of all our others.
 std::string in_our_words(const CLI::ParseError& error) {
-    const std::string text = one_line(error.what());
+    std::string text = one_line(error.what());
     const std::string flag = text.substr(0, text.find(": "));
     if (error.get_name() == "RequiredError")
         return text.substr(0, text.find(' ')) + ": expected a value, found none";
