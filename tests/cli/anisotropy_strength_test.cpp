@@ -1,6 +1,7 @@
 // AnisotropyStrengthTest: 7 x 7 spheres, roughness from 0 to 1 to the right, strength from 0 to 1
 // upwards. Under one light the highlight grows longer along the tangents with strength, broader
-// with roughness, and strength does nothing at roughness 1, as the model's authors ask.
+// with roughness, and strength does nothing at roughness 1, as the model's authors ask. Of the sample
+// model where it is at hand, and always of one that is written here.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <glm/vec3.hpp>
 
 #include "pictures.hpp"
+#include "support/glb_writer.hpp"
+#include "tests/gpu/test_scene.hpp"
 
 namespace burnish::test {
 namespace {
@@ -67,11 +70,38 @@ Shape shape_of(const Image& picture, int column, int row, const Axes& axes) {
             glm::degrees(0.5 * std::atan2(2 * uv, uu - vv))};
 }
 
-class AnisotropyStrengthTest : public testing::Test {
+// The spheres as a glTF file, with tangents along the parallels.
+std::string written_model(const TemporaryFolder& folder) {
+    const Mesh sphere = uv_sphere(64, 32);
+    GlbPrimitive primitive;
+    for (const glm::vec3 p : sphere.positions)
+        primitive.positions.push_back(static_cast<float>(kRadius) * p);
+    primitive.normals = sphere.normals;
+    primitive.tangents = sphere.tangents;
+    primitive.texcoord0 = sphere.texcoord0;
+    primitive.indices = sphere.indices;
+    GlbWriter writer;
+    for (int i = 0; i < kGrid * kGrid; ++i) {
+        const int column = i / kGrid, row = i % kGrid;
+        primitive.material = writer.add_material(
+            {{"pbrMetallicRoughness", {{"roughnessFactor", column / (kGrid - 1.0)}}},
+             {"extensions",
+              {{"KHR_materials_anisotropy", {{"anisotropyStrength", row / (kGrid - 1.0)}}}}}});
+        const int node = writer.add_node(writer.add_mesh(primitive));
+        writer.root["nodes"][static_cast<std::size_t>(node)]["translation"] = {column - 3, row, 0};
+    }
+    writer.root["extensionsUsed"] = {"KHR_materials_anisotropy"};
+    return folder.write("spheres.glb", writer.glb()).string();
+}
+
+// The parameter: whether the model is the one of the sample data.
+class AnisotropyStrengthTest : public testing::TestWithParam<bool> {
   protected:
     void SetUp() override {
         BURNISH_REQUIRE_GL();
-        const std::string model = sample_model("AnisotropyStrengthTest");
+        const TemporaryFolder folder;
+        const std::string model =
+            GetParam() ? sample_model("AnisotropyStrengthTest") : written_model(folder);
         BURNISH_REQUIRE_SAMPLE(model);
         stage_ = stage_of(model, "none", {"40,50"},
                           {{"samples", "16"},
@@ -97,7 +127,7 @@ bool has_shape(int column, int row) {
     return column > 0 || row > 0;
 }
 
-TEST_F(AnisotropyStrengthTest, StrengthStretchesAlongTheTangents) {
+TEST_P(AnisotropyStrengthTest, StrengthStretchesAlongTheTangents) {
     for (int column = 0; column < kGrid - 1; ++column) {
         Shape below;
         for (int row = 0; row < kGrid; ++row) {
@@ -122,22 +152,23 @@ TEST_F(AnisotropyStrengthTest, StrengthStretchesAlongTheTangents) {
     EXPECT_GT(shape(1, 6).along / shape(1, 6).across, 3.0);
 }
 
-TEST_F(AnisotropyStrengthTest, RoughnessBroadens) {
+TEST_P(AnisotropyStrengthTest, RoughnessBroadens) {
     for (int row = 0; row < kGrid; ++row) {
         for (int column = 1; column < kGrid; ++column) {
             if (!has_shape(column - 1, row)) continue;
             const Shape here = shape(column, row), before = shape(column - 1, row);
             const std::string where = fmt::format("roughness {}/6, strength {}/6", column, row);
             EXPECT_GT(here.across, before.across) << where;
-            // Strong streaks fill the 40 degrees from side to side whatever the roughness.
-            if (row <= 3) {
+            // Strong streaks fill the 40 degrees from side to side whatever the roughness. At roughness 0
+            // a streak is narrower than a pixel: samples find its length within a tenth.
+            if (row <= 3 && column > 1) {
                 EXPECT_GT(here.along, before.along) << where;
             }
         }
     }
 }
 
-TEST_F(AnisotropyStrengthTest, StrengthDoesNothingAtRoughnessOne) {
+TEST_P(AnisotropyStrengthTest, StrengthDoesNothingAtRoughnessOne) {
     double largest = 0, brightest = 0;
     const int left = (kGrid - 1) * kPixelsPerMetre;
     for (int y = 0; y < kPixelsPerMetre; ++y) {
@@ -154,6 +185,9 @@ TEST_F(AnisotropyStrengthTest, StrengthDoesNothingAtRoughnessOne) {
     EXPECT_GT(brightest, 0.1);
     EXPECT_LT(largest, 2e-3 * brightest);
 }
+
+INSTANTIATE_TEST_SUITE_P(Models, AnisotropyStrengthTest, testing::Bool(),
+                         [](const auto& sample) { return sample.param ? "sample" : "written"; });
 
 }  // namespace
 }  // namespace burnish::test
