@@ -1,5 +1,6 @@
 // Tables of distributions for the tests of this layer. Positions and weights of cells follow the
 // description of the grid, and lobes are closed forms, so that nothing depends on the tested code.
+#pragma once
 
 #include <array>
 #include <cmath>
