@@ -4,7 +4,7 @@
 // measured distribution maps the square to the hemisphere. Field names and conventions follow the
 // authors' reader rgl-epfl/brdf-loader (BSD-3; no code of it).
 //
-//  theta_i, phi_i   the incident directions, radians; at most two azimuths: isotropic
+//   theta_i, phi_i   the incident directions, radians; at most two azimuths: isotropic
 //   ndf              D(h); u = sqrt(2 theta / pi) along x, (phi + pi) / (2 pi) along y
 //   sigma            projected area of the distribution by direction, in the same square
 //   vndf             density of visible normals in the same square, for each incident direction
