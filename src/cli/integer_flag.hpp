@@ -1,4 +1,4 @@
-// Flags for whole numbers, checked in our words.
+// Flags for whole numbers, with our error messages.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct IntegerRange {
     int low, high;
 };
 
-// Throws UsageError naming the flag for anything but a whole number of the range.
+// Parses a whole number within the range; throws UsageError naming the flag for anything else.
 int whole_number(const std::string& text, IntegerRange range, const std::string& flag);
 
-// `target`, which must outlive the command, receives it. The range stands behind the help.
+// `target` receives the value; it must outlive the command. The help text ends with the range.
 CLI::Option* add_integer(CLI::App& command, const std::string& flag, int& target,
                          IntegerRange range, const std::string& help);
 

@@ -1,4 +1,4 @@
-// burnish: the command line. Parses, calls app/, prints; every failure is one line on standard
+// burnish: the command line. Parses, calls app/, prints. Every failure is one line on standard
 // error.
 #include <signal.h>
 
@@ -36,12 +36,13 @@ void set_signal(int number, void (*handler)(int), int flags) {
 }
 
 void set_signals() {
-    interrupt_token();  // made now: a signal handler must not make it
-    // Reads and writes that wait are to return; a second Ctrl-C ends the program at once.
+    interrupt_token();  // created now: a signal handler must not create it
+    // Ctrl-C interrupts blocking reads and writes; a second one ends the program at once.
     constexpr int kOnce = static_cast<int>(SA_RESETHAND);
     set_signal(SIGINT, on_interrupt, kOnce);
     set_signal(SIGTERM, on_interrupt, kOnce);
-    // A full pipe or a file-size limit is to be seen by the write that meets it.
+    // A write to a closed pipe or beyond a file-size limit must return an error, not kill the
+    // program.
     set_signal(SIGPIPE, SIG_IGN, 0);
     set_signal(SIGXFSZ, SIG_IGN, 0);
 }
@@ -62,7 +63,7 @@ void run(int argc, const char* const* argv) {
     Session session(argc, argv);
     CLI::App app("Renders anisotropic surfaces under fine detail, and evaluates the maths behind.",
                  "burnish");
-    app.fallthrough();  // --progress may stand after the command too
+    app.fallthrough();  // --progress may follow the command
     app.set_version_flag("--version", "burnish " + std::string(version()));
     session.add_options(app);
     require_command(app);
@@ -91,8 +92,8 @@ int main(int argc, char** argv) {
     using namespace burnish::cli;
     try {
         set_signals();
-        // Mesa writes warnings about devices that it cannot open to standard error; those of our
-        // own contexts are in Context::warnings.
+        // Suppress Mesa's warnings on standard error about devices that it cannot open. Those of
+        // our own contexts are in Context::warnings.
         setenv("EGL_LOG_LEVEL", "fatal", 0);
         run(argc, argv);
         return kDone;

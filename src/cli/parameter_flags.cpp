@@ -9,8 +9,8 @@
 namespace burnish::cli {
 namespace {
 
-// "0.001 to 1.5"; empty for what has no range, and for positions, whose range is no choice of
-// anybody's.
+// A range such as "0.001 to 1.5". Empty for parameters without a range, and for positions, whose
+// range is only a technical limit.
 std::string range_of(const Parameter& parameter) {
     const bool is_coefficients = parameter.kind == ParameterKind::vector && parameter.unit.empty();
     const bool has_range = parameter.kind == ParameterKind::real ||

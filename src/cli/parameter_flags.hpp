@@ -1,4 +1,4 @@
-// Flags and help of rows of THE parameter table, for every command that takes some of them.
+// Flags and help of rows of the parameter table, for the commands that take some of them.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ class Option;
 
 namespace burnish::cli {
 
-// What stands behind the flag in its help: "NUMBER".
+// The placeholder of the value in the help: "NUMBER".
 std::string value_name(const Parameter& parameter);
 
-// One line: what it is, its unit, choices, range and default.
+// One line of help: meaning, unit, choices, range and default.
 std::string help_of(const Parameter& parameter);
 
-// Adds the flag of the parameter `name`; `values`, which must outlive the command, receives it.
+// Adds the flag of the parameter `name`. `values` receives its value; it must outlive the command.
 CLI::Option* add_parameter_flag(CLI::App& command, std::string_view name, ParameterValues& values);
 
 }  // namespace burnish::cli

@@ -1,4 +1,4 @@
-// What the flags of `mdf plot` and `brdf plot` have in common.
+// The flags that `mdf plot` and `brdf plot` share.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ namespace burnish::cli {
 
 class Session;
 
-// Lists with commas. Throw UsageError naming the flag, what was expected and what was found.
+// Parse comma-separated lists. They throw UsageError naming the flag, expected and found values.
 std::vector<std::string> words_of(const std::string& list);
 std::vector<int> indices_of(const std::string& list, std::span<const std::string_view> names,
                             std::string_view kind, const std::string& flag);
@@ -32,10 +32,10 @@ struct OutputFlags {
 void add_output_flags(CLI::App& command, OutputFlags& flags);
 PlotOutput output_of(const OutputFlags& flags, const Session& session);
 
-// "disk, grid or profile"
+// The names as text: "disk, grid or profile".
 std::string listed(std::span<const std::string_view> names);
 
-// The subcommands `plot`.
+// Add the subcommands `plot`.
 void add_mdf_plot_command(CLI::App& mdf, Session& session);
 void add_brdf_plot_command(CLI::App& brdf, Session& session);
 

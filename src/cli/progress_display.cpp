@@ -14,8 +14,8 @@ namespace {
 constexpr std::array<std::string_view, 4> kModeNames = {"auto", "bar", "json", "off"};
 
 using Seconds = std::chrono::duration<double>;
-constexpr Seconds kSilence{1.0};      // work shorter than this shows no bar by itself
-constexpr Seconds kBarInterval{0.1};  // as fast as an eye follows
+constexpr Seconds kSilence{1.0};      // shorter work shows no bar in automatic mode
+constexpr Seconds kBarInterval{0.1};  // faster updates would not be seen
 constexpr Seconds kJsonInterval{0.5};
 constexpr std::size_t kBarWidth = 24;
 
@@ -88,7 +88,7 @@ ProgressDisplay::Moment ProgressDisplay::moment_at(Clock::time_point now, double
     return moment;
 }
 
-// `news`: a stage begins or ends.
+// Whether an update is due; `news`: a stage begins or ends.
 bool ProgressDisplay::is_due(Clock::time_point now, bool news) const {
     if (mode_ == ProgressMode::automatic && now - start_ < kSilence) return false;
     if (news || !last_shown_) return true;

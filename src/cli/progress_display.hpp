@@ -1,4 +1,4 @@
-// The progress of long work on standard error: a line that is drawn over, or JSON for programs.
+// Shows the progress of long work on standard error: as a line that is overwritten, or as JSON.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@ namespace burnish::cli {
 enum class ProgressMode { automatic = 0, bar = 1, json = 2, off = 3 };
 std::span<const std::string_view> progress_mode_names();
 
-// `show` may be called from any thread. Goes away without a trace on a terminal.
+// `show` may be called from any thread. The destructor erases the line on a terminal.
 class ProgressDisplay {
   public:
     explicit ProgressDisplay(ProgressMode mode);
@@ -26,11 +26,11 @@ class ProgressDisplay {
   private:
     using Clock = std::chrono::steady_clock;
 
-    // What one line says. Times in seconds; time left and rate are of the stage.
+    // The contents of one update. Times in seconds; time left and rate are of the stage.
     struct Moment {
         double done = 0;
         double elapsed_s = 0;
-        double rate = 0;  // of the whole per second; 0 while unknown
+        double rate = 0;  // fraction of the whole per second; 0 while unknown
         std::optional<double> left_s;
     };
     Moment moment_at(Clock::time_point now, double done) const;
@@ -43,7 +43,7 @@ class ProgressDisplay {
     Clock::time_point start_ = Clock::now();
     std::string stage_;
     Clock::time_point stage_start_ = start_;
-    double stage_from_ = 0;  // what was done when the stage was first heard of
+    double stage_from_ = 0;  // fraction done at the first update of the stage
     std::optional<Clock::time_point> last_shown_;
     bool bar_on_screen_ = false;
 };

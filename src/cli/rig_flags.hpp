@@ -1,5 +1,5 @@
-// Flags that say what a rig file gets wrong or cannot know, for the commands that read stacks, or
-// what a rig is to hold, for those that make one.
+// Flags that correct or complete a rig file, for commands that read stacks, and flags for the
+// contents of a new rig, for commands that make one.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace burnish::cli {
 class RigFlags {
   public:
     void add_to(CLI::App& command);
-    void add_to_new(CLI::App& command);  // for a rig that is made: no --flip-y
+    void add_to_new(CLI::App& command);  // for a new rig: no --flip-y
     RigOverrides overrides() const;      // throws UsageError
 
   private:

@@ -20,7 +20,7 @@ bool is_plain(char c) {
     return alphanumeric || kPlain.find(c) != std::string_view::npos;
 }
 
-// In single quotes where a POSIX shell would read anything into it.
+// The word in single quotes if a POSIX shell would interpret any of its characters.
 std::string shell_quoted(std::string_view word) {
     if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
     std::string quoted = "'";
@@ -42,7 +42,7 @@ const CancelToken& interrupt_token() {
 }
 
 Session::Session(int argc, const char* const* argv) {
-    // Without the folder: where the program is installed says nothing about what it made.
+    // Without the folder: the installation path is irrelevant to the result.
     command_line_ = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "burnish";
     for (int i = 1; i < argc; ++i) command_line_ += " " + shell_quoted(argv[i]);
 }

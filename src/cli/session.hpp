@@ -1,5 +1,4 @@
-// What every command shares: the flags that come before all others, and the words it was called
-// with.
+// State that every command shares: the global flags and the words of the command line.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +13,18 @@ class App;
 
 namespace burnish::cli {
 
-// Cancelled by Ctrl-C and SIGTERM: the one of this program.
+// The program's token, which Ctrl-C and SIGTERM cancel.
 const CancelToken& interrupt_token();
 
 class Session {
   public:
     Session(int argc, const char* const* argv);
 
-    // The command as it can be typed into a shell again, for the metadata of what it makes.
+    // The command line in a form that a shell accepts, for the metadata of output files.
     const std::string& command_line() const { return command_line_; }
 
-    // Shows the progress of one piece of work as --progress asks, until the last copy is gone;
-    // Ctrl-C cancels it.
+    // Shows the progress of one piece of work in the mode of --progress, for the lifetime of the
+    // returned object and its copies; Ctrl-C cancels the work.
     Progress progress() const;
 
     void add_options(CLI::App& app);
@@ -35,10 +34,10 @@ class Session {
     std::string progress_mode_ = "auto";
 };
 
-// Everything at once, every write checked: a full disk is an error for printed text as well.
+// Prints the whole text and checks every write: a full disk is an error for printed text too.
 void print(const std::string& text);
 
-// Warnings to standard error, a line each; then the paths of what was written.
+// Prints warnings to standard error, one line each, then the paths of the written files.
 void print_report(const std::vector<std::string>& warnings,
                   const std::vector<std::filesystem::path>& written);
 

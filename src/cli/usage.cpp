@@ -12,7 +12,7 @@ namespace {
 
 using Apps = std::vector<const CLI::App*>;
 
-// The program and the commands that were recognised, outermost first.
+// The program and the commands that CLI11 recognized, outermost first.
 Apps recognized(const CLI::App& root) {
     Apps chain{&root};
     for (Apps::value_type app = &root; !app->get_subcommands().empty();) {
@@ -22,14 +22,14 @@ Apps recognized(const CLI::App& root) {
     return chain;
 }
 
-// "burnish mdf eval"
+// The full name of a command: "burnish mdf eval".
 std::string path_of(const Apps& chain) {
     std::string path;
     for (const CLI::App* app : chain) path += (path.empty() ? "" : " ") + app->get_name();
     return path;
 }
 
-// "mdf eval: ": what a line starts with, after the program's own name.
+// The prefix of a message after the program's name: "mdf eval: ".
 std::string prefix_of(const Apps& chain) {
     if (chain.size() < 2) return "";
     return path_of({chain.begin() + 1, chain.end()}) + ": ";
@@ -74,7 +74,7 @@ std::string unknown_word(const Apps& chain, const std::string& word) {
     return line + "; there are: " + listed(known);
 }
 
-// CLI11's complaints, which start with the flag, in the words of all our others.
+// Rewords errors of CLI11, which start with the flag, in the form of our other errors.
 std::string in_our_words(const CLI::ParseError& error) {
     std::string text = one_line(error.what());
     const std::string flag = text.substr(0, text.find(": "));
@@ -102,7 +102,8 @@ UsageError usage_error(const CLI::App& root, const CLI::ParseError& error) {
 }
 
 void require_command(CLI::App& app) {
-    app.require_subcommand(0, 1);  // the lower bound is ours to report: CLI11 says it too late
+    // A missing command is reported by our code: CLI11 reports it too late.
+    app.require_subcommand(0, 1);
     app.callback([&app] {
         if (!app.get_subcommands().empty()) return;
         Apps chain{&app};

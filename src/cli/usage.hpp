@@ -1,4 +1,4 @@
-// What is said when the command itself is wrong.
+// Error messages for a wrong command line.
 #pragma once
 
 #include "burnish/error.hpp"
@@ -10,11 +10,11 @@ class ParseError;
 
 namespace burnish::cli {
 
-// The one line for a command line that CLI11 could not parse; an unknown command or flag suggests
-// the nearest that there is.
+// The message for a command line that CLI11 could not parse. For an unknown command or flag it
+// suggests the nearest existing one.
 UsageError usage_error(const CLI::App& root, const CLI::ParseError& error);
 
-// Makes `app` ask for one of its subcommands when it is called without.
+// Makes `app` throw UsageError when it is called without a subcommand.
 void require_command(CLI::App& app);
 
 }  // namespace burnish::cli

@@ -13,7 +13,7 @@ namespace burnish {
 
 namespace {
 
-constexpr float kDielectric = 0.04f;  // of glTF
+constexpr float kDielectric = 0.04f;  // fixed by glTF
 
 using Rgb = std::array<float, 3>;
 
@@ -59,7 +59,7 @@ AnisotropicRoughness anisotropic_roughness(const LobeFit& lobe) {
     const double across = std::clamp(lobe.alpha_across, along, 1.0);
     AnisotropicRoughness out;
     out.roughness = static_cast<float>(std::sqrt(along));
-    // At 1 nothing is left to stretch.
+    // At roughness 1 the lobe cannot be stretched.
     if (along < 1.0) out.strength = static_cast<float>(std::sqrt((across - along) / (1.0 - along)));
     return out;
 }
@@ -67,7 +67,7 @@ AnisotropicRoughness anisotropic_roughness(const LobeFit& lobe) {
 double groove_at(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, std::size_t texel) {
     const double angle = lobes[m.exemplar[texel]].groove + static_cast<double>(m.angle[texel]);
     const double wrapped = angle - kPi * std::floor(angle / kPi);
-    return wrapped < kPi ? wrapped : 0.0;  // rounding can make pi
+    return wrapped < kPi ? wrapped : 0.0;  // rounding can give pi
 }
 
 Image base_color_texture(const TabulatedMaterial& m, bool masked) {

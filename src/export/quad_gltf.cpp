@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// position, normal, tangent, texture coordinates
+// Position, normal, tangent, texture coordinates.
 constexpr std::size_t kVertexFloats = 3 + 3 + 4 + 2;
 constexpr std::size_t kVertices = 4;
 constexpr std::array<std::uint16_t, 6> kIndices = {0, 1, 2, 0, 2, 3};
@@ -83,7 +83,7 @@ std::string quad_gltf(const SampleQuad& quad, const std::string& buffer) {
         root["textures"].push_back({{"sampler", 0}, {"source", root["images"].size()}});
         root["images"].push_back({{"uri", image}});
     }
-    // Linear with mip maps, clamped to the edge: the sample does not repeat.
+    // Linear with mip maps, clamped to the edge, because the sample does not repeat.
     root["samplers"] = {
         {{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}};
     root["accessors"] = accessors_of(quad);

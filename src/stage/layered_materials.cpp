@@ -16,7 +16,7 @@ void erase_all(ParameterValues& values, std::initializer_list<std::string_view> 
     for (const std::string_view name : names) values.erase(name);
 }
 
-// What the upper layer's values make meaningless in the lower one.
+// Erases the values of the lower layer that the upper layer replaces.
 void erase_replaced(ParameterValues& lower, const ParameterValues& upper,
                     const std::optional<glm::vec2>& lower_alpha) {
     if (upper.is_set("normal_map") || upper.is_set("scratch"))
@@ -39,7 +39,7 @@ double within_table(std::string_view name, float value) {
     return std::clamp(static_cast<double>(value), parameter.low, parameter.high);
 }
 
-// The halves of a roughness pair that values state, as alphas or as exponents.
+// The halves (x, y) of a roughness pair that the values contain, as alphas or as exponents.
 struct Halves {
     bool x, y;
 };
@@ -48,8 +48,8 @@ Halves halves_of(const ParameterValues& values) {
             values.is_set("alpha_y") || values.is_set("e_y")};
 }
 
-// States as alphas a pair of which `upper` states one half. A half of `lower` that stands alone,
-// and so for both, is no other half of the same half in `upper`.
+// Writes a pair of which `upper` has one half as alphas. A single half in `lower` means both, so it
+// supplies the other half only when `upper` has a different half.
 void complete_pair(ParameterValues& values, const ParameterValues& lower,
                    const ParameterValues& upper, glm::vec2 lower_alpha) {
     const Halves above = halves_of(upper), below = halves_of(lower);
@@ -78,7 +78,7 @@ LayeredMaterials::LayeredMaterials(std::vector<Material> base, std::vector<Scene
     layers_.resize(base_.size());
 }
 
-// Of one material, loaded. Faults of the file's own values name the place in the file.
+// The values of one loaded material. Errors in the file's values name their place in the file.
 ParameterValues LayeredMaterials::values_of(std::size_t index, Scene& scene,
                                             const ParameterValues& flags) {
     const SceneFile::Layer& layer = layers_[index];

@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view kBumps = "builtin:bumps";
 constexpr int kBumpsSize = 1024;  // texels a side
 
-// 16 bits: 8 would show as steps in the highlight of a smooth metal.
+// 16 bits: with 8, the highlight of a smooth metal would show steps.
 Texture bumps_texture() {
     const Image map = bump_normal_map(kBumpsSize);
     Texture texture{std::string(kBumps), map.width,          map.height, 3,
@@ -52,7 +52,7 @@ std::shared_ptr<const Draft> load_draft(const std::string& name,
     const auto known = draft_names();
     if (std::find(known.begin(), known.end(), name) != known.end())
         return std::make_shared<Draft>(builtin_draft(name));
-    // A name with a dot or a folder is meant to be a file.
+    // A name with a dot or a folder must be a file.
     const bool file = name.find_first_of("./\\") != std::string::npos;
     std::error_code error;
     if (!file && !std::filesystem::is_regular_file(name, error))

@@ -66,7 +66,7 @@ void apply_color(Material& material, const ParameterValues& values) {
 
 // --- the lobe -----------------------------------------------------------------------------------
 
-// The lobe of the material without the cloth or the table that the values take from it.
+// The lobe of the base material, without the cloth or the table that the values remove.
 MaterialLobe kept_lobe(const Material& base, const ParameterValues& values) {
     const bool weave = names_one(values, "weave"), scratch = values.is_set("scratch");
     if (const Cloth* cloth = cloth_of(base)) {
@@ -77,7 +77,7 @@ MaterialLobe kept_lobe(const Material& base, const ParameterValues& values) {
     return base.lobe;
 }
 
-// Fibres run along x, where KHR_materials_anisotropy stretches across the grooves.
+// Fibers run along x, where KHR_materials_anisotropy stretches across the grooves.
 glm::vec2 fiber_alpha(const GltfLobe& lobe) {
     const f32::vec2 alpha = f32::alpha_of_roughness(lobe.roughness, lobe.anisotropy_strength);
     return {alpha.y, alpha.x};
@@ -120,8 +120,8 @@ void apply_cloth_numbers(Cloth& cloth, const ParameterValues& values) {
     if (values.is_set("weft_color")) cloth.weft_color = values.vec3("weft_color");
 }
 
-// A new cloth is not metallic and its fibres have the alpha of Cloth, unless the values or a pair
-// of the material say otherwise.
+// A new cloth is not metallic and its fibers have the alpha of Cloth, unless the values or a
+// roughness pair of the material override them.
 void apply_weave(Material& material, const ParameterValues& values, const MaterialAssets& assets) {
     if (names_one(values, "weave")) {
         const Cloth* before = cloth_of(material);
@@ -142,7 +142,7 @@ void apply_weave(Material& material, const ParameterValues& values, const Materi
 // --- normal maps and scratch maps ---------------------------------------------------------------
 
 // The anisotropy map stores the direction of stretch, across the groove. The material's grooves run
-// along the smaller alpha, so a pair whose smaller one is x is rotated by a right angle.
+// along its smaller alpha, so the map is rotated by 90 degrees when that is alpha_x.
 void follow_grooves(Material& material, const ParameterValues& values, int texture) {
     material.anisotropy_texture = TextureUse{};
     material.anisotropy_texture.texture = texture;

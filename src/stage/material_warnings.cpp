@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-// What a tabulated material brings itself.
+// Parameters that a tabulated material supplies itself.
 constexpr std::string_view kHidden[] = {"mdf",
                                         "brdf",
                                         "alpha_x",
@@ -33,7 +33,7 @@ void append_once(std::vector<std::string>& lines, std::string line) {
         lines.push_back(std::move(line));
 }
 
-// Whether `name` is set on some material, and on none that `uses` it.
+// Whether `name` is set on some material, but on none for which `uses` is true.
 template <typename Uses>
 bool is_idle(const std::vector<Material>& materials, const std::vector<ParameterValues>& values,
              std::string_view name, Uses uses) {

@@ -1,4 +1,4 @@
-// Values that change nothing: what is refused, and what is said.
+// Errors and warnings for values without effect.
 #pragma once
 
 #include <string>
@@ -10,15 +10,16 @@
 
 namespace burnish {
 
-// Throws when no material on which a number of cloth is set is a cloth: UsageError for numbers of
-// `flags`, Error with the place for those of the file. All vectors are one a material.
+// Throws when a parameter of cloth is set but no material with it is a cloth: UsageError for
+// parameters in `flags`, Error with the place for those of the file. All vectors have one entry per
+// material.
 void require_belonging(const std::vector<Material>& materials,
                        const std::vector<ParameterValues>& values,
                        const std::vector<SceneFile::Layer>& layers, const ParameterValues& flags);
 
-// Appends a line for each value that changes nothing on any material, for each that a tabulated
-// material or a metal hides, and for each mesh whose texture coordinates a value asks for in vain.
-// `values`: those applied, one a material of the scene.
+// Appends a warning for each value without effect on any material, for each that a tabulated
+// material or a metal hides, and for each mesh that lacks the texture coordinates that a value
+// needs. `values`: those applied, one entry per material of the scene.
 void append_warnings(const Scene& scene, const std::vector<ParameterValues>& values,
                      std::vector<std::string>& warnings);
 

@@ -1,4 +1,4 @@
-// Whether a texture can be a tangent-space normal map at all.
+// Checks whether a texture is a plausible tangent-space normal map.
 #include "stage/normal_map_check.hpp"
 
 #include <fmt/format.h>
@@ -37,8 +37,8 @@ float channel_at(const Texture& texture, std::size_t index) {
     return 0.0f;
 }
 
-// Mean of 2 rgb - 1 over texels that are not black; +z when all are. Looks at no more than about a
-// million of them.
+// Mean of 2 rgb - 1 over texels that are not black; +z when all are black. Samples about a million
+// texels at most.
 glm::dvec3 mean_direction(const Texture& texture) {
     constexpr std::size_t kEnough = std::size_t{1} << 20;
     const auto channels = static_cast<std::size_t>(texture.channels);
@@ -58,8 +58,8 @@ glm::dvec3 mean_direction(const Texture& texture) {
     return counted == 0 ? glm::dvec3(0, 0, 1) : sum / static_cast<double>(counted);
 }
 
-// Surfaces rise as much as they fall, so that the mean of a map leans little; 0.5 is far below the
-// mean z of steep relief. Grey of any brightness leans by 55 degrees, 45 is the limit.
+// Heights rise as much as they fall, so the mean normal of a map is close to +z. 0.5 is far below
+// the mean z of steep relief. The direction of gray is 55 degrees from +z; the limit is 45 degrees.
 bool is_odd(const glm::dvec3& mean) {
     return !(mean.z >= 0.5 && mean.z >= 0.7 * glm::length(mean));
 }

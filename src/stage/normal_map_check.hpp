@@ -1,12 +1,13 @@
-// Warnings of normal maps that are none.
+// Warnings for textures that are not normal maps.
 #pragma once
 
 #include "burnish/scene.hpp"
 
 namespace burnish {
 
-// Adds a warning for each normal map in use whose mean direction is far from +z: an object-space
-// map, a height map, a photograph. Black texels (padding between charts) do not count.
+// Adds a warning for each normal map in use whose mean direction is far from +z, such as an
+// object-space map, a height map or a photograph. Black texels (padding between charts) do not
+// count.
 void warn_of_odd_normal_maps(Scene& scene);
 
 }  // namespace burnish

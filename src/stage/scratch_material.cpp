@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 using Rows = std::function<void(int begin, int end, float* to)>;
 
-// 16 bits: 8 would show as steps in the highlight of a smooth metal.
+// 16 bits: with 8, the highlight of a smooth metal would show steps.
 Texture texture_of(int size, const Rows& rows) {
     Texture texture{{}, size, size, 3, TexelType::u16, ColorSpace::linear, {}};
     const std::size_t row = 3 * static_cast<std::size_t>(size);

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// Texels a side of a preset engraved for rendering.
+// Side in texels of the maps of a preset for rendering.
 inline constexpr int kScratchPresetSize = 2048;
 
 struct ScratchTextures {
@@ -15,9 +15,9 @@ struct ScratchTextures {
     Texture anisotropy;  // direction of stretch, across the grooves, and strength; may be empty
 };
 
-// The maps of a preset, engraved here, or of a folder made by `burnish scratch`. A preset has both
-// textures; of a folder, the second is read when `with_anisotropy`. Throws UsageError for a name
-// that is neither a preset nor a folder, Error for a folder whose maps cannot be read.
+// The maps of a preset, engraved by this call, or of a folder made by `burnish scratch`. A preset
+// has both textures; the second one of a folder is read when `with_anisotropy`. Throws UsageError
+// for a name that is neither a preset nor a folder, Error for a folder whose maps cannot be read.
 ScratchTextures load_scratch(const std::string& name, bool with_anisotropy);
 
 }  // namespace burnish

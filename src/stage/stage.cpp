@@ -21,7 +21,8 @@ namespace burnish {
 
 namespace {
 
-constexpr double kDefaultLightIntensity = 3.14159265;  // lights a white plate head-on to 1
+// A white plate facing the light has radiance 1.
+constexpr double kDefaultLightIntensity = 3.14159265;
 
 // +y up; azimuth 0 is +z, 90 degrees is +x (docs/theory/conventions.md).
 glm::vec3 direction_at(double azimuth_deg, double elevation_deg) {
@@ -70,7 +71,7 @@ bool any_set(const ParameterValues& values, std::initializer_list<std::string_vi
 }
 
 // The least distance from `target` towards `away` (unit) at which every vertex lies within the
-// view, with a little air around it.
+// view, with a small margin.
 double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, double yfov,
                         double aspect) {
     const glm::vec3 up_hint = std::abs(away.y) < 0.999f ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
@@ -90,10 +91,11 @@ double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, do
             distance = std::max(distance, depth + reach);
         }
     }
-    return std::max(distance, 1e-6);  // a single point still needs a camera somewhere else
+    // The camera must differ from the target for a single point too.
+    return std::max(distance, 1e-6);
 }
 
-// Values that others, or the lack of them, keep from mattering.
+// Warns of values that other values, or their absence, make ineffective.
 void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
                          std::vector<std::string>& warnings) {
     const bool shows_environment =
@@ -205,7 +207,8 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
     const glm::vec3 view = camera.target - camera.position;
     if (glm::dot(view, view) == 0.0f)
         throw UsageError("--camera-position", "", "a place other than the target", "the target");
-    // Looking straight up or down, +y is no up: -z is, as on a map.
+    // For a vertical view +y cannot be the up direction; -z is up for a view from above, as on a
+    // map.
     if (glm::length(glm::cross(glm::normalize(view), camera.up)) < 1e-4f)
         camera.up = {0.0f, 0.0f, view.y > 0 ? 1.0f : -1.0f};
     return camera;

@@ -1,4 +1,4 @@
-// burnish bench: what things cost on this machine.
+// burnish bench: costs of work on this machine.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -63,7 +63,7 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
-// The number at the start of `text`, and what follows it.
+// The number at the start of `text`, and the text after it.
 struct Leading {
     int value = 0;
     std::string_view rest;
@@ -103,7 +103,8 @@ int parse_triangles(const std::string& text) {
     return number.value * times;
 }
 
-// Every mesh at every size where either is given; the other's default is the quick one.
+// The combinations of meshes and sizes when either flag is given; the missing flag has the quick
+// default.
 std::vector<FrameCase> cases_of(const BenchFlags& flags) {
     if (!flags.sizes && !flags.triangles) return default_frame_cases(flags.quick);
     std::vector<Size> sizes;
@@ -139,7 +140,7 @@ void run_bench(const BenchFlags& flags, const Session& session) {
         throw UsageError("--output", "", "a name that ends in .json", "none");
     request.output = flags.output.value_or("");
     request.command = session.command_line();
-    keep_freed_memory();  // before the first context
+    keep_freed_memory();  // must precede the first context
     const FrameCostReport report = bench_frame(request, session.progress());
     for (const std::string& warning : report.cost.warnings)
         std::fprintf(stderr, "burnish: warning: %s\n", warning.c_str());

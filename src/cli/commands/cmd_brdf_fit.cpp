@@ -1,4 +1,4 @@
-// burnish brdf fit: measured materials fitted by reflection models.
+// burnish brdf fit: fits reflection models to measured materials.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// burnish brdf plot: reflection models, as figures.
+// burnish brdf plot: figures of reflection models.
 #include <CLI/CLI.hpp>
 #include <memory>
 

@@ -43,7 +43,7 @@ ProbeCircle parse_circle(const std::string& text) {
         std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &c.x, &c.y, &c.radius, &rest) == 3;
     if (!three || !std::isfinite(c.x) || !std::isfinite(c.y))
         throw UsageError("--ball", "", "X,Y,R in pixels", shown(text));
-    // Less is no ball to find a lamp on (light_probe.hpp).
+    // A smaller ball does not resolve the highlight of a lamp (light_probe.hpp).
     if (!(c.radius >= 4.0) || !std::isfinite(c.radius))
         throw UsageError("--ball", "", "a radius of at least 4 pixels", shown(text));
     return c;

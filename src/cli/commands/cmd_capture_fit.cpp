@@ -62,13 +62,14 @@ void set_fresnel(CaptureFitFlags& flags) {
     } else if (flags.f0 >= 0.0) {
         if (!(flags.f0 > 0.0 && flags.f0 <= 1.0))
             throw UsageError("--f0", "", "above 0, at most 1", fmt::format("{}", flags.f0));
-        // F(1) = ((eta - 1) / (eta + 1))^2; metals near 1 hardly change with the angle.
+        // F(1) = ((eta - 1) / (eta + 1))^2; for metals near 1 the reflectance hardly depends on the
+        // angle.
         const double root = std::sqrt(flags.f0);
         eta = root > 0.98 ? 0.0 : (1.0 + root) / (1.0 - root);
     }
 }
 
-// What was found, for people.
+// A summary of the result as text.
 std::string describe(const CaptureFitResult& r, const CaptureFitRequest& request) {
     std::string text = fmt::format(
         "{} x {} pixels, {} lights, half vectors {:.1f} degrees apart, {:.2g} % clipped, {:.2g} % "
@@ -103,7 +104,7 @@ void run_capture_fit(CaptureFitFlags& flags, const Session& session) {
     request.overrides = flags.rig.overrides();
     set_grid(flags);
     set_fresnel(flags);
-    if (request.settings.hold_out == 1)  // nothing would be left to fit
+    if (request.settings.hold_out == 1)  // no light would be left to fit
         throw UsageError("--hold-out", "", "0, or a whole number from 2 to 1000", "1");
     if (!flags.until.empty())
         request.until = static_cast<CaptureStage>(

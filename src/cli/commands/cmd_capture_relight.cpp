@@ -30,7 +30,7 @@ struct CaptureRelightFlags {
     bool each_light = false;
 };
 
-// The totals in two lines; with `each_light` a table before them.
+// The total errors in two lines; with `each_light`, a table of the lights before them.
 std::string describe(const StackError& error, bool each_light) {
     std::string out;
     if (each_light) {
@@ -57,7 +57,7 @@ void run_capture_relight(CaptureRelightFlags& flags, const Session& session) {
     request.output = flags.output;
     request.command = session.command_line();
     CaptureRelightResult report = capture_relight(request, session.progress());
-    // Hundreds of pictures: the rig names them.
+    // Hundreds of pictures are not listed; the rig file names them.
     std::erase_if(report.written, [](const auto& path) { return path.extension() == ".exr"; });
     print_report(report.warnings, report.written);
     if (report.error) print(describe(*report.error, flags.each_light));

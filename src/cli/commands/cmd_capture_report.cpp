@@ -1,4 +1,4 @@
-// burnish capture report: a page that shows a capture and what a fit made of it.
+// burnish capture report: a page on a capture and its fit.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
@@ -40,7 +40,7 @@ void run_capture_report(CaptureReportFlags& flags, bool hold_out, const Session&
     if (hold_out) request.hold_out = flags.hold_out;
     request.command = session.command_line();
     CaptureReportResult result = capture_report(request, session.progress());
-    // The page shows them.
+    // The pictures are not listed; the page shows them.
     std::erase_if(result.written, [](const auto& path) { return path.extension() == ".png"; });
     print_report(result.warnings, result.written);
 }

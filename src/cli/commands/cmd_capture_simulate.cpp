@@ -1,4 +1,4 @@
-// burnish capture simulate: pictures of a sample whose every texel is known.
+// burnish capture simulate: pictures of a virtual sample with known texels.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

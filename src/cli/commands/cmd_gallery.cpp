@@ -1,4 +1,4 @@
-// burnish gallery: the figures of the papers, made again.
+// burnish gallery: reproduces the figures of the papers.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

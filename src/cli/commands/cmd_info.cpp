@@ -1,4 +1,4 @@
-// burnish info: what a file holds, what devices there are.
+// burnish info: the contents of a file, or the available devices.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>

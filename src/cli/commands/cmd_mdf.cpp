@@ -1,4 +1,4 @@
-// burnish mdf: microfacet distributions, perturbed and not.
+// burnish mdf: microfacet distributions with and without a perturbed normal.
 #include <CLI/CLI.hpp>
 
 #include "cli/commands/commands.hpp"

@@ -1,4 +1,4 @@
-// burnish mdf plot: distributions under a perturbed normal, as figures.
+// burnish mdf plot: figures of distributions under a perturbed normal.
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -48,7 +48,7 @@ std::vector<Direction<double>> normals_of(const MdfPlotFlags& flags) {
         normals.push_back(n);
     }
     if (!normals.empty() && flags.tilt.empty() && flags.azimuth.empty()) return normals;
-    // 89.9: at 90 degrees the disk shows the lobe from its edge.
+    // 89.9: at 90 degrees the disk would show the lobe edge-on.
     const auto tilts = numbers_of(flags.tilt.empty() ? "30" : flags.tilt, "--tilt", 0, 89.9);
     const auto azimuths =
         numbers_of(flags.azimuth.empty() ? "40" : flags.azimuth, "--azimuth", -360, 360);

@@ -54,7 +54,7 @@ std::string_view heading(ParameterGroup group) {
     return "";
 }
 
-// One flag a row of the parameter table.
+// Adds one flag per row of the parameter table.
 void add_parameter_flags(CLI::App& command, const std::shared_ptr<RenderFlags>& flags) {
     for (const Parameter& parameter : parameter_table())
         add_parameter_flag(command, parameter.name, flags->request.stage.values)

@@ -77,7 +77,7 @@ SetLayer sets_name(Name ScratchLayer::*member, std::span<const std::string_view>
     };
 }
 
-// What a layer can be told, by flags and by --add-layer.
+// The properties of a layer that flags and --add-layer can set.
 const std::vector<LayerWord>& layer_words() {
     static const std::vector<LayerWord> words = {
         {"count", "N", "scratches on the tile; instead of --density",
@@ -121,12 +121,12 @@ struct ScratchFlags {
     std::optional<double> tile_mm;
     std::optional<std::uint32_t> seed;
     double amount = 1.0, strength = 1.0;
-    std::map<std::string, std::string> words;  // of the first layer
+    std::map<std::string, std::string> words;  // values for the first layer
     std::vector<std::string> layers;
     std::string command;
 };
 
-// "density=2,length=12"
+// Parses a layer such as "density=2,length=12".
 ScratchLayer parse_layer(const std::string& text) {
     ScratchLayer layer;
     std::size_t start = 0;
@@ -179,8 +179,8 @@ void change_first_layer(const ScratchFlags& flags, ScratchLayer& layer) {
     }
     const bool named = flags.words.contains("direction");
     if (!flags.direction_image.empty() && !named) layer.field = ScratchField::image;
-    // Every direction has neither an angle nor a scatter: those of the preset go, typed ones are an
-    // error.
+    // The field `random` has neither angle nor scatter: those of a preset are reset, those given by
+    // the user are an error.
     if (named && layer.field == ScratchField::random) {
         if (!flags.words.contains("angle")) layer.angle_deg = 0.0;
         if (!flags.words.contains("range")) layer.range_deg = 0.0;

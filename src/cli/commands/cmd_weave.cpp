@@ -33,7 +33,7 @@ struct WeaveFlags {
     std::string size, repeats, output;
 };
 
-// "A" or "A<between>B"
+// Two values from "A" or "A<between>B".
 struct Pair {
     std::string first, second;
 };

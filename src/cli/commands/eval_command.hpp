@@ -1,4 +1,4 @@
-// The flags that `mdf eval` and `brdf eval` have in common.
+// The flags that `mdf eval` and `brdf eval` share.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@ namespace burnish::cli {
 
 class Session;
 
-// Adds the subcommand `eval` to `parent`; `columns` is the part of its help on what it reads and
-// adds.
+// Adds the subcommand `eval` to `parent`. `columns` is the part of its help on the columns that it
+// reads and adds.
 void add_eval_command(CLI::App& parent, Session& session, const std::string& description,
                       const std::string& columns,
                       std::function<void(const EvalRequest&, const Progress&)> evaluate);

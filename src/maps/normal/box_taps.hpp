@@ -1,4 +1,4 @@
-// Which texels of a row a texel of a smaller one covers.
+// The texels of a row that one texel of a smaller row covers, with their weights.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ struct Taps {
     double weight[3] = {};
 };
 
-// What texel i of `to` covers of a row of `from`, 1 <= from / to < 3.
+// The taps of texel i of `to` texels on a row of `from` texels, 1 <= from / to < 3.
 inline Taps taps_of(int i, int from, int to) {
     const double ratio = static_cast<double>(from) / to;
     const double begin = i * ratio, end = (i + 1) * ratio;
@@ -19,7 +19,7 @@ inline Taps taps_of(int i, int from, int to) {
     taps.first = static_cast<int>(begin);
     for (int j = taps.first; j < from && taps.count < 3; ++j) {
         const double covered = std::min(end, j + 1.0) - std::max(begin, static_cast<double>(j));
-        // 1e-9: what rounding leaves of a texel that is not covered.
+        // 1e-9: rounding error of a texel that is not covered.
         if (covered <= 1e-9) break;
         taps.weight[taps.count++] = covered / ratio;
     }

@@ -19,8 +19,8 @@ struct Bump {
     double sign;    // +1 bump, -1 dimple
 };
 
-// Bumps in a square grid of cells, one a cell and never out of it by more than half, so that a
-// point has to look at the 5 x 5 cells around its own only.
+// Bumps in a square grid of cells, one per cell, at most half a cell away from it, so that
+// evaluating a point needs only the 5 x 5 cells around its own.
 struct BumpField {
     int cells;
     std::vector<Bump> bumps;  // row after row
@@ -30,8 +30,8 @@ struct HeightAndSlope {
     double height, dx, dy;  // height in tiles; slopes along the columns and down the rows
 };
 
-// A counter-based random number in [0,1): the same on every machine, whatever the thread.
-// Mixing steps of MurmurHash3's 32-bit finalizer (Appleby, public domain).
+// A counter-based random number in [0,1), the same on every machine and thread. Mixing steps of
+// MurmurHash3's 32-bit finalizer (Appleby, public domain).
 double random_unit(std::uint32_t seed, std::uint32_t index) {
     std::uint32_t h = seed * 0x9e3779b9u + index;
     h ^= h >> 16;
@@ -46,22 +46,23 @@ double wrapped(double difference) {
     return difference - std::round(difference);
 }
 
-// The profile of a bump of unit radius and unit steepest slope. The slope q (1 - q^4) grows evenly
-// over most of the radius, as on a sphere, and falls to zero at the rim: h and h' are continuous
-// there and the rim blends into the plane.
-const double kSteepest = std::pow(0.2, 0.25);  // of q - q^5
+// The profile of a bump of unit radius and unit steepest slope. The slope q (1 - q^4) is nearly
+// linear over most of the radius, as on a sphere, and falls to zero at the rim. h and h' are
+// continuous at the rim.
+const double kSteepest = std::pow(0.2, 0.25);  // where q - q^5 is largest
 const double kSlopeScale = 1.0 / (0.8 * kSteepest);
 
 double profile_height(double q) {
     return kSlopeScale * (1.0 / 3.0 - q * q / 2.0 + std::pow(q, 6.0) / 6.0);
 }
 
-// Radius: half the way to the nearest neighbour, so that no two bumps overlap.
+// Sets each radius to about half the distance to the nearest neighbor, so that no two bumps
+// overlap.
 void set_radii(BumpField& field) {
     const int n = field.cells;
     for (int i = 0; i < n * n; ++i) {
         Bump& bump = field.bumps[static_cast<std::size_t>(i)];
-        double nearest = 1.0;  // a lone bump touches its own copy in the next tile
+        double nearest = 1.0;  // a single bump touches its copy in the next tile
         for (int j = 0; j < 25; ++j) {
             const int column = (i % n + j % 5 - 2 + 2 * n) % n;
             const int row = (i / n + j / 5 - 2 + 2 * n) % n;
@@ -70,7 +71,7 @@ void set_radii(BumpField& field) {
             nearest =
                 std::min(nearest, std::hypot(wrapped(bump.x - other.x), wrapped(bump.y - other.y)));
         }
-        // The gap of 4 % keeps a plane visible between bumps.
+        // 0.48 leaves a gap of 4 % of the distance, so that the plane is visible between bumps.
         bump.radius = 0.48 * nearest;
     }
 }
@@ -79,11 +80,12 @@ BumpField make_field(const BumpOptions& options) {
     BumpField field;
     field.cells = std::max(1, static_cast<int>(std::lround(std::sqrt(options.count))));
     const int n = field.cells;
-    // Beyond half a cell two neighbours may come so close that both shrink to specks.
+    // With more than half a cell of jitter, neighbors may be so close that both become tiny.
     const double jitter = 0.5 * options.irregularity;
     for (int i = 0; i < n * n; ++i) {
         const auto index = 3u * static_cast<std::uint32_t>(i);
-        // Every other row is shifted by half a cell, where the rows close up again.
+        // Every other row is shifted by half a cell. The tile repeats only for an even number of
+        // rows.
         const double shift = n % 2 == 0 && (i / n) % 2 == 1 ? 0.25 : n % 2 == 0 ? -0.25 : 0.0;
         Bump bump{};
         bump.x = (i % n + 0.5 + shift + jitter * (random_unit(options.seed, index) - 0.5)) / n;
@@ -100,7 +102,7 @@ HeightAndSlope evaluate(const BumpField& field, double steepest, double x, doubl
     const int column = static_cast<int>(x * n), row = static_cast<int>(y * n);
     for (int j = 0; j < 9; ++j) {
         const int c = column + j % 3 - 1, r = row + j / 3 - 1;
-        // A cell beyond the tile is the one that comes around, moved by a whole tile.
+        // A cell beyond the tile is the wrapped cell, translated by a whole tile.
         const int tile_x = c < 0 ? -1 : c >= n ? 1 : 0, tile_y = r < 0 ? -1 : r >= n ? 1 : 0;
         const int cell = (r - tile_y * n) * n + c - tile_x * n;
         const Bump& bump = field.bumps[static_cast<std::size_t>(cell)];
@@ -109,7 +111,7 @@ HeightAndSlope evaluate(const BumpField& field, double steepest, double x, doubl
         if (squared >= bump.radius * bump.radius) continue;
         const double q = std::sqrt(squared) / bump.radius;
         const double amount = bump.sign * steepest;
-        // The slope over the distance, so that the centre needs no division by zero.
+        // The slope divided by the distance, which needs no division by zero at the center.
         const double falling = -amount * kSlopeScale * (1.0 - q * q * q * q) / bump.radius;
         return {amount * bump.radius * profile_height(q), falling * dx, falling * dy};
     }
@@ -132,7 +134,7 @@ void check(int size, const BumpOptions& options) {
 void store_normal(float* rgb, double slope_right, double slope_down) {
     const double scale = 0.5 / std::sqrt(1.0 + slope_right * slope_right + slope_down * slope_down);
     rgb[0] = static_cast<float>(0.5 - scale * slope_right);
-    rgb[1] = static_cast<float>(0.5 + scale * slope_down);  // y up the picture
+    rgb[1] = static_cast<float>(0.5 + scale * slope_down);  // y points up the picture
     rgb[2] = static_cast<float>(0.5 + scale);
 }
 

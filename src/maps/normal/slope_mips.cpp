@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::size_t kRows = 16;  // rows a parallel task works on
+constexpr std::size_t kRows = 16;  // rows per parallel task
 
 std::size_t count_of(int width, int height) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -30,7 +30,7 @@ float unit_value(float v) {
 }
 
 SlopeTexel slopes_of(f32::vec3 v) {
-    // Not (z > 0) when NaN; an infinite x, y or z is no direction either.
+    // Written so that NaN fails; an infinite x, y or z is not a direction either.
     if (!(v.z > 0.0f) || !std::isfinite(v.x + v.y + v.z)) return {};
     const f32::vec2 slopes = f32::slopes_of_normal(v);
     return {slopes.x, slopes.y, 0.0f, 0.0f};
@@ -74,8 +74,8 @@ SlopeLevel finest_level(const Texture& map) {
     return level;
 }
 
-// Law of total variance: the mean of the variances and the variance of the means. Not E[x^2] -
-// E[x]^2, which loses its digits where slopes are alike.
+// Law of total variance: the mean of the variances plus the variance of the means. E[x^2] - E[x]^2
+// would cancel where slopes are similar.
 struct Weighted {
     double weight;
     const SlopeTexel* texel;

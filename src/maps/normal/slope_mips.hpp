@@ -1,5 +1,5 @@
-// A normal map as slopes, and the mips of slopes: what each texel of a level stands for is their
-// mean and their variance, not the mean of unit normals, which is too short and too smooth.
+// Converts a normal map to slopes, with mips of slopes: the mean slope and the variance of the
+// slopes under each texel. A mean of unit normals would be too short and too smooth.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-// Steeper texels are held to this slope along an axis: 88.3 degrees.
+// Largest slope along an axis, 88.3 degrees; steeper texels are clamped.
 inline constexpr float kSteepestSlope = 1.0f / f32::kLeastNormalZ;
 
 // n.x/n.z and n.y/n.z of the normal: minus the slopes of the height.
@@ -26,9 +26,9 @@ struct SlopeLevel {
     std::vector<SlopeTexel> texels;  // row 0 at the top
 };
 
-// Levels 0 to 1x1, each side halved and rounded down; every texel stands for the texels of level 0
-// under it, by area. `map` holds normals, n = 2 rgb - 1; of two channels z is what is left of 1. A
-// texel that is no direction out of the surface counts as flat.
+// Levels 0 to 1x1, each side halved and rounded down. Every texel is the mean, by area, of the
+// texels of level 0 under it. `map` holds normals, n = 2 rgb - 1; with two channels z follows from
+// unit length. A texel that is not a direction out of the surface counts as flat.
 std::vector<SlopeLevel> slope_mips(const Texture& map);
 
 }  // namespace burnish

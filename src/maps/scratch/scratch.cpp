@@ -35,7 +35,7 @@ std::vector<TexelStroke> texel_strokes(const ScratchSettings& settings, std::siz
     return drawn;
 }
 
-// Engraves blocks of one tile, any block on any thread.
+// Engraves blocks of one tile; any thread may engrave any block.
 class Engraver {
   public:
     Engraver(const ScratchSettings& settings, const ScratchInputs& inputs, ScratchMaps& maps)
@@ -51,7 +51,7 @@ class Engraver {
         return static_cast<std::size_t>((settings_.size + kBlock - 1) / kBlock);
     }
 
-    // `block` is a buffer that blocks use in turn.
+    // `block` is a buffer that successive blocks reuse.
     void engrave_block(std::size_t number, BlockBuffers& block) const {
         const int x0 = static_cast<int>(number % blocks_a_side()) * kBlock;
         const int y0 = static_cast<int>(number / blocks_a_side()) * kBlock;
@@ -84,8 +84,8 @@ class Engraver {
         for (int y = 0; y < block.height; ++y) {
             float* to = maps_.direction.at(block.x0, block.y0 + y);
             const std::size_t row = block.at(0, y), width = static_cast<std::size_t>(block.width);
-            // From the left normal (x, y), y down: the tangent, y up, is (-y, -x). 1e-12: a stroke
-            // may cover the centre of its own circle.
+            // From the left normal (x, y), y down: the tangent, y up, is (-y, -x). 1e-12: the
+            // normal vanishes at the center of a stroke's circle, which the stroke may cover.
             for (std::size_t x = 0; x < width; ++x) {
                 const float lx = block.line_x[row + x], ly = block.line_y[row + x];
                 const float inverse = 1.0f / std::max(lx * lx + ly * ly, 1e-12f);
@@ -142,16 +142,16 @@ void check_inputs(const ScratchSettings& settings, const ScratchInputs& inputs) 
 
 std::uint64_t scratch_memory(const ScratchSettings& settings) {
     const double texels = static_cast<double>(settings.size) * settings.size;
-    const double coarse = 1.0 / 3.0;  // of all halved levels together
+    const double coarse = 1.0 / 3.0;  // size of all halved levels, relative to the full one
     double bytes = texels * (3 * sizeof(float) + coarse * sizeof(SlopeMoments));
     for (const ScratchLayer& layer : settings.layers) {
         const double length = layer.length_mm.typical() / settings.tile_mm * settings.size;
-        // A stroke touches two or three blocks every half block of its length.
+        // A stroke touches two or three blocks per half block of its length.
         const double uses = 4.0 + 3.0 * length / (0.5 * kBlock);
         bytes += scratch_count(settings, layer) *
                  (2 * sizeof(Stroke) + sizeof(TexelStroke) + uses * sizeof(StrokeUse));
     }
-    constexpr double kRest = 16 << 20;  // buffers of the threads, pictures of a few megabytes
+    constexpr double kRest = 16 << 20;  // buffers of the threads, images of a few megabytes
     return static_cast<std::uint64_t>(bytes + kRest);
 }
 
@@ -172,11 +172,11 @@ ScratchMaps engrave(const ScratchSettings& settings, const ScratchInputs& inputs
     maps.direction = image_on_large_pages(settings.size, settings.size, 2);
     const Engraver engraver(settings, inputs, maps);
     const std::size_t side = engraver.blocks_a_side(), blocks = side * side;
-    // Between these steps Ctrl-C is not heard; 256 blocks are 4 million texels.
+    // Cancellation takes effect between these steps only; 256 blocks are 4 million texels.
     constexpr std::size_t kStep = 256;
     for (std::size_t from = 0; from < blocks; from += kStep) {
         progress.step("engrave", static_cast<double>(from) / static_cast<double>(blocks));
-        // Four in a row, so that a buffer's pages are not handed out anew for each.
+        // Four blocks per task, so that they reuse the pages of one buffer.
         parallel_for(std::min(kStep, blocks - from), 4, [&](std::size_t begin, std::size_t end) {
             BlockBuffers block;
             for (std::size_t i = begin; i < end; ++i) engraver.engrave_block(from + i, block);

@@ -14,13 +14,13 @@ DoubleAngle of_angle(double radians) {
 
 DoubleAngle unit(double c, double s) {
     const double length = std::hypot(c, s);
-    // A picture's codes near grey: a step of 8 bits is 0.008.
+    // Below this length the codes of a picture are gray within rounding: a step of 8 bits is 0.008.
     if (!(length > 0.02)) return {};
     return {c / length, s / length};
 }
 
-// Arrows, (r, g) = (1 + d) / 2 with y up, become lines: opposite arrows are one line, and only
-// lines may be averaged.
+// Converts arrows, (r, g) = (1 + d) / 2 with y up, to lines in double angle. Opposite arrows are
+// the same line, and only lines can be averaged.
 Image double_angle_of(const Image& picture, bool is_double) {
     Image field(picture.width, picture.height, 2);
     for (int y = 0; y < picture.height; ++y) {
@@ -105,7 +105,7 @@ double GrainField::curvature_at(TilePoint p) const {
         const double r2 = x * x + up * up, a = here.angle();
         return (x * std::sin(a) - up * std::cos(a)) / r2;
     }
-    // Over a 64th of the tile, near enough for hand-painted fields.
+    // A central difference over 1/64 of the tile, precise enough for hand-painted fields.
     constexpr double kStep = 1.0 / 128.0;
     const double dx = kStep * std::cos(here.angle()), dy = -kStep * std::sin(here.angle());
     const DoubleAngle before = at({p.x - dx, p.y - dy}), after = at({p.x + dx, p.y + dy});

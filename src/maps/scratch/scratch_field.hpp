@@ -1,6 +1,7 @@
-// Which way scratches run, and where the surface is worn. Private to the scratch generator.
+// The direction of scratches and the wear of the surface. Private to the scratch generator.
 //
-// Points are tile units, (0, 0) the upper left corner, y down the picture; the tile repeats.
+// Points are in units of the tile, (0, 0) the upper left corner, y down the picture; the tile
+// repeats.
 #pragma once
 
 #include "burnish/image.hpp"
@@ -14,7 +15,7 @@ struct TilePoint {
     double y = 0.0;
 };
 
-// A line field as (cos 2a, sin 2a), a counter-clockwise with y up; (0, 0) where it has none.
+// A line at the angle a as (cos 2a, sin 2a), counter-clockwise with y up; (0, 0) for no direction.
 struct DoubleAngle {
     double c = 0.0;
     double s = 0.0;
@@ -28,9 +29,10 @@ class GrainField {
 
     // Of unit length or zero.
     DoubleAngle at(TilePoint p) const;
-    // How fast the field turns along itself, radians a tile; what a scratch that follows it needs.
+    // Curvature of the field along itself, radians per tile: that of a scratch that follows the
+    // field.
     double curvature_at(TilePoint p) const;
-    // Scratches end at the edge of the tile: the field does not go on beyond it.
+    // Whether scratches end at the edge of the tile because the field does not repeat.
     bool full_face() const;
 
   private:
@@ -41,7 +43,7 @@ class GrainField {
     Image image_;  // double angle, two channels
 };
 
-// Bilinear, repeating; `channel` of an image stretched over the tile.
+// Bilinear look-up of `channel` of an image stretched over the repeating tile.
 double sample_tile(const Image& image, int channel, TilePoint p);
 
 }  // namespace burnish

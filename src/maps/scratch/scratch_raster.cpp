@@ -10,15 +10,17 @@ namespace burnish {
 
 namespace {
 
-// A stroke narrower than this, in texels a side, would fall between the texels: it is drawn this
-// wide and as much shallower, its cross section kept. That is what the finer map averages to.
+// Least half width of a stroke in texels. A narrower stroke would fall between texels. It is drawn
+// this wide and proportionally shallower, which keeps its cross-section area: the average of a
+// finer map.
 constexpr double kLeastHalfWidth = 1.25;
 
-// An arc that leaves its tangent by less than this many texels is drawn straight.
+// Texels. An arc with a smaller sagitta is drawn as a straight line.
 constexpr double kFlat = 0.01;
 
-// The burr: a groove of 3/5 of the half width, lips beyond. The lips s (1-s)^2, s the way across a
-// lip, start with the slope of the groove's edge and end flat: 1/5 of the depth high.
+// The burr: a groove of 3/5 of the half width with lips on both sides. A lip s (1-s)^2, s the
+// fraction across it, starts with the slope of the groove's edge and ends flat; its height is 1/5
+// of the depth.
 constexpr float kGrooveShare = 0.6f;
 constexpr float kLipScale = (2.0f / kGrooveShare) * (1.0f - kGrooveShare);
 
@@ -30,28 +32,28 @@ float smaller(float a, float b) {
     return a < b ? a : b;
 }
 
-// condition ? a : b by their bits. GCC 12 does not vectorise the loop of draw_span with three
-// choices by one condition, but does with these.
+// condition ? a : b by bits. GCC 12 vectorizes the loop of draw_span with three of these, but not
+// with three conditional expressions.
 float blend(bool condition, float a, float b) {
     const std::uint32_t mask = condition ? ~std::uint32_t{0} : std::uint32_t{0};
     return std::bit_cast<float>((std::bit_cast<std::uint32_t>(a) & mask) |
                                 (std::bit_cast<std::uint32_t>(b) & ~mask));
 }
 
-// The stroke relative to a block, in float: positions inside a block keep their digits.
+// The stroke relative to a block, in float: positions within a block keep their precision.
 struct Pen {
     float mx, my, tx, ty, nx, ny, k, inverse_k, inverse_width, inverse_taper, taper_begin, depth;
     float a, b, c;
 };
 
-// Depth at v >= 0 half widths from the middle, as a share of the depth; negative is a lip. The
-// section is the profile at q = v / e, e times as deep; both roots and quotients are those of the
-// profile times e, so that the round one needs a single division. e2 = e^2.
+// Depth at v >= 0 half widths from the middle, as a fraction of the depth; negative on a lip. The
+// section is the profile at q = v / e, times e. Roots and quotients are those of the profile times
+// e, so that the round profile needs a single division. e2 = e^2.
 template <ScratchProfile profile>
 float section_depth(float v, float e2, const Pen& p) {
     if constexpr (profile == ScratchProfile::round) {
         const float v2 = smaller(v * v, e2);
-        // 1e-24, of e2 >= 1e-12: a hemisphere's rim is upright, nothing over nothing.
+        // 1e-24, for e2 >= 1e-12: avoids 0 / 0 at the rim of a hemisphere, which is vertical.
         const float root = std::sqrt(larger(p.a * e2 - p.b * v2, 1e-24f));
         return p.b * (e2 - v2) / (root + p.c * std::sqrt(e2));
     } else if constexpr (profile == ScratchProfile::v) {
@@ -67,15 +69,15 @@ float section_depth(float v, float e2, const Pen& p) {
     }
 }
 
-// How a stroke runs: what is known of all its texels chooses the loop.
+// The shape of a stroke, which is the same for all its texels and selects the loop.
 enum class Run {
     straight,
     arc,  // within kArcTurn of its middle
     ring  // any part of a circle
 };
 
-// tan of the largest angle from the middle for which the series of atan is cut at t^11: the next
-// term is under 1e-7 of it.
+// Tangent of the largest angle from the middle for which the series of atan ends at t^11: the next
+// term is below 1e-7 of it.
 constexpr float kArcTurn = 0.3f;
 
 float series_atan(float t) {
@@ -89,8 +91,8 @@ struct Span {
     int begin, end;
 };
 
-// Arithmetic alone, and whole registers of texels, so that compilers work on several at a time:
-// beyond the span's end the height is 0, which changes nothing in the row below either.
+// Uses only arithmetic, on whole registers of texels, so that compilers vectorize it. Beyond the
+// span's end the height is 0, which leaves the next row unchanged.
 template <ScratchProfile profile, Run run>
 void draw_span(const Pen& pen, Span span, int y, BlockBuffers& block) {
     const Pen p = pen;
@@ -109,23 +111,23 @@ void draw_span(const Pen& pen, Span span, int y, BlockBuffers& block) {
         const float dt = dx * p.tx + dy * p.ty, dn = dx * p.nx + dy * p.ny;
         float v = dn, s = dt, lx = p.nx, ly = p.ny;
         if constexpr (run != Run::straight) {
-            // From the arc's centre: left of the arc by v, along it by s.
+            // In the polar coordinates of the arc's center: v to the left of the arc, s along it.
             const float along = p.k * dt, ahead = 1.0f - p.k * dn;
             const float squared = ahead * ahead + along * along;
             v = (2.0f * dn - p.k * (dx * dx + dy * dy)) / (1.0f + std::sqrt(squared));
             lx = p.nx - p.k * dx;
             ly = p.ny - p.k * dy;
             if constexpr (run == Run::arc) {
-                // Texels further round, behind the centre too, are held beyond the stroke's end.
-                // 1e-30: at the centre itself.
+                // Clamps texels at larger angles, also those behind the center, beyond the stroke's
+                // end. 1e-30: avoids 0 / 0 at the center.
                 const float least = std::abs(along) * (1.0f / kArcTurn) + 1e-30f;
                 s = series_atan(along / larger(ahead, least)) * p.inverse_k;
             } else {
                 s = std::atan2(along, ahead) * p.inverse_k;
             }
         }
-        // Width and depth shrink together along the taper, as an ellipsoid's section does. 1e-12:
-        // where nothing is left v is far beyond it, not nothing over nothing.
+        // Width and depth shrink together along the taper, as the section of an ellipsoid does.
+        // 1e-12: avoids 0 / 0 at the tip, where v is far outside the section.
         const float over = larger(std::abs(s) - p.taper_begin, 0.0f) * p.inverse_taper;
         const float e2 = larger(1.0f - over * over, 1e-12f);
         const float drawn = -p.depth * section_depth<profile>(std::abs(v) * p.inverse_width, e2, p);
@@ -139,11 +141,13 @@ void draw_span(const Pen& pen, Span span, int y, BlockBuffers& block) {
     }
 }
 
-// Where a row at dy from the middle meets the band |v| <= half width, as up to two intervals of dx.
+// The intersection of the row at dy from the middle with the band |v| <= half width, as up to two
+// intervals of dx.
 int band_intervals(const TexelStroke& stroke, double dy, double (&intervals)[2][2]) {
     const double w = stroke.half_width;
     if (stroke.k == 0.0) {
-        // Along the row the band has no ends; 1e-9 of a texel is no slope at all over 16384.
+        // A stroke along the row gives an unbounded interval. A slope of 1e-9 is below 1e-4 texels
+        // over a width of 16384.
         if (std::abs(stroke.nx) < 1e-9) {
             if (std::abs(dy * stroke.ny) > w) return 0;
             intervals[0][0] = -1e9;
@@ -159,7 +163,8 @@ int band_intervals(const TexelStroke& stroke, double dy, double (&intervals)[2][
     const double cx = stroke.nx / stroke.k, away = std::abs(dy - stroke.ny / stroke.k);
     const double outer = radius + w, inner = std::max(radius - w, 0.0);
     if (away >= outer) return 0;
-    // Products, not squares: radius and distance may be large and alike.
+    // Products of sum and difference instead of differences of squares, which cancel when radius
+    // and distance are large and nearly equal.
     const double far = std::sqrt((outer - away) * (outer + away));
     const double near = away < inner ? std::sqrt((inner - away) * (inner + away)) : 0.0;
     intervals[0][0] = cx - far;
@@ -209,14 +214,14 @@ void draw_run(const TexelStroke& stroke, double x, double y, BlockBuffers& block
 template <ScratchProfile profile>
 void draw(const TexelStroke& stroke, double x, double y, BlockBuffers& block) {
     if (stroke.k == 0.0) return draw_run<profile, Run::straight>(stroke, x, y, block);
-    // The series has to reach a little beyond the end, where the taper cuts the stroke off.
+    // 1.02: the series must be valid slightly beyond the end, where the taper reaches 0.
     const double turn = 1.02 * std::tan(std::min(stroke.half_length * std::abs(stroke.k), 1.5));
     if (turn < static_cast<double>(kArcTurn))
         return draw_run<profile, Run::arc>(stroke, x, y, block);
     draw_run<profile, Run::ring>(stroke, x, y, block);
 }
 
-// Steps along a stroke, short enough for each to lie within one block and its neighbours.
+// Number of steps along a stroke; each is short enough to lie within one block and its neighbors.
 int step_count(const TexelStroke& stroke) {
     const double by_length = 2.0 * stroke.half_length / (0.5 * kBlock);
     const double by_turn = 2.0 * stroke.half_length * std::abs(stroke.k) / 0.4;
@@ -237,7 +242,7 @@ template <typename Visit>
 void for_each_box(const TexelStroke& stroke, const Visit& visit) {
     const int steps = step_count(stroke);
     const double length = 2.0 * stroke.half_length / steps;
-    // An arc bulges out of its chord by k l^2 / 8 (twice that is beyond doubt).
+    // The sagitta of an arc over its chord is k l^2 / 8; twice that is a safe margin.
     const double margin = stroke.half_width + 0.25 * std::abs(stroke.k) * length * length + 1.0;
     StrokePoint from = offset_at(stroke, -stroke.half_length);
     for (int i = 1; i <= steps; ++i) {
@@ -248,7 +253,7 @@ void for_each_box(const TexelStroke& stroke, const Visit& visit) {
     }
 }
 
-// Every block that a stroke touches, each once, with the tiles in between.
+// Finds every block that a stroke touches, each once, with its offset in tiles.
 class BlockFinder {
   public:
     explicit BlockFinder(int size) : size_(size), blocks_((size + kBlock - 1) / kBlock) {}
@@ -276,7 +281,8 @@ class BlockFinder {
     std::int64_t floor_div(std::int64_t block) const {
         return block >= 0 ? block / blocks_ : -((blocks_ - 1 - block) / blocks_);
     }
-    // Counted on over repeated tiles; the last block of a tile may be a narrow one.
+    // Blocks are numbered continuously over repeated tiles; the last block of a tile may be
+    // narrower.
     std::int64_t block_of(double texel) const {
         const auto tile = static_cast<std::int64_t>(std::floor(texel / static_cast<double>(size_)));
         const auto inside = static_cast<std::int64_t>(texel - static_cast<double>(tile * size_));
@@ -302,8 +308,8 @@ TexelStroke texel_stroke(const Stroke& stroke, double taper, double texel_mm) {
     const double sagitta =
         0.5 * std::abs(stroke.curvature) * texel_mm * out.half_length * out.half_length;
     out.k = sagitta < kFlat ? 0.0 : stroke.curvature * texel_mm;
-    // The cap of a sphere through half width w and depth d: radius (w^2 + d^2) / 2d, in depths.
-    // 1e-3: a flatter cap is a parabola to float's last digit, and its radius would lose them.
+    // A spherical cap of half width w and depth d has radius (w^2 + d^2) / 2d; here in units of d.
+    // 1e-3: a flatter cap equals a parabola in float, and its radius would lose precision.
     const double flatness = std::max(stroke.depth / stroke.half_width, 1e-3);
     const double w2 = 1.0 / (flatness * flatness);
     const double radius = 0.5 * (w2 + 1.0);

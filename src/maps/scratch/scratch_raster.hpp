@@ -9,15 +9,15 @@
 
 namespace burnish {
 
-// Texels a side of the squares that are engraved independently of one another: their buffers (five
-// floats a texel) stay in the second-level cache.
+// Side in texels of the blocks, which are engraved independently. The buffers of a block (five
+// floats per texel) fit in the second-level cache.
 inline constexpr int kBlock = 128;
 
-// A stroke ready to be drawn: texels, y down, float where one texel is looked at.
+// A stroke prepared for drawing: in texels, y down; float for values read per texel.
 struct TexelStroke {
     double mx, my;          // the middle
     double tx, ty, nx, ny;  // tangent and left normal there, y down
-    double k;               // curvature, 0 when the arc leaves its tangent by less than it shows
+    double k;               // curvature, 0 for an arc whose sagitta is invisible
     double half_length, half_width;
     double depth;                        // millimetres
     double cap_a, cap_b, cap_c;          // the round profile: b (1 - q^2) / (sqrt(a - b q^2) + c)
@@ -27,8 +27,8 @@ struct TexelStroke {
 
 TexelStroke texel_stroke(const Stroke& stroke, double taper, double texel_mm);
 
-// Which strokes touch which block. `shift_x`, `shift_y`: whole tiles that the stroke has to be
-// moved by to lie there.
+// A stroke that touches a block. `shift_x`, `shift_y`: translation in whole tiles that moves the
+// stroke to the block.
 struct StrokeUse {
     std::uint32_t stroke;
     std::int16_t shift_x, shift_y;
@@ -46,20 +46,20 @@ class StrokeBins {
     std::vector<StrokeUse> uses_;
 };
 
-// Texels of a row are drawn so many at a time; buffers are longer by as many.
+// Number of texels of a row that are drawn together; buffers have this many texels of padding.
 inline constexpr int kSpanPadding = 4;
 
-// What one layer leaves on a block. Values of a texel do not depend on the order of strokes but
-// for the direction of exact ties, where the first stroke wins.
+// The result of one layer on a block. Values of a texel do not depend on the order of strokes,
+// except the direction at exact ties, where the first stroke wins.
 struct BlockBuffers {
     int x0 = 0, y0 = 0, width = 0, height = 0;
-    std::vector<float> groove;          // <= 0, millimetres: the deepest
-    std::vector<float> lip;             // >= 0: the highest
-    std::vector<float> score;           // |height| of the stroke that gave the direction
+    std::vector<float> groove;          // <= 0, millimeters: depth of the deepest groove
+    std::vector<float> lip;             // >= 0, millimeters: height of the highest lip
+    std::vector<float> score;           // |height| of the stroke that set the direction
     std::vector<float> line_x, line_y;  // its left normal, y down, of any length
 
-    void move_to(int x0_, int y0_, int width_, int height_);  // empty
-    void clear_layer();  // groove and lip; score and direction go on
+    void move_to(int x0_, int y0_, int width_, int height_);  // and clears it
+    void clear_layer();  // clears groove and lip; keeps score and direction
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                static_cast<std::size_t>(x);

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 5> kFields = {"random", "constant", "circ
 constexpr std::array<std::string_view, 2> kPlacements = {"random", "even"};
 
 constexpr double kCut = 3.0;          // standard deviations
-constexpr double kLeastShare = 0.05;  // of the mean: a normal distribution would reach below 0
+constexpr double kLeastShare = 0.05;  // of the mean: a normal distribution would go below 0
 constexpr double kMostScratches = 1e7;
 constexpr std::size_t kMostLayers = 16;
 
@@ -35,14 +35,14 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
-// A standard normal deviate between -kCut and kCut (Box and Muller 1958; beyond the cut its
-// values are folded back by the remainder, 0.3 % of them).
+// A standard normal deviate between -kCut and kCut (Box and Muller 1958; values beyond the cut, 0.3
+// % of them, are wrapped into the interval by the remainder).
 double normal_deviate(double u1, double u2) {
     const double z = std::sqrt(-2.0 * std::log(1.0 - u1)) * std::cos(2.0 * std::numbers::pi * u2);
     return std::remainder(z, 2.0 * kCut);
 }
 
-// Complains about one key of one place.
+// Checks values by key and throws errors that name `where`.
 struct Checker {
     std::string_view where;
     std::string prefix;
@@ -73,11 +73,11 @@ void check_layer(const ScratchSettings& settings, const ScratchLayer& layer, con
                   fmt::format("at most {:.6g}, which is {:g} scratches on a tile of {:g} mm", most,
                               kMostScratches, settings.tile_mm),
                   fmt::format("{:g}", layer.density_per_cm2));
-    // Longer than four tiles a scratch crosses itself so often that it shows a pattern.
+    // A scratch longer than four tiles crosses itself so often that a pattern shows.
     check.range(layer.length_mm, 1e-4, 4.0 * settings.tile_mm, "length_mm");
     check.range(layer.width_mm, 1e-5, 0.5 * settings.tile_mm, "width_mm");
     check.range(layer.depth_mm, 0.0, settings.tile_mm, "depth_mm");
-    // Tighter, a scratch would turn within its own width.
+    // With a greater curvature, a scratch would turn within its own width.
     check.range(layer.curvature_per_mm, -1e4, 1e4, "curvature_per_mm");
     check.range(layer.taper, 0.01, 1.0, "taper");
     check.range(layer.angle_deg, -360.0, 360.0, "angle_deg");
@@ -129,7 +129,7 @@ void aim(ScratchLayer& layer, ScratchField field, double angle_deg, double range
     layer.range_deg = range_deg;
 }
 
-// Grinding belt: dense fine lines in one direction, a few that cut deeper.
+// Grinding belt: dense fine lines in one direction, a few of them deeper.
 std::vector<ScratchLayer> brushed() {
     ScratchLayer fine =
         layer_of(420, lognormal(14, 0.5), lognormal(0.09, 0.35), lognormal(0.0065, 0.5));
@@ -141,7 +141,7 @@ std::vector<ScratchLayer> brushed() {
     return {fine, deeper};
 }
 
-// Handling: hairlines of every direction, short and long.
+// Handling: short and long hairlines in every direction.
 std::vector<ScratchLayer> fine_random() {
     ScratchLayer hair = layer_of(22, lognormal(5, 0.7), lognormal(0.1, 0.3), lognormal(0.012, 0.5));
     hair.curvature_per_mm = {Shape::normal, 0.0, 0.03};
@@ -151,7 +151,7 @@ std::vector<ScratchLayer> fine_random() {
     return {hair, faint};
 }
 
-// Abuse: few broad furrows with raised lips among lighter marks.
+// Abuse: a few broad furrows with raised lips among lighter marks.
 std::vector<ScratchLayer> deep_gouges() {
     ScratchLayer gouge =
         layer_of(1.1, lognormal(12, 0.6), lognormal(0.55, 0.4), lognormal(0.07, 0.4));
@@ -168,7 +168,7 @@ std::vector<ScratchLayer> deep_gouges() {
     return {gouge, nick, hair};
 }
 
-// Turned or spun against an abrasive: concentric about the middle of the tile, a full face.
+// Turned or spun against an abrasive: circles about the middle of the tile, over the full face.
 std::vector<ScratchLayer> circular_brushed() {
     ScratchLayer fine =
         layer_of(450, lognormal(12, 0.5), lognormal(0.09, 0.35), lognormal(0.0065, 0.5));
@@ -180,7 +180,7 @@ std::vector<ScratchLayer> circular_brushed() {
     return {fine, deeper};
 }
 
-// A buffing pad: shallow arcs of a few millimetres' radius, any direction.
+// A buffing pad: shallow arcs with radii of a few millimeters, in every direction.
 std::vector<ScratchLayer> swirl_marks() {
     ScratchLayer arcs =
         layer_of(45, lognormal(8, 0.5), lognormal(0.09, 0.25), lognormal(0.008, 0.45));
@@ -191,8 +191,8 @@ std::vector<ScratchLayer> swirl_marks() {
     return {arcs, wide};
 }
 
-// A face mill: arcs of one radius at an even feed, in two passes that meet, and fine lines that
-// chips drag along with them.
+// A face mill: arcs of one radius at a constant feed, in two passes, and fine lines from dragged
+// chips.
 std::vector<ScratchLayer> tool_marks() {
     ScratchLayer furrow =
         layer_of(11, {Shape::normal, 30, 0.8}, lognormal(0.5, 0.1), lognormal(0.016, 0.2));

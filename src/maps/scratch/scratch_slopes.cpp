@@ -18,7 +18,7 @@ SlopeMoments moments_of(float sx, float sy) {
     return {sx, sy, sx * sx, sy * sy, sx * sy};
 }
 
-// Heights around a row of the repeating tile.
+// Three neighboring rows of heights of the repeating tile.
 struct HeightRows {
     const float *above, *here, *below;
     float per_mm;
@@ -39,8 +39,7 @@ struct HeightRows {
     }
 };
 
-// The slopes of a row, as slope_at has them: arithmetic alone, so that compilers work on several
-// texels at a time.
+// The slopes of a row, by the formula of slope_at: arithmetic only, so that compilers vectorize it.
 struct SlopeRow {
     std::vector<float> x, y;
 
@@ -63,7 +62,7 @@ struct SlopeRow {
     }
 };
 
-// The mean of the texels under (tx, ty); texel(x, j) is texel x of the j-th row that ty counts.
+// The weighted mean of the texels in (tx, ty); texel(x, j) is texel x of row ty.first + j.
 template <typename Texel>
 SlopeMoments mean_of(const Taps& tx, const Taps& ty, const Texel& texel) {
     double sums[5] = {};
@@ -82,7 +81,7 @@ SlopeMoments mean_of(const Taps& tx, const Taps& ty, const Texel& texel) {
     return {f(0), f(1), f(2), f(3), f(4)};
 }
 
-// The same, to the last bit, of four whole texels.
+// As mean_of for four whole texels, with identical bits.
 SlopeMoments mean_of_four(const SlopeMoments& a, const SlopeMoments& b, const SlopeMoments& c,
                           const SlopeMoments& d) {
     const auto mean = [&](float SlopeMoments::*m) {
@@ -94,9 +93,9 @@ SlopeMoments mean_of_four(const SlopeMoments& a, const SlopeMoments& b, const Sl
             mean(&SlopeMoments::syy), mean(&SlopeMoments::sxy)};
 }
 
-// A level from one of `size` a side: for every range of rows `source()` makes the reader of that
-// range, and reader(first, count) prepares rows of the finer level and returns the texel of
-// mean_of.
+// A level of half the size of one with `size` texels a side. `source()` makes a reader for a range
+// of rows. reader(first, count) prepares rows of the finer level and returns the argument `texel`
+// of mean_of.
 template <typename Source>
 MomentLevel halved(int size, const Source& source) {
     MomentLevel level;
@@ -120,7 +119,7 @@ MomentLevel halved(int size, const Source& source) {
     return level;
 }
 
-// Calls row(y, place in `to`) for rows [begin, end), in parallel.
+// Calls row(y, pointer into `to`) for rows [begin, end), in parallel.
 template <typename Row>
 void for_rows(int size, int begin, int end, int channels, float* to, const Row& row) {
     const std::size_t stride = static_cast<std::size_t>(size) * static_cast<std::size_t>(channels);
@@ -129,7 +128,7 @@ void for_rows(int size, int begin, int end, int channels, float* to, const Row& 
     });
 }
 
-// Calls row(slopes of the row, place in `to`) likewise.
+// Calls row(slopes of the row, pointer into `to`), as for_rows does.
 template <typename Row>
 void for_slope_rows(const ScratchMaps& maps, int begin, int end, int channels, float* to,
                     const Row& row) {
@@ -157,7 +156,7 @@ SlopeMoments slope_moments(const ScratchMaps& maps, int x, int y) {
 void normal_rows(const ScratchMaps& maps, int begin, int end, float* to) {
     for_slope_rows(maps, begin, end, 3, to, [](const SlopeRow& slopes, float* rgb) {
         const std::size_t n = slopes.x.size();
-        // A whole row before any of it is stored, so that roots are taken several at a time.
+        // Computes a whole row before storing any of it, so that the square roots vectorize.
         std::vector<float> scales(n);
         const float *sx = slopes.x.data(), *sy = slopes.y.data();
         float* scale = scales.data();
@@ -197,7 +196,7 @@ void stretch_rows(const ScratchMaps& maps, const ScratchLayer& ground, int begin
             rgb[2] = 0.0f;
             return;
         }
-        // Half of the double angle, and a quarter turn further: across the groove.
+        // Half of the double angle plus 90 degrees: the direction across the groove.
         const float groove = 0.5f * std::atan2(line[1], line[0]);
         float dx = -std::sin(groove), dy = std::cos(groove);
         const float ax = from_middle ? static_cast<float>(x) - middle : rx;

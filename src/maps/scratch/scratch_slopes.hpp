@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-// Levels 1 (half the size, rounded down) to the last (1x1). Every texel is the mean of the part of
-// the full map under it, by area, so that every level has the mean of the full map.
+// Levels 1 (half the size, rounded down) to the last (1x1). Every texel is the area-weighted mean
+// of the part of the full map under it, so that all levels have the same mean.
 std::vector<MomentLevel> moment_levels(const ScratchMaps& maps);
 
 }  // namespace burnish

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kGrain = 512;
 
-// Numbers that belong to one scratch: counted from its own key, so that any thread may make any
-// scratch. The mixing function is SplitMix64's (Steele, Lea, Flood 2014).
+// Random numbers of one scratch, from a counter with a key per scratch, so that any thread may make
+// any scratch. The mixing function is SplitMix64's (Steele, Lea, Flood 2014).
 class StrokeRandom {
   public:
     StrokeRandom(std::uint32_t seed, std::size_t layer, std::size_t index)
@@ -48,7 +48,7 @@ class LayerStrokes {
 
     std::size_t count() const { return count_; }
 
-    // Nothing where the surface is not worn.
+    // One stroke of the layer; nothing where the mask shows no wear.
     std::optional<Stroke> stroke(std::size_t index) const {
         StrokeRandom random(settings_.seed, number_, index);
         const TilePoint at = place(random, index);
@@ -69,11 +69,11 @@ class LayerStrokes {
         const bool upright = std::abs(std::sin(angle)) > std::abs(std::cos(angle));
         double& across = upright ? at.x : at.y;
         double& along = upright ? at.y : at.x;
-        // A feed is even, not exact: a third of it is left to chance, and a fiftieth of a pass.
+        // Jitter of an even feed: a third of the spacing across, and 1/50 of a pass along.
         constexpr double kLoose = 1.0 / 3.0, kLooseEnds = 1.0 / 50.0;
         const auto passes = static_cast<std::size_t>(std::max(layer_.passes, 1.0));
         const std::size_t pass = index % passes, row = index / passes;
-        // Of this pass alone, so that its feed closes over the edge of the tile.
+        // The rows of this pass only, so that its feed repeats at the edge of the tile.
         const std::size_t rows = (count_ + passes - 1 - pass) / passes;
         across =
             (static_cast<double>(row) + 0.5 + kLoose * (across - 0.5)) / static_cast<double>(rows);
@@ -93,7 +93,8 @@ class LayerStrokes {
         stroke.y = at.y * settings_.tile_mm;
         stroke.half_length = 0.5 * draw(layer_.length_mm);
         stroke.half_width = 0.5 * draw(layer_.width_mm);
-        // Spreads may overlap where their typical values do not: no deeper than a hemisphere.
+        // The distributions of depth and width may overlap even if their typical values do not. The
+        // depth is at most that of a hemisphere.
         stroke.depth = std::min(draw(layer_.depth_mm), stroke.half_width);
         const double side = random.unit() < 0.5 ? 1.0 : -1.0;
         const bool alike = layer_.curvature_per_mm.shape == Spread::Shape::constant;
@@ -109,11 +110,11 @@ class LayerStrokes {
         return stroke;
     }
 
-    // An arc closes once at most, and its inner edge keeps a radius.
+    // Limits an arc to one turn, and its curvature to a positive radius of the inner edge.
     void limit_turn(Stroke& stroke) const {
         const double sharpest = 1.0 / stroke.half_width;
         stroke.curvature = std::clamp(stroke.curvature, -sharpest, sharpest);
-        // 0.98: the ends stay apart, so that every point of the arc has one place along it.
+        // 0.98: the ends stay apart, so that every point of the arc has a unique arc length.
         if (stroke.curvature != 0.0)
             stroke.half_length =
                 std::min(stroke.half_length, 0.98 * kPi / std::abs(stroke.curvature));
@@ -124,10 +125,10 @@ class LayerStrokes {
         return mask_.empty() || sample_tile(mask_, 0, p) > level;
     }
 
-    // How far the stroke goes on from its middle, in the sense of `sign`.
+    // Length of the stroke from its middle in the direction `sign`, up to the edge of the mask.
     double reach(const Stroke& stroke, double sign, double level) const {
-        // Fine enough for the edge of a mask to be met within the width of the scratch, but for
-        // very long ones.
+        // The step is at most the half width of the scratch at the edge of a mask, except for very
+        // long scratches.
         const int steps =
             static_cast<int>(std::clamp(stroke.half_length / stroke.half_width, 8.0, 256.0));
         for (int i = 1; i <= steps; ++i) {
@@ -159,10 +160,10 @@ class LayerStrokes {
 }  // namespace
 
 StrokePoint point_on(const Stroke& stroke, double s) {
-    // The chord from the middle: its length is 2 sin(ks/2)/k, its direction half way between the
+    // The chord from the middle to s has the length 2 sin(ks/2)/k. Its direction bisects the
     // tangents at its ends.
     const double half_turn = 0.5 * stroke.curvature * s;
-    // sin(x)/x by its series below 1e-4, where the next term is under 1e-17.
+    // The series of sin(x)/x below 1e-4, where the next term is below 1e-17.
     const double ratio = std::abs(half_turn) < 1e-4 ? 1.0 - half_turn * half_turn / 6.0
                                                     : std::sin(half_turn) / half_turn;
     const double angle = stroke.angle + half_turn;

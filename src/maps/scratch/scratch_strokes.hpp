@@ -1,5 +1,4 @@
-// From settings to strokes: where each scratch lies and how it is shaped. Private to the scratch
-// generator.
+// Strokes from settings: the position and shape of each scratch. Private to the scratch generator.
 #pragma once
 
 #include <cstddef>
@@ -10,25 +9,25 @@
 
 namespace burnish {
 
-// A circular arc (a straight line where curvature is 0) with the profile of its layer. Lengths are
-// millimetres, y runs down the picture.
+// A circular arc (a straight line for curvature 0) with the profile of its layer. Lengths are in
+// millimeters, y runs down the picture.
 struct Stroke {
     double x = 0.0, y = 0.0;  // the middle
-    double angle = 0.0;       // of the tangent there, radians, counter-clockwise with y up
-    double curvature = 0.0;   // positive turns to the left, counter-clockwise
+    double angle = 0.0;       // of the tangent at the middle, radians, counter-clockwise with y up
+    double curvature = 0.0;   // 1/mm; positive turns left, counter-clockwise
     double half_length = 0.0;
-    double half_width = 0.0;  // where it is widest
+    double half_width = 0.0;  // at the widest point
     double depth = 0.0;
 };
 
-// A point of the arc, `s` millimetres from its middle.
+// The point of the arc at `s` millimeters from its middle.
 struct StrokePoint {
     double x, y;
 };
 StrokePoint point_on(const Stroke& stroke, double s);
 
-// The strokes of one layer. They depend on settings, inputs and `layer` alone: not on the size in
-// texels, nor on the number of threads.
+// The strokes of one layer. They depend only on settings, inputs and `layer`, not on the size in
+// texels or the number of threads.
 std::vector<Stroke> make_strokes(const ScratchSettings& settings, std::size_t layer,
                                  const ScratchInputs& inputs);
 

@@ -11,7 +11,8 @@
 namespace burnish {
 namespace {
 
-// The mean over [low, high] of values a unit wide: weights of the first and the last, and the sum.
+// The mean over [low, high] of piecewise constant values on unit intervals: partial weights for the
+// first and the last.
 template <typename Value>
 glm::vec4 mean_over(float low, float high, int count, Value value) {
     glm::vec4 sum(0.0f);

@@ -16,21 +16,23 @@ namespace {
 
 using IsUp = bool (*)(int end, int pick);
 
-// Over a/b: each end passes over a picks and under b; the diagonal climbs to the right.
+// `over`/`under` twill: each end passes over `over` picks and under `under` picks; the diagonal
+// climbs to the right.
 template <int over, int under>
 bool twill(int end, int pick) {
     constexpr int kRepeat = over + under;
     return (end - pick + kRepeat * kMostDraftYarns) % kRepeat < over;
 }
 
-// The warp shows but for one pick an end, which is `move` ends further at the next pick.
+// Warp-faced satin: each end is below one pick per repeat, and the next pick is over the end `move`
+// ends further.
 template <int repeat, int move>
 bool satin(int end, int pick) {
     return end != pick * move % repeat;
 }
 
-// 2/2 twill that reverses after eight ends. The first end on the far side of a break is the
-// opposite of the last before it (weavers' clean cut), so that no float grows beyond two.
+// 2/2 twill that reverses after eight ends. The first end after a reversal is the opposite of the
+// last end before it (weavers' clean cut), so that no float is longer than two.
 bool herringbone(int end, int pick) {
     return end < 8 ? twill<2, 2>(end, pick) : twill<2, 2>(17 - end, pick);
 }
@@ -70,11 +72,11 @@ void check_colors(const std::vector<glm::vec3>& colors, int yarns, std::string_v
 }
 
 struct Run {
-    int longest = 0;    // cells where the yarn is on the face
-    bool loose = true;  // it never changes sides
+    int longest = 0;    // cells, of the longest float on the face
+    bool loose = true;  // the yarn never changes sides
 };
 
-// Of one yarn of `count` cells; the repeat goes on, so runs reach over its ends.
+// The longest run of one yarn of `count` cells; runs continue across the ends of the repeat.
 template <typename OnFace>
 Run longest_run(int count, const OnFace& on_face) {
     Run run;

@@ -12,8 +12,8 @@ bool up(const Draft& draft, int end, int pick) {
     return draft.is_warp_up(wrapped(end, draft.ends), wrapped(pick, draft.picks));
 }
 
-// A piece of yarn seen from above: within +-half_width across, [low, high] from the middle of the
-// cell along, both ways.
+// Mirrored pieces of a yarn seen from above: within +-half_width across, [low, high] and [-high,
+// -low] along, from the middle of the cell.
 struct Piece {
     double weight;
     float side;
@@ -25,7 +25,7 @@ void add_slopes(const Piece& piece, const f32::WeaveShape& shape, int steps_acro
                 std::vector<WeaveSlope>& slopes) {
     if (!(piece.weight > 0)) return;
     const float half_width = 0.5f * (1.0f - shape.gap);
-    // Without bends nothing changes along the yarn.
+    // Without bends the slope is constant along the yarn.
     const int along_steps = piece.bends ? steps_along : 1;
     const auto weight =
         static_cast<float>(piece.weight / (2.0 * static_cast<double>(steps_across * along_steps)));
@@ -106,7 +106,8 @@ std::vector<WeaveSlope> weave_slopes(const WeaveFamily& family, const f32::Weave
     const double upper = family.upper * static_cast<double>(f32::weave_upper_share(shape.gap));
     const double lower =
         (1 - family.upper) * static_cast<double>(f32::weave_lower_share(shape.gap));
-    // Of the halves of cells along the yarn: a passage bends one above and one below.
+    // Fractions of half cells along the yarn that bend: a passage bends one half cell above and one
+    // below.
     const double bent_above = family.upper > 0 ? family.bends / (2 * family.upper) : 0;
     const double bent_below = family.upper < 1 ? family.bends / (2 * (1 - family.upper)) : 0;
     const Piece pieces[] = {{upper / coverage * bent_above, 1.0f, true, 0.0f, 0.5f},

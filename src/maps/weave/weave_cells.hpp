@@ -1,4 +1,4 @@
-// What a draft says of each crossing of yarns, in the words of shading/surface/weave.glsl.
+// The crossings of a draft in the terms of shading/surface/weave.glsl.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-// `end`, `pick`: any whole numbers; the draft repeats.
+// The cell at any whole numbers `end`, `pick`; the draft repeats.
 f32::WeaveCell weave_cell(const Draft& draft, int end, int pick);
 
 // The cell in five bits: 1 warp_up, 2 warp_start, 4 warp_end, 8 weft_start, 16 weft_end.
@@ -17,11 +17,11 @@ std::uint8_t weave_cell_bits(const f32::WeaveCell& cell);
 // picks x ends, first pick first.
 std::vector<std::uint8_t> weave_bits(const Draft& draft);
 
-// One system of yarns over a repeat: how often it is above and how often it passes from side to
-// side, which is all that a mean over many cells needs.
+// One system of yarns over a repeat: the fraction of cells on top and the number of passages
+// between sides. Means over many cells need nothing else.
 struct WeaveFamily {
-    double upper = 0;  // share of the cells in which its yarns are above
-    double bends = 0;  // passages from one side to the other, a cell
+    double upper = 0;  // fraction of the cells in which its yarns are on top
+    double bends = 0;  // passages between the sides per cell
 };
 
 struct WeaveFamilies {
@@ -29,18 +29,19 @@ struct WeaveFamilies {
 };
 WeaveFamilies weave_families(const Draft& draft);
 
-// Share of the area on which the family shows, through gaps between yarns above it too.
+// Fraction of the area on which the family is visible, including through gaps between the yarns
+// above it.
 double weave_coverage(const WeaveFamily& family, float gap);
 
-// The surface of a family as it is seen, by its slopes in the yarn's own axes.
+// A sample of the visible surface of a family: slopes in the yarn's axes, and a weight.
 struct WeaveSlope {
     float along = 0;  // the yarn
     float across = 0;
-    float weight = 0;  // all weights add up to 1, unless the family is not seen anywhere: none then
+    float weight = 0;  // all weights add up to 1; no samples for an invisible family
 };
 
-// By the midpoint rule of yarn_point, steps_across x steps_along over each kind of piece: above and
-// below, bent and not.
+// Samples by the midpoint rule of yarn_point, steps_across x steps_along on each kind of piece:
+// above and below, bent and not.
 std::vector<WeaveSlope> weave_slopes(const WeaveFamily& family, const f32::WeaveShape& shape,
                                      int steps_across, int steps_along);
 

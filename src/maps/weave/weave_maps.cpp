@@ -20,7 +20,7 @@ namespace {
 constexpr int kLeastSide = 16, kMostSide = 16384;
 constexpr int kLeastTexelsAYarn = 4;
 
-// Which yarn a row or column of texels lies on, and where from its middle.
+// The yarn under a row or column of texels, and the distance from its middle.
 struct Place {
     int yarn = 0;  // on the tile
     float offset = 0.0f;
@@ -70,7 +70,7 @@ class Baker {
             const f32::WeavePoint point =
                 f32::weave_point(cell, settings_.shape, column.offset, row.offset);
             const bool there = point.cover > 0.0f, warp = point.warp > 0.5f;
-            // A hole is as deep as the lowest yarns, and flat.
+            // A hole is flat, at the depth of the lowest yarns.
             *height++ = yarn_mm * (there ? point.height : -settings_.shape.crimp);
             *normal++ = there ? point.n.x : 0.0f;
             *normal++ = there ? point.n.y : 0.0f;
@@ -102,7 +102,7 @@ const std::uint16_t* yarns_of_row(const WeaveMaps& maps, int y) {
 
 std::uint64_t weave_map_memory(const WeaveMapSettings& settings) {
     constexpr std::uint64_t kBytesATexel = 5 * sizeof(float) + sizeof(std::uint16_t);
-    constexpr std::uint64_t kRest = 16 << 20;  // cells, strips of pictures
+    constexpr std::uint64_t kRest = 16 << 20;  // cells, strips of images
     return static_cast<std::uint64_t>(settings.width) *
                static_cast<std::uint64_t>(settings.height) * kBytesATexel +
            kRest;
@@ -143,7 +143,7 @@ WeaveMaps bake_weave(const WeaveMapSettings& settings, std::uint64_t memory_limi
     maps.direction = image_on_large_pages(maps.width, maps.height, 2);
     maps.yarns.resize(static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height));
     const Baker baker(settings, maps);
-    // Between these steps Ctrl-C is not heard.
+    // Cancellation takes effect between these steps only.
     constexpr int kStep = 512;
     for (int from = 0; from < maps.height; from += kStep) {
         progress.step("weave", static_cast<double>(from) / maps.height);
@@ -187,7 +187,7 @@ glm::vec3 weave_yarn_color(const WeaveMaps& maps, const WeaveMapSettings& settin
 
 void weave_color_rows(const WeaveMaps& maps, const WeaveMapSettings& settings, int begin, int end,
                       float* to) {
-    std::vector<glm::vec3> colors;  // by number of yarn
+    std::vector<glm::vec3> colors;  // by yarn number
     for (int yarn = 0; yarn <= maps.ends + maps.picks; ++yarn) {
         const glm::vec3 c = weave_yarn_color(maps, settings, yarn);
         colors.emplace_back(srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z));

@@ -15,10 +15,10 @@ vec2 opposite(vec2 rotation) {
     return {rotation.x, -rotation.y};
 }
 
-// What the mean at one half vector is made of.
+// The contribution of one slope to the mean at a half vector.
 struct Facet {
-    f32::Perturbation p;  // in the fibres' axes
-    vec3 n;               // of cosines, in the yarn's
+    f32::Perturbation p;  // in the axes of the fibers
+    vec3 n;               // normal for the cosines, in the axes of the yarn
     float weight;
 };
 
@@ -54,8 +54,8 @@ void set_moments(std::span<const Facet> facets, WeaveMean& mean) {
     mean.variance = {along / sum, across / sum};
 }
 
-// Standard deviations of slopes as the table is laid out by: those of the lobe, alpha^2/2, turned
-// by the twist, and of the surface.
+// Standard deviations of slopes that scale the table: those of the lobe, alpha^2/2, rotated by the
+// twist, and of the surface.
 glm::vec2 widths_of(const WeaveLobe& lobe, glm::vec2 variance) {
     const float ax = f32::lobe_alpha_x(lobe.lobe), ay = f32::lobe_alpha_y(lobe.lobe);
     const float c2 = lobe.twist.x * lobe.twist.x, s2 = lobe.twist.y * lobe.twist.y;
@@ -94,7 +94,7 @@ WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe) 
         const float c = static_cast<float>(2 * i + 1) / static_cast<float>(kSide) - 1.0f;
         return f32::weave_table_slope(c, width);
     };
-    // h and -h have the same mean, with the opposite normal: slopes come in pairs.
+    // h and -h have the same mean with mirrored normals, because slopes come in pairs.
     parallel_for(kSide * kSide / 2, kSide, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const vec3 h = f32::normalize(
@@ -110,15 +110,15 @@ WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe) 
 WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape,
                      const WeaveLobe& lobe) {
     const float ax = f32::lobe_alpha_x(lobe.lobe), ay = f32::lobe_alpha_y(lobe.lobe);
-    const float least = std::min(ax, ay);  // the twist may turn either way
+    const float least = std::min(ax, ay);  // the twist may rotate either axis onto the yarn
     const float across = 2 * shape.bulge / std::sqrt(1 - shape.bulge * shape.bulge);
     const float along = 2 * f32::kPi * shape.crimp;
-    // Two to an alpha; the most is what half a second on two cores allows.
+    // Two steps per alpha. The largest numbers take half a second on two cores.
     const auto steps = [&](float range, int most) {
         return std::clamp(static_cast<int>(std::ceil(2 * range / least)), 4, most);
     };
     const int n = steps(across, 32), m = steps(along, 24);
-    // Narrower lobes than the steps are widened by them, or each step would show.
+    // Lobes are widened by the variance of a step; otherwise the steps would show for narrow lobes.
     const float da = across / static_cast<float>(n), db = along / static_cast<float>(2 * m);
     WeaveLobe wide = lobe;
     wide.lobe = f32::widen_lobe(lobe.lobe, db * db / 12, da * da / 12);

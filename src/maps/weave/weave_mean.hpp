@@ -1,5 +1,5 @@
-// What the yarns of one family reflect together, seen from so far that none is told from another:
-// the mean of the lobe over the surface's normals as seen (docs/theory/cloth.md).
+// Mean reflection of the yarns of one family, seen from so far that yarns are not resolved: the
+// mean of the lobe over the visible normals of the surface (docs/theory/cloth.md).
 #pragma once
 
 #include <array>
@@ -15,24 +15,24 @@ namespace burnish {
 
 inline constexpr int kWeaveTableSide = 96;
 
-// The lobe on every point of the surface, its x axis along the fibres.
+// The lobe on every point of the surface, its x axis along the fibers.
 struct WeaveLobe {
     int brdf = 0;
     f32::Lobe lobe{};
     int method = 0;
     bool conserve = false;
-    f32::vec2 twist{1.0f, 0.0f};  // (cos, sin) of the angle from the yarn to the fibres
+    f32::vec2 twist{1.0f, 0.0f};  // (cos, sin) of the angle from the yarn to the fibers
 };
 
-// In the yarn's axes: x along it, y across.
+// The mean of a family in the yarn's axes: x along the yarn, y across.
 struct WeaveMean {
-    // Of half vectors h, side x side texels over h.x/h.z and h.y/h.z by weave_table_coordinate with
-    // `width`, texel i at coordinate (2 i + 1)/side - 1: the mean over the surface of
-    // brdf_lobe_factor over `peak`, and x, y of the mean normal of what it comes from.
+    // By half vector h: side x side texels over h.x/h.z and h.y/h.z by weave_table_coordinate with
+    // `width`, texel i at coordinate (2 i + 1)/side - 1. A texel holds the mean over the surface of
+    // brdf_lobe_factor, divided by `peak`, and x, y of the mean normal weighted by it.
     std::vector<std::array<float, 4>> table;
     glm::vec2 width{1.0f};
     float peak = 1.0f;
-    // Normals of cosines: root mean squares along and across, and the mean of z.
+    // Normals for the cosines: root mean squares along and across, and the mean of z.
     glm::vec3 node{0.0f, 0.0f, 1.0f};
     glm::vec2 variance{0.0f};  // of the slopes
 };
@@ -40,7 +40,7 @@ struct WeaveMean {
 // An empty `slopes` gives a table of zeros. The same on any number of threads.
 WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe);
 
-// The same with as many slopes as the lobe's width asks for.
+// As above, with a number of slopes that suits the width of the lobe.
 WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape,
                      const WeaveLobe& lobe);
 
