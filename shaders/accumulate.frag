@@ -1,4 +1,4 @@
-// Sum so far plus one more frame.
+// Adds one frame to the sum of frames.
 uniform sampler2D u_sum;
 uniform sampler2D u_latest;
 layout(location = 0) out vec4 o_sum;

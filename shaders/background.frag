@@ -1,4 +1,4 @@
-// The environment behind everything.
+// Draws the environment as background.
 #include "shading"
 #include "shaders/lib/output.glsl"
 #include "shaders/lib/environment.glsl"

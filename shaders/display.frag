@@ -1,19 +1,19 @@
-// The sum of frames as a display shows it: mean, exposure, tone map, sRGB encoding (shading/display).
-// What src/gpu/draw/renderer.cpp does to a sum that is read back comes first. The target may have
-// another size than the picture: each of its pixels shows the nearest one.
+// Converts the sum of frames to displayed colors: mean, exposure, tone map, sRGB encoding
+// (shading/display). The mean is computed as src/gpu/draw/renderer.cpp does for a sum that is read
+// back. The target may differ in size from the picture: each of its pixels shows the nearest one.
 #include "shading"
 
 in vec2 v_ndc;
 uniform sampler2D u_sum;
-uniform ivec2 u_size;         // of the picture, in the lower left of u_sum
+uniform ivec2 u_size;  // of the picture, in the lower left of u_sum
 uniform float u_share;        // 1 / samples
 uniform float u_gain;         // 2^EV
 uniform int u_tone_map;       // kToneMap...
-uniform float u_transparent;  // 1: alpha is coverage, which the sum's color is multiplied by
+uniform float u_transparent;  // 1: alpha is coverage, and the sum's color is premultiplied by it
 
 layout(location = 0) out vec4 o_color;
 
-// NaN, infinity and what is below 0 are 0; 65504 is the largest half float.
+// NaN, infinity and negative values become 0; 65504 is the largest half float.
 float writable(float v) {
     return v >= 0.0 && v <= 3.4e38 ? min(v, 65504.0) : 0.0;
 }
@@ -23,7 +23,7 @@ void main() {
     vec4 sum = texelFetch(u_sum, pixel, 0);
     bool transparent = u_transparent > 0.5;
     float alpha = transparent ? min(writable(sum.a * u_share), 1.0) : 1.0;
-    // Below 1e-6 there is nothing but rounding to divide.
+    // An alpha below 1e-6 is rounding error and must not divide.
     float each = !transparent ? u_share : alpha > 1e-6 ? u_share / alpha : 0.0;
     vec3 radiance = vec3(writable(sum.r * each), writable(sum.g * each), writable(sum.b * each));
     o_color = vec4(display_color(u_tone_map, radiance * u_gain), alpha);

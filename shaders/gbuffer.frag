@@ -1,4 +1,4 @@
-// What resolve.frag needs to shade a pixel once.
+// Writes the data that resolve.frag needs to shade a pixel once.
 #include "shaders/lib/pack.glsl"
 
 in vec3 v_position;

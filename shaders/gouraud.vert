@@ -1,4 +1,5 @@
-// Lighting at the vertices, the measure of frame costs (K11 Fig 11, K12 Table I): Lambert and Phong.
+// Lighting per vertex by Lambert and Phong: the reference for frame costs (K11 Fig 11, K12 Table
+// I).
 #include "shaders/lib/lights.glsl"
 #include "shading/frame.glsl"
 

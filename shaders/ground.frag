@@ -1,4 +1,4 @@
-// The share of its light that the model leaves the ground.
+// The fraction of its light that the ground receives in the shadow of the model.
 #include "shaders/lib/ground.glsl"
 #include "shading/display/color.glsl"
 
@@ -15,9 +15,9 @@ void main() {
     for (int i = 0; i < LIGHT_COUNT; ++i) { all += ground_irradiance(i, ground_position(v_place)); }
 #endif
     vec3 blocked = texture(u_blocked, 0.5 + 0.5 * v_place).rgb;
-    // Long shadows end before the square does.
+    // Fades out long shadows before the edge of the square.
     float shown = 1.0 - smoothstep(0.7, 1.0, length(v_place));
-    // 1e-6: where there is no light nothing is missing.
+    // 1e-6: without light, no light is missing.
     vec3 left = 1.0 - shown * clamp(blocked / max(all, vec3(1e-6)), 0.0, 1.0);
     float missing = 1.0 - luminance(left);
     o_left = u_transparent > 0.5 ? vec4(0.0, 0.0, 0.0, missing) : vec4(left, 1.0);

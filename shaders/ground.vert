@@ -1,4 +1,4 @@
-// The square of the ground, from two triangles without buffers.
+// The square of the ground, as two triangles without buffers.
 #include "shaders/lib/ground.glsl"
 
 uniform mat4 u_clip_from_world;

@@ -1,4 +1,4 @@
-// What one light is kept from giving the ground, added to that of others.
+// The irradiance of one light that the model blocks; blending adds it to that of the others.
 #include "shaders/lib/ground.glsl"
 
 in vec2 v_ndc;

@@ -1,5 +1,5 @@
 // One face of one level of the environment's lobe map: radiance blurred by an isotropic lobe, as a
-// surface of that roughness facing the direction would reflect it.
+// surface of that roughness facing the direction reflects it.
 #include "shading"
 #include "shaders/lib/environment.glsl"
 
@@ -10,7 +10,7 @@ uniform float u_kernel_alpha;
 
 layout(location = 0) out vec4 o_radiance;
 
-// The point of a face of the cube of half side 1, as OpenGL lays faces out.
+// The point of a face of the cube of half side 1, in OpenGL's layout of faces.
 vec3 face_point(int face, vec2 p) {
     if (face == 0) { return vec3(1.0, -p.y, -p.x); }
     if (face == 1) { return vec3(-1.0, -p.y, p.x); }
@@ -20,8 +20,9 @@ vec3 face_point(int face, vec2 p) {
     return vec3(-p.x, -p.y, -1.0);
 }
 
-// GGX about the direction seen along itself: with tan^2 of the half angle a^2 u/(1-u), the density of
-// the reflected direction is D/4. Points of a golden spiral; each reads the mip that covers its share.
+// GGX viewed along its axis. tan^2 of the half angle is a^2 u/(1-u), and the density of the
+// reflected direction is D/4. The points form a golden spiral; each reads the mip level that covers
+// its share.
 void main() {
     vec3 axis = normalize(face_point(u_face, v_ndc));
     vec3 spare = abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
@@ -39,7 +40,8 @@ void main() {
         vec3 w = axis * (2.0 * cos2 - 1.0) + t * side.x + b * side.y;
         float shape = 1.0 - u;  // 1 / (1 + tan^2/a^2)
         float density = shape * shape / (4.0 * kPi * a2 * cos2 * cos2);
-        // 4: shares overlap by as much again on every side, or the points would show around a sun.
+        // 4: a share covers four times its area; otherwise the points would be visible around a
+        // sun.
         float lod = environment_lod(4.0 / (float(u_kernel_samples) * density));
         sum += textureLod(u_environment, w, u_kernel_alpha > 0.0 ? lod : 0.0).rgb;
     }

@@ -1,4 +1,4 @@
-// Shading once a pixel, from what gbuffer.frag has written, by the same shade() as surface.frag.
+// Shades each pixel once from the data of gbuffer.frag, by the same shade() as surface.frag.
 #define FOOTPRINT_GIVEN
 #include "shading"
 #include "shaders/lib/random.glsl"
@@ -38,7 +38,7 @@ void main() {
 #ifdef POSITION
     s.position = texelFetch(u_position, pixel, 0).xyz;
 #else
-    s.position = vec3(0.0);  // directional lights do not ask
+    s.position = vec3(0.0);  // directional lights do not use it
 #endif
     s.to_eye = -normalize(u_ray_center + u_ray_x * v_ndc.x + u_ray_y * v_ndc.y);
     s.normal = packed_normal(words);

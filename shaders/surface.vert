@@ -12,7 +12,7 @@ layout(location = 5) in vec4 a_color;
 uniform mat4 u_clip_from_world;
 uniform mat4 u_world_from_local;
 uniform mat3 u_normal_from_local;  // inverse transpose
-uniform float u_mirror;            // -1 when the transform turns space inside out
+uniform float u_mirror;  // -1 when the transform reverses handedness
 uniform vec3 u_uv_row_s;           // the one texture transform in use
 uniform vec3 u_uv_row_t;
 uniform float u_uv_from_set;
@@ -32,7 +32,7 @@ out vec4 v_color;
 void main() {
     vec4 world = u_world_from_local * vec4(a_position, 1.0);
     v_position = world.xyz;
-    // 1e-30: a zero normal stays zero (surface_frame knows what to do).
+    // 1e-30: a zero normal stays zero (surface_frame handles it).
     v_normal = u_normal_from_local * a_normal;
     v_normal *= inversesqrt(max(dot(v_normal, v_normal), 1e-30));
     vec3 t = mat3(u_world_from_local) * a_tangent.xyz;

@@ -1,16 +1,17 @@
-// Woven cloth (CLOTH) at a point: shading/surface/weave.glsl over the draft's cells. CLOTH_COLORS: yarns of one
-// family differ in colour. Slot 0 of every pair is the weft, 1 the warp. docs/theory/cloth.md.
+// Woven cloth (CLOTH) at a point: shading/surface/weave.glsl over the draft's cells. CLOTH_COLORS:
+// yarns of one family differ in color. Slot 0 of every pair is the weft, 1 the warp.
+// docs/theory/cloth.md.
 
 uniform highp usampler2D u_weave_cells;  // the bits of src/maps/weave/weave_cells.hpp, a texel a cell
-uniform sampler2D u_weave_weft;          // where a family shows: rgb colour times share, a share
+uniform sampler2D u_weave_weft;  // coverage of a family: rgb color times coverage, a coverage
 uniform sampler2D u_weave_warp;
 uniform float u_weave_yarns;             // across the texture square
 uniform vec3 u_weave_shape;              // crimp, bulge, gap
-uniform vec2 u_weave_twist;              // (cos, sin) from a yarn to its fibres
+uniform vec2 u_weave_twist;  // (cos, sin) of the angle from a yarn to its fibers
 uniform vec3 u_weave_colors[2];
-uniform float u_weave_filter;            // 0: never the mean over cells
+uniform float u_weave_filter;  // 0: the mean over cells is never used
 
-// In yarn spacings, and log2 of the pixel's size in them.
+// Position in yarn spacings, and log2 of the pixel's size in yarn spacings.
 struct ClothPlace {
     vec2 at;
     float size;
@@ -29,7 +30,7 @@ ClothPlace cloth_place(Surface s) {
     return place;
 }
 
-// 0.5: so that a quotient of whole numbers is never rounded down to the one before.
+// 0.5: keeps the quotient of whole numbers from being rounded below an integer.
 ivec2 cloth_cell(vec2 whole) {
     vec2 repeat = vec2(textureSize(u_weave_cells, 0));
     vec2 turns = floor((whole + 0.5) / repeat);
@@ -59,7 +60,7 @@ vec3 cloth_color(WeavePoint point, ivec2 cell) {
 #endif
 }
 
-// `m`: of the cloth's one material; becomes that of the yarn at a point. Returns what the point covers: 0
+// Changes `m`, the material of the cloth, to that of the yarn at a point. Returns the coverage: 0
 // in a hole.
 float put_yarn(inout Shading m, vec2 at) {
     ivec2 cell;

@@ -1,19 +1,19 @@
-// Woven cloth from afar: what a pixel sees of many cells is a sum over the two families of yarns. The
-// means of each family (src/maps/weave/weave_mean.hpp) are fetched here, shading/surface/cloth.glsl evaluates
-// them.
+// Woven cloth at a distance: the mean over many cells in a pixel is a sum over the two families of
+// yarns. This file fetches the means of each family (src/maps/weave/weave_mean.hpp);
+// shading/surface/cloth.glsl evaluates them.
 
 uniform highp sampler2DArray u_weave_lobes;
 uniform vec3 u_weave_nodes[2];   // normals: rms along and across the yarn, mean out of the cloth
-uniform vec3 u_weave_widths[2];  // of the table along and across, and its scale
+uniform vec3 u_weave_widths[2];  // widths of the table along and across, and its scale
 uniform vec4 u_weave_wide_lobes[2];
 
-// One family as a pixel sees it.
+// One family within a pixel.
 struct ClothFamily {
     int family;     // 0 weft, 1 warp
-    Shading m;      // with its colour
-    float share;    // of the pixel's area
+    Shading m;  // with the color of the family
+    float share;  // fraction of the pixel's area
     Frame a;         // x along the yarn
-    vec3 wo;        // against them
+    vec3 wo;  // direction to the eye in the axes `a`
 };
 
 ClothFamily cloth_family(int family, vec4 seen, Shading m, Frame a, vec3 to_eye) {
@@ -74,8 +74,9 @@ vec3 cloth_lit_by_irradiance(ClothFamily f) {
 
 #if IMAGE_LIGHT > 1
 #if IMAGE_LIGHT == 3 && !defined(COSINE_LOBE)
-// Albedo of the fibres' lobe at its normals over that of the family's one, which is as wide as they
-// are together and masks itself more. `a`: along the fibres.
+// Ratio of the albedo of the fibers' lobe, averaged over its normals, to the albedo of the family's
+// lobe, which is as wide as all of them together and masks itself more. `wo` is in axes along the
+// fibers.
 float cloth_energy(Shading fibers, Shading wide, ClothFamily f, vec3 wo) {
     float sum = 0.0;
     for (int i = 0; i < kClothNodes; ++i) {
@@ -90,7 +91,7 @@ float cloth_energy(Shading fibers, Shading wide, ClothFamily f, vec3 wo) {
 }
 #endif
 
-// One lobe as wide as the family's together.
+// Reflection by one lobe as wide as the mean lobe of the family.
 vec3 cloth_image_specular(Surface s, ClothFamily f) {
     Shading m = f.m;
     vec4 wide = u_weave_wide_lobes[f.family];
@@ -113,7 +114,7 @@ vec3 cloth_image_specular(Surface s, ClothFamily f) {
 #endif
 
 #if IMAGE_LIGHT == 1
-// Each sample at a point of its own within the pixel: cells, normals and colours as they are there.
+// Each sample has its own point within the pixel, with the cell, normal and color there.
 vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place, int samples) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     Rotation other = rotation_of_pixel(s.pixel, u_seed + 1u);
@@ -121,7 +122,8 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place
     vec3 sum = vec3(0.0);
     for (int i = 0; i < samples; ++i) {
         uint index = u_frame * uint(u_image_samples) + uint(i);
-        // Multiples of sqrt(2) and sqrt(3): uneven with those that choose the direction.
+        // Multiples of sqrt(2) and sqrt(3), which do not correlate with those that choose the
+        // direction.
         vec2 shift = vec2(unit_of(index * 1779033703u + other.x), unit_of(index * 3144134277u + other.y));
         Shading m = cloth;
         float cover = put_yarn(m, place.at + (shift - 0.5) * reach);
@@ -133,8 +135,8 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place
 }
 #endif
 
-// Black where it is not `seen`. A loop whose length is not known beforehand is not written out, and costs
-// software renderers less, most of all where nothing is seen.
+// Black unless `seen`. Compilers do not unroll a loop of unknown length, which makes it cheaper for
+// software renderers, above all where `seen` is false.
 vec3 cloth_from_afar(Surface s, Shading m, Frame a, ClothPlace place, bool seen) {
     int families = seen ? 2 : 0;
     vec2 uv = place.at / vec2(textureSize(u_weave_cells, 0));

@@ -1,17 +1,17 @@
-// The square of the ground on which a shadow may be seen (src/gpu/draw/ground.hpp).
+// The square of the ground that receives the shadow (src/gpu/draw/ground.hpp).
 #include "shaders/lib/lights.glsl"
 
 uniform vec3 u_ground_center;
 uniform float u_ground_half;
-uniform float u_ground_scale;  // stored is irradiance times this
+uniform float u_ground_scale;  // stored values are irradiance times this
 
-// `place` in [-1, 1]^2: x along the world's, y along its z.
+// The world position of `place` in [-1, 1]^2: x along the world's x axis, y along its z axis.
 vec3 ground_position(vec2 place) {
     return u_ground_center + u_ground_half * vec3(place.x, 0.0, place.y);
 }
 
 #if LIGHTS > 0
-// What light i gives the ground where nothing is between; scaled, and within what is stored.
+// Unshadowed irradiance of the ground by light i, scaled and limited to the range of the texture.
 vec3 ground_irradiance(int i, vec3 position) {
     vec3 irradiance;
     vec3 wi = light_direction(i, position, irradiance);

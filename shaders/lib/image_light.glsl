@@ -1,19 +1,20 @@
-// The specular term under the environment. IMAGE_LIGHT: 0 off, 1 importance sampling of the perturbed
-// lobe, 2 the bent reflection vector of today's engines, 3 look-ups of the lobe map along its axis.
-// A lobe about a direction (COSINE_LOBE) is round: 2 and 3 read it in one place.
+// The specular term under the environment. IMAGE_LIGHT: 0 off, 1 importance sampling of the
+// perturbed lobe, 2 the bent reflection vector of today's engines, 3 look-ups of the lobe map along
+// the lobe's axis. A lobe about a direction (COSINE_LOBE) is round: 2 and 3 take a single look-up.
 #if IMAGE_LIGHT == 1
 
 uniform int u_image_samples;
-uniform uint u_frame;          // sub-pixel sample in progress
+uniform uint u_frame;  // index of the sub-pixel sample in progress
 uniform float u_total_samples; // image samples of all frames
 uniform uint u_seed;
 
-// Integral of f F cos L over wi by specular_draw. The points of frame k are k N .. (k+1) N - 1 of one
-// sequence, so that frames together are as even as one frame of all of them. Filtered importance
-// sampling (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample stands for the solid angle
-// 1/(total pdf) and reads the mip of that size; as the total grows, mip 0 and the exact integral.
-// wi may lie below the geometric horizon, where the map tilts n~ far enough: a mapped bump must match
-// the modelled one (NormalTangentTest), so only the horizon of n~ counts.
+// Integral of f F cos L over wi by specular_draw. The points of frame k are k N .. (k+1) N - 1 of
+// one sequence, so that all frames together are as evenly distributed as a single frame with all
+// samples. Filtered importance sampling (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample
+// represents the solid angle 1/(total pdf) and reads the mip of that size. As the total grows, this
+// converges to mip 0 and the exact integral. wi may lie below the geometric horizon where the map
+// tilts n~ enough. A mapped bump must match the modeled one (NormalTangentTest), so only the
+// horizon of n~ counts.
 vec3 image_sample(Shading m, Frame a, Perturbation p, vec3 wo, uint index, Rotation rotation) {
     float pdf;
     vec3 wi = specular_draw(m, p, wo, point_of(index, rotation), select_of(index, rotation), pdf);
@@ -30,7 +31,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     vec3 sum = vec3(0.0);
 #ifdef TABULATED
-    // The texels that a pixel sees share its samples.
+    // The texels within a pixel share its samples.
     int samples = max(u_image_samples / m.taps, 1);
     for (int i = 0; i < samples; ++i) {
         uint index = (u_frame * uint(samples) + uint(i)) * uint(m.taps) + uint(m.tap);
@@ -48,9 +49,9 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
 
 #elif IMAGE_LIGHT > 1 && defined(COSINE_LOBE)
 
-// The map is blurred by GGX, whose tail a^2/t^4 a power of a cosine has not: 4/3 of one level less 1/3
-// of the next, twice as wide, is a kernel without it, nowhere negative. Its width is fitted
-// (docs/theory/image-light.md).
+// Width of the look-up relative to the lobe, fitted (docs/theory/image-light.md). The map is
+// blurred by GGX, which has a tail a^2/t^4 that a power of a cosine lacks. 4/3 of one level minus
+// 1/3 of the next, twice as wide, is a kernel without that tail and nowhere negative.
 const float kCosineLobeWidth = 0.9;
 
 vec3 round_lobe_radiance(vec3 w, float alpha) {
@@ -62,7 +63,7 @@ vec3 round_lobe_radiance(vec3 w, float alpha) {
 vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     CosineLobe lobe = m.surface.cosine;
     vec3 wi = cosine_lobe_mean(lobe, p, wo);
-    // f cos of lafortune has one cosine more.
+    // f cos has one more cosine factor for lafortune.
     float n = BRDF == kBrdfLafortune ? lobe.n + 1.0 : lobe.n;
     float alpha = kCosineLobeWidth * alpha_from_cosine_exponent(n);
     vec3 towards = environment_direction(frame_to_outer(a, wi));
@@ -81,8 +82,8 @@ vec3 split_sum(vec3 f0, float roughness, float cos_o) {
     return max(f0 * ab.x + ab.y, vec3(0.0));
 }
 
-// What Filament, three.js and the Khronos sample renderer do: the perturbed normal is bent towards
-// the one perpendicular to the grooves of the unperturbed frame, and one mip is read along its
+// As in Filament, three.js and the Khronos sample renderer: the perturbed normal is bent towards
+// the normal perpendicular to the grooves of the unperturbed frame, and one mip is read along its
 // reflection. For comparison only.
 vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     float alpha_x = lobe_alpha_x(m.surface.lobe);
@@ -97,7 +98,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     keep = keep * keep;
     vec3 bent = normalize(mix(across, p.n, keep * keep));
     vec3 wi = reflect(-wo, bent);
-    // Perceptual roughness is sqrt(alpha): the lobe is as wide as alpha = roughness^2.
+    // Perceptual roughness is sqrt(alpha), so the lobe has the width alpha = roughness^2.
     vec3 towards = environment_direction(frame_to_outer(a, wi));
     vec3 radiance = lobe_radiance(towards, lobe_lod(narrow * narrow)) * u_environment_scale;
     return radiance * split_sum(specular_fresnel(m.surface, 1.0), roughness, max(dot(p.n, wo), 0.0));

@@ -1,10 +1,10 @@
-// Punctual lights as KHR_lights_punctual has them. LIGHTS: how many, at compile time (0 to 16);
-// POSITION: one of them has a place or casts a shadow, so that shading must know where the surface
-// is. SHADOW_MAPS: how many there are (shadow_maps.hpp).
+// Punctual lights as KHR_lights_punctual defines them. LIGHTS: their number at compile time (0 to
+// 16). POSITION: some light has a position or casts a shadow, so that shading needs the position of
+// the surface. SHADOW_MAPS: the number of maps (shadow_maps.hpp).
 #include "shading/prelude.glsl"
 #include "shading/surface/light.glsl"
-// LIGHT_COUNT_AT_RUN_TIME: u_light_count of the LIGHTS are there, so that one program serves scenes of
-// any number of lights.
+// LIGHT_COUNT_AT_RUN_TIME: u_light_count of the LIGHTS are in use, so that one program serves
+// scenes of any number of lights.
 #if LIGHTS > 0
 
 #ifdef LIGHT_COUNT_AT_RUN_TIME
@@ -16,10 +16,10 @@ uniform int u_light_count;
 
 uniform vec4 u_light_place[LIGHTS];      // xyz: position, or towards a directional light; w: 0 or 1
 uniform vec4 u_light_radiance[LIGHTS];   // rgb: colour times intensity; w: 1 / range^2, 0 unbounded
-uniform vec4 u_light_direction[LIGHTS];  // xyz: the way a spot points
-uniform vec2 u_light_cone[LIGHTS];       // of spot_cone
+uniform vec4 u_light_direction[LIGHTS];  // xyz: the direction of a spot
+uniform vec2 u_light_cone[LIGHTS];  // parameters of spot_cone
 
-// Direction towards light i from a position, and the irradiance it gives a surface facing it.
+// Direction towards light i from a position, and its irradiance on a surface facing it.
 vec3 light_direction(int i, vec3 position, out vec3 irradiance) {
 #ifndef POSITION
     irradiance = u_light_radiance[i].rgb;
@@ -35,7 +35,8 @@ vec3 light_direction(int i, vec3 position, out vec3 irradiance) {
 #if defined(SHADOW_MAPS) && SHADOW_MAPS > 0
 uniform sampler2DArrayShadow u_shadow_maps;
 uniform mat4 u_shadow_clip[SHADOW_MAPS];
-uniform float u_shadow_texel[SHADOW_MAPS];  // side in the world, at distance 1 of lights with a place
+// Side in the world; at distance 1 for lights with a position.
+uniform float u_shadow_texel[SHADOW_MAPS];
 uniform vec2 u_shadow_of_light[LIGHTS];     // first map or -1, number of maps
 
 int face_towards(vec3 d) {
@@ -45,9 +46,9 @@ int face_towards(vec3 d) {
     return d.z > 0.0 ? 4 : 5;
 }
 
-// 1 where light i reaches the position, 0 in its shadow; `normal` unit, `wi` towards the light.
-// The place looked up lies off the surface by what a texel covers on it, most at grazing light: a
-// texel holds one depth for all it covers, and the look-up reads two by two.
+// 1 where light i reaches the position, 0 in its shadow; `normal` unit, `wi` towards the light. The
+// look-up position is offset from the surface by the size of a texel on it, which is largest at
+// grazing angles: a texel holds one depth for its whole area, and the look-up reads 2 x 2 texels.
 float light_reaches(int i, vec3 position, vec3 normal, vec3 wi) {
     if (u_shadow_of_light[i].x < 0.0) { return 1.0; }
     int map = int(u_shadow_of_light[i].x);

@@ -1,7 +1,8 @@
-// The material at a point: uniforms times textures. HAS_*_MAP: which textures there are;
-// LOBE_FROM_TEXTURE: the roughness pair varies over the surface (else GROOVES_ALONG_X is known); UV_PER_TEXTURE: textures differ in
-// set or transform (else the vertex stage has already chosen and transformed the one that is used);
-// FOOTPRINT_GIVEN: mips are chosen by s.footprint, not by neighbouring pixels.
+// The material at a point: uniforms times textures. HAS_*_MAP: the textures in use.
+// LOBE_FROM_TEXTURE: the roughness pair varies over the surface (otherwise GROOVES_ALONG_X is
+// known). UV_PER_TEXTURE: textures differ in set or transform (otherwise the vertex stage has
+// selected and transformed the only one in use). FOOTPRINT_GIVEN: s.footprint selects mips instead
+// of derivatives between pixels.
 
 uniform vec4 u_base_color;
 uniform float u_metallic;
@@ -15,7 +16,7 @@ uniform vec4 u_lobe;                 // p0, p1, paper_norm, projected_norm unles
 uniform vec3 u_eta;                  // conductor
 uniform vec3 u_k;
 uniform float u_dielectric_f0;
-uniform float u_ks;                  // of COSINE_LOBE; below 0: as much as keeps its energy
+uniform float u_ks;  // of COSINE_LOBE; below 0: the value that conserves its energy
 uniform vec3 u_lafortune_c;
 uniform float u_alpha_cutoff;
 uniform float u_lod_bias;
@@ -49,11 +50,11 @@ struct Shading {
     float alpha;
     float metallic;
     bool grooves_along_x;
-    vec2 direction;  // of the stretch, from the tangent: unit
-    vec3 n;          // perturbed normal against tangent, bitangent and geometric normal
+    vec2 direction;  // of the stretch, relative to the tangent: unit
+    vec3 n;  // perturbed normal in the axes of tangent, bitangent and geometric normal
 #ifdef TABULATED
     TableBlock table;  // tabulated.glsl
-    int tap;           // which of the texels that a pixel sees, and how many there are
+    int tap;  // index of the texel among those in the pixel; taps: their number
     int taps;
 #endif
 };
@@ -89,7 +90,7 @@ Lobe lobe_at(float roughness, float anisotropy) {
 }
 #endif
 
-// The Fresnel factor and the interface; METAL: nothing is diffuse.
+// The Fresnel factor and the interface; METAL: no diffuse term.
 SurfaceMaterial material_of(Lobe lobe) {
 #ifdef TABULATED
     SurfaceMaterial m = surface_material(kBrdfTabulated, lobe, u_ks, u_lafortune_c, u_dielectric_f0);
@@ -110,11 +111,11 @@ SurfaceMaterial material_of(Lobe lobe) {
     return m;
 }
 
-// After the last change of the base color.
+// Call after the last change of the base color.
 void put_colors(inout Shading m) { m.surface = surface_colored(m.surface, m.base_color, m.metallic); }
 
 #ifdef HAS_NORMAL_MAP
-// The normal, and with NORMAL_MOMENTS the lobe that the map's variances widen.
+// Sets the normal, and with NORMAL_MOMENTS the lobe that the variances of the map widen.
 void put_normal(inout Shading m, vec4 texel) {
 #ifdef NORMAL_MOMENTS
     m.n = normal_of_slopes(texel.x * u_normal_scale.x, texel.y * u_normal_scale.y);

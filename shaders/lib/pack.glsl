@@ -1,26 +1,26 @@
-// Four 32-bit words a pixel between gbuffer.frag and resolve.frag: x the normal (octahedral, 16 bits a
-// coordinate: 3e-5 rad), y the tangent (octahedral, 11 bits: 7e-4 rad), the sign of the bitangent
-// (1 bit) and the footprint (9 bits), z and w texture coordinates as they are. One image: a second
-// one to write and read costs more than the packing.
+// Four 32-bit words per pixel from gbuffer.frag to resolve.frag. x: the normal (octahedral, 16 bits
+// per coordinate: 3e-5 rad). y: the tangent (octahedral, 11 bits per coordinate: 7e-4 rad), the
+// sign of the bitangent (1 bit) and the footprint (9 bits). z and w: texture coordinates as floats.
+// One image, because writing and reading a second one costs more than the packing.
 
 const float kLowFootprint = 5.421010862427522e-20;  // 2^-64
 
-// 1e-30: a zero vector becomes some direction.
+// 1e-30: keeps the division finite for a zero vector.
 vec2 octahedral(vec3 v) {
     vec2 p = v.xy * (1.0 / (abs(v.x) + abs(v.y) + abs(v.z) + 1e-30));
     vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     return v.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
 }
 
-// Not unit.
+// The result is not a unit vector.
 vec3 from_octahedral(vec2 p) {
     float z = 1.0 - abs(p.x) - abs(p.y);
     float fold = max(-z, 0.0);
     return vec3(p.x + (p.x < 0.0 ? fold : -fold), p.y + (p.y < 0.0 ? fold : -fold), z);
 }
 
-// [-1, 1] to 0 .. 2 half; 0 keeps a number of its own. By int: conversions from and to unsigned take
-// software renderers several instructions.
+// Maps [-1, 1] to 0 .. 2 half; 0 is representable exactly. Through int, because conversions from
+// and to unsigned take software renderers several instructions.
 uvec2 quantised(vec2 p, float half_range) {
     return uvec2(ivec2(p * half_range + (half_range + 0.5)));
 }
@@ -29,9 +29,9 @@ vec2 from_quantised(uvec2 q, float half_range) {
     return vec2(ivec2(q)) * (1.0 / half_range) - 1.0;
 }
 
-// `mirrored`: negative where the bitangent is mirrored. `footprint2`: square of the footprint, of
-// which the exponent and two bits of the mantissa are kept: an eighth of a mip level. 2^-64 to 2^64 is
-// more than textures can ask for.
+// `mirrored`: negative where the bitangent is mirrored. `footprint2`: square of the footprint. Its
+// exponent and two bits of its mantissa are kept, a precision of an eighth of a mip level. The
+// range 2^-64 to 2^64 exceeds any texture's.
 uvec4 packed_pixel(vec3 normal, vec3 tangent, float mirrored, float footprint2, vec2 uv) {
     uvec2 n = quantised(octahedral(normal), 32767.0);
     uvec2 t = quantised(octahedral(tangent), 1023.0);
@@ -51,7 +51,7 @@ vec4 packed_tangent(uvec4 p) {
     return vec4(t, (p.y & (1u << 22)) != 0u ? -1.0 : 1.0);
 }
 
-// log2 of the footprint. 1 << 20: the middle of what the bits left out.
+// log2 of the footprint. 1 << 20: the middle of the interval of the dropped bits.
 float packed_footprint(uvec4 p) {
     uint bits = ((p.y >> 23) << 21) + (1u << 20) + floatBitsToUint(kLowFootprint);
     return 0.5 * log2(uintBitsToFloat(bits));

@@ -1,22 +1,25 @@
 // The specular term under the environment by a few look-ups of the lobe map along the major axis of
 // the reflected lobe. docs/theory/image-light.md derives it and tabulates its error.
 //
-// Half vectors are base vectors m mapped by the method. Base vectors are those of GGX visible from wo:
-// in the space where the lobe is a hemisphere they halve the angle between w, the view, and points c
-// that fill the cap c.z > -w.z evenly (Dupuy & Benyoub 2023). A look-up is a point of the cap on the
-// line through its middle that the reflection stretches most.
+// Half vectors are base vectors m mapped by the method. Base vectors are those of GGX visible from
+// wo. In the space where the lobe is a hemisphere they are the bisectors of w, the view, and points
+// c that cover the cap c.z > -w.z uniformly (Dupuy & Benyoub 2023). A look-up is a point of the cap
+// on the line through its middle that the reflection stretches most.
 
-// Equal shares of the lobe. Fitted on spheres under two real environments (docs/theory/image-light.md): how
-// far towards the rim of the cap the outermost reach, and the width of what is read against that of the
-// lobe beside the axis. A round lobe is narrower than it, or neighbours would blur along the axis.
+// Number of look-ups, each an equal share of the lobe; the largest distance of a look-up from the
+// middle of the cap, relative to its rim; and the ratio of the width of a look-up to the width of
+// the lobe across the axis. The latter two are fitted on spheres under two real environments
+// (docs/theory/image-light.md). A round look-up is narrower than the lobe, because neighbors would
+// otherwise blur along the axis.
 const int kLookUps = 7;
 const float kReach = 0.95;
 const float kWidth = 0.6;
 
 uniform sampler3D u_albedo;  // albedo_table.hpp
 
-// The linear part of the map from base half vectors to half vectors: the columns of a matrix B, h along
-// B m. Rotations turn; normal-map shears: x and y stay and n~.h takes the place of m.z.
+// The linear part of the map from base half vectors to half vectors: the columns of a matrix B; h
+// is along B m. Rotations are orthogonal. normal-map is a shear: x and y stay, and n~.h replaces
+// m.z.
 struct LobeMapping {
     vec3 x;
     vec3 y;
@@ -26,7 +29,7 @@ struct LobeMapping {
 LobeMapping mapping_of(Perturbation p) {
     LobeMapping map;
     if (p.method == kMethodNormalMap) {
-        // 0.05: tilts of 87 degrees.
+        // 0.05: tilts up to 87 degrees.
         float s = 1.0 / max(p.n.z, 0.05);
         map.x = vec3(1.0, 0.0, -p.n.x * s);
         map.y = vec3(0.0, 1.0, -p.n.y * s);
@@ -44,16 +47,16 @@ bool deforms(Perturbation p) {
     return p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth;
 }
 
-// The part of `v` perpendicular to the unit vector h.
+// The component of `v` perpendicular to the unit vector h.
 vec3 beside(vec3 h, vec3 v) {
     return v - h * dot(h, v);
 }
 
-// The unit half vector of base vector m, not unit, and how it turns by two of m's.
+// A base vector m, its unit half vector h, and the scale of derivatives.
 struct MappedHalf {
     vec3 m;  // unit
     vec3 h;
-    float scale;  // 1/length of what was normalised
+    float scale;  // 1/length before normalization
 };
 
 MappedHalf mapped(LobeMapping map, Perturbation p, vec3 m) {
@@ -70,8 +73,8 @@ MappedHalf mapped(LobeMapping map, Perturbation p, vec3 m) {
     return r;
 }
 
-// How h turns where m moves by `move`: the map's own derivative. The deformations move points p of the
-// disk by (1 - k) d or r d, where |q + (r - r^2) d| = 1 - r^2 (perturb.glsl, sample.glsl).
+// Derivative of h when m moves by `move`. The deformations move points p of the disk by (1 - k) d
+// or r d, where |q + (r - r^2) d| = 1 - r^2 (perturb.glsl, sample.glsl).
 vec3 turn_of(MappedHalf at, LobeMapping map, Perturbation p, vec3 move) {
     if (!deforms(p)) {
         return beside(at.h, map.x * move.x + map.y * move.y + map.z * move.z) * at.scale;
@@ -84,7 +87,7 @@ vec3 turn_of(MappedHalf at, LobeMapping map, Perturbation p, vec3 move) {
         float r = sqrt(deform_rim_fraction(p.n, at.h));
         vec2 u = at.m.xy + (r - r * r) * p.n.xy;
         u *= inversesqrt(max(dot(u, u), kTiny));
-        // 1e-3: a tilt of 90 degrees.
+        // 1e-3: reached at a tilt of 90 degrees.
         fall = -dot(u, dq) / max((1.0 - 2.0 * r) * dot(u, p.n.xy) + 2.0 * r, 1e-3);
     }
     vec2 dp = dq + p.n.xy * fall;
@@ -92,25 +95,25 @@ vec3 turn_of(MappedHalf at, LobeMapping map, Perturbation p, vec3 move) {
     return vec3(dp, -dot(at.h.xy, dp) / max(at.h.z, 0.01));
 }
 
-// What the method makes of the lobe's energy at a half vector: f cos dwi of the deformed lobe over
-// that of the rotated one, to which the table of albedos belongs. Base vectors are drawn in proportion
-// to (go.m) D(m) dm; the deformed lobe sends D(m) (wo.h) dh.
+// Energy factor of the method at a half vector: f cos dwi of the deformed lobe divided by that of
+// the rotated lobe, for which the albedo table holds. Base vectors are drawn in proportion to
+// (go.m) D(m) dm; the deformed lobe reflects D(m) (wo.h) dh.
 float energy_at(MappedHalf at, Perturbation p, vec3 go, float wo_h) {
     if (!deforms(p)) { return 1.0; }
     float det = deform_jacobian(p.method, p.n, at.h);
-    // 0.05, 4: what grazes both ways is left as it is.
+    // 0.05, 4: limits at grazing angles.
     float area = at.m.z / (max(at.h.z, 0.05) * max(det, 0.05));
     return p.conserve * clamp(wo_h / max(dot(go, at.m), 0.05) * area, 0.0, 4.0);
 }
 
-// a.b of the turns of the reflected direction, halved, that turns a and b of the half vector cause:
-// d wi / 2 = (wo.a) h + (wo.h) a.
+// Scalar product of the derivatives of wi / 2 that the derivatives a and b of the half vector
+// cause: d wi / 2 = (wo.a) h + (wo.h) a.
 float reflected_dot(vec3 wo, float wo_h, vec3 a, vec3 b) {
     return dot(wo, a) * dot(wo, b) + wo_h * wo_h * dot(a, b);
 }
 
-// The line through the middle of the cap: its direction, and how far along it look-ups spread beside
-// a lobe that has no minor axis.
+// The line through the middle of the cap: its direction, and the extent of the look-ups along it,
+// relative to a lobe without a minor axis.
 struct MajorAxis {
     vec2 along;
     float spread;
@@ -132,7 +135,7 @@ MajorAxis major_axis(vec3 wo, vec3 h, vec3 dx, vec3 dy) {
     return axis;
 }
 
-// Albedo for a view v in the lobe's own space.
+// Albedo for a view v in the frame of the lobe.
 float albedo_towards(float ax, float ay, vec3 v) {
     float l = inversesqrt(max(dot(v, v), kTiny));
     float x2 = v.x * v.x;
@@ -145,7 +148,7 @@ float albedo_towards(float ax, float ay, vec3 v) {
     return textureLod(u_albedo, (clamp(place, 0.0, 1.0) * (nodes - 1.0) + 0.5) / nodes, 0.0).r;
 }
 
-// Rotations: the look-ups are worked out against the turned axes, where h = m.
+// Whether the method is a rotation: then look-ups are computed in the rotated axes, where h = m.
 bool turns(Perturbation p) {
     return p.method != kMethodNormalMap && !deforms(p);
 }
@@ -167,7 +170,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
         map.z = vec3(0.0, 0.0, 1.0);
     }
     vec3 eye = turns(p) ? v : wo;
-    // Without masking all normals count, seen or not.
+    // Without masking all normals count, visible or not.
     vec3 w = brdf_masks(BRDF) ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
     MappedHalf middle = mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z));
     MajorAxis axis = major_axis(eye, middle.h, turn_of(middle, map, p, vec3(ax, 0.0, 0.0)),
@@ -191,7 +194,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
         float wo_h = dot(eye, at.h);
         vec3 wi = at.h * (2.0 * wo_h) - eye;
         vec3 turn = turn_of(at, map, p, across);
-        // The cap is 2 cos(half the angle from its middle) as wide here as a unit step.
+        // The cap is scaled here by 2 cos(half the angle from its middle) relative to a unit step.
         float blur2 = reflected_dot(eye, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
         vec3 gi = turns(p) ? wi : perturb_direction(p, wi);
         float share = brdf_masks(BRDF) ? masking / (masking + smith_lambda(lobe, gi))
@@ -201,7 +204,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
         sum += specular_fresnel(m.surface, wo_h) * radiance * (share * energy_at(at, p, go, wo_h));
         energy += share;
     }
-    // 1e-3: less than any look-up's share where the view is above the horizon.
+    // 1e-3: below the share of any look-up when the view is above the horizon.
     float scale = albedo_towards(ax, ay, go) / max(energy, 1e-3);
     return dot(p.n, wo) > 0.0 ? sum * (scale * u_environment_scale) : vec3(0.0);
 }

@@ -1,5 +1,5 @@
-// Low-discrepancy points with a rotation of their own for every pixel. All arithmetic is in 32-bit
-// integers modulo 1, so that a point is as even at index 10^6 as at index 0.
+// Low-discrepancy points with a separate rotation for every pixel. All arithmetic is in 32-bit
+// integers modulo 1, so that points are as evenly distributed at index 10^6 as at index 0.
 
 // C. Wellons, "Hash function prospector" (lowbias32).
 uint hash_of(uint x) {
@@ -11,7 +11,7 @@ uint hash_of(uint x) {
     return x;
 }
 
-// A Cranley-Patterson rotation: one offset a coordinate.
+// A Cranley-Patterson rotation: one offset per coordinate.
 struct Rotation {
     uint x;
     uint y;
@@ -26,7 +26,8 @@ Rotation rotation_of_pixel(uvec2 pixel, uint seed) {
     return r;
 }
 
-// The upper 24 bits, which a float holds exactly: in [0, 1). By int: see pack.glsl.
+// The upper 24 bits, which a float represents exactly, as a number in [0, 1). Through int: see
+// pack.glsl.
 float unit_of(uint bits) {
     return float(int(bits >> 8)) * (1.0 / 16777216.0);
 }
@@ -36,7 +37,7 @@ vec2 point_of(uint index, Rotation r) {
     return vec2(unit_of(index * 3242174889u + r.x), unit_of(index * 2447445414u + r.y));
 }
 
-// A further coordinate: multiples of the golden ratio.
+// A third coordinate: multiples of the golden ratio.
 float select_of(uint index, Rotation r) {
     return unit_of(index * 2654435769u + r.z);
 }

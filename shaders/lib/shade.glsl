@@ -1,8 +1,8 @@
 // Radiance towards the eye at a point of a surface. METHOD, MDF, BRDF, CONSERVE: the model, at
-// compile time; METAL: nothing is diffuse.
+// compile time; METAL: no diffuse term.
 
 #if LIGHTS > 0
-// Only the horizon of n~ counts, as under the environment.
+// Only the horizon of n~ counts, as for the light of the environment.
 vec3 lit_by_lights(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHT_COUNT; ++i) {
@@ -28,7 +28,7 @@ float specular_open(Surface s, Shading m, float cos_o) {
 #endif
 }
 
-// Irradiance stands for light from everywhere: diffuse_eval's dependence on wi is averaged over it.
+// Irradiance covers all directions, so diffuse_eval is averaged over wi.
 vec3 lit_by_environment(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     vec3 sum = image_specular(s, m, a, p, wo) * specular_open(s, m, dot(p.n, wo));
 #ifndef METAL
@@ -40,8 +40,8 @@ vec3 lit_by_environment(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) 
 }
 #endif
 
-// What the material's normal and direction do to the lobe; `a` becomes the axes of the lobe. Without a
-// map the normal is that of the surface, which faces the eye.
+// The perturbation by the material's normal and direction; `a` becomes the axes of the lobe.
+// Without a map the normal is that of the surface, which faces the eye.
 Perturbation facing_perturbation(Surface s, Shading m, inout Frame a) {
     vec2 stretch = vec2(1.0, 0.0);
 #ifdef TURNED
@@ -72,8 +72,8 @@ vec3 reflected(Surface s, Shading m, Frame a) {
 #ifdef CLOTH
 #include "shaders/lib/cloth_mean.glsl"
 
-// The point at the pixel's middle, the mean over its cells, or between the two a mixture. A loop that runs
-// once or not at all: software renderers leave a loop, but go through both sides of an `if`.
+// The cloth at the pixel's middle, the mean over its cells, or a mixture. Loops that run once or
+// not at all: software renderers can skip a loop, but execute both sides of an `if`.
 vec3 reflected_by_cloth(Surface s, Shading m, Frame a) {
     ClothPlace place = cloth_place(s);
     float mean = weave_mean_share(place.size) * u_weave_filter;
@@ -92,7 +92,7 @@ vec3 reflected_by_cloth(Surface s, Shading m, Frame a) {
 #include "shaders/lib/tabulated_texels.glsl"
 #endif
 
-// Premultiplied by alpha when BLEND.
+// Radiance and alpha, premultiplied when BLEND.
 vec4 shade(Surface s) {
     Shading m = shading_at(s);
 #ifdef MASK

@@ -1,4 +1,4 @@
-// The specular term of a Shading, and its sampling: tables are looked up, the rest is
+// The specular term of a Shading, and its sampling: this file looks up tables; the rest is
 // shading/surface/specular.glsl.
 
 LobeValues lobe_values(Shading m, Perturbation p, vec3 wi, vec3 wo) {

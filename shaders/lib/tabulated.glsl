@@ -1,5 +1,5 @@
-// Distributions given as tables (TABULATED): the values that shading/mdf/tabulated.glsl asks for, fetched.
-// src/gpu/upload/tabulated_maps.hpp says what the textures hold.
+// Tabulated distributions (TABULATED): fetches the values that shading/mdf/tabulated.glsl needs.
+// src/gpu/upload/tabulated_maps.hpp describes the textures.
 
 uniform highp sampler2D u_tabulated_tables;
 uniform highp sampler2D u_tabulated_areas;
@@ -8,14 +8,14 @@ uniform vec2 u_tabulated_fresnel;   // refractive index (0: no Fresnel), 1/F at 
 
 const ivec2 kAreaGrid = ivec2(32, 16);  // of ndf_grid.hpp
 
-// One exemplar: where its blocks begin in the textures.
+// One exemplar: the origins of its blocks in the textures.
 struct TableBlock {
     ivec2 table;
     ivec2 areas;
-    float groove;  // from the lobe's x axis to the table's, in turns
+    float groove;  // angle from the lobe's x axis to the table's, in turns
 };
 
-// Each texel has the four values that a place between cells asks for.
+// Interpolated value at `place`; each texel holds the four values for an interpolation.
 float block_at(highp sampler2D map, ivec2 block, TablePlace place) {
     vec4 four = texelFetch(map, block + ivec2(place.column, place.row), 0);
     return table_value(place, four.x, four.y, four.z, four.w);
@@ -34,7 +34,7 @@ float tabulated_seen(TableBlock b, vec3 w) {
     return tabulated_area(block_at(u_tabulated_areas, b.areas, place), w);
 }
 
-// All but the densities.
+// All lobe values except the densities.
 LobeValues tabulated_values(TableBlock b, Perturbation p, vec3 wi, vec3 wo) {
     LobeValues v = no_lobe_values();
     v.D = tabulated_D(b, perturb_point(p, half_vector(wi + wo, p.n)));
@@ -44,10 +44,10 @@ LobeValues tabulated_values(TableBlock b, Perturbation p, vec3 wi, vec3 wo) {
 }
 
 #if IMAGE_LIGHT == 1
-// Of each table x: shares of a ring's cells so far, y: the density that draws have in the cell.
+// x: cumulative share of a ring's cells; y: density of draws in the cell.
 uniform highp sampler2D u_tabulated_draws;
 
-// Rows of an exemplar's block of areas: the areas, and shares of the rings so far.
+// Cumulative share of the rings. A block holds the areas first, then these shares.
 float rings_so_far(TableBlock b, int ring) {
     ivec2 at = ivec2(ring % kAreaGrid.x, kAreaGrid.y + ring / kAreaGrid.x);
     return texelFetch(u_tabulated_areas, b.areas + at, 0).r;
@@ -57,7 +57,7 @@ float cells_so_far(TableBlock b, int ring, int column) {
     return texelFetch(u_tabulated_draws, b.table + ivec2(column, ring), 0).r;
 }
 
-// The ring, and how far into it. 10 steps: 1,024 rings.
+// The ring that xi selects, and the position in it. 10 steps suffice for 1,024 rings.
 int ring_of(TableBlock b, float xi, out float part) {
     int low = 0;
     int high = u_tabulated_grid.y - 1;
@@ -71,7 +71,7 @@ int ring_of(TableBlock b, float xi, out float part) {
     return low;
 }
 
-// 12 steps: 4,096 columns.
+// The column that xi selects, and the position in it. 12 steps suffice for 4,096 columns.
 int column_of(TableBlock b, int ring, float xi, out float part) {
     int low = 0;
     int high = u_tabulated_grid.x - 1;
@@ -98,8 +98,8 @@ float tabulated_base_pdf(TableBlock b, LobePoint q) {
     return q.weight * texelFetch(u_tabulated_draws, b.table + ivec2(cell.column, cell.ring), 0).g;
 }
 
-// The round part of the normal-map mixture is the table about n~. rotate-approx reads a table where the
-// exact rotation does.
+// For normal-map, the round part of the mixture is the table about n~. rotate-approx reads a table
+// where the exact rotation does.
 vec3 tabulated_sample(TableBlock b, Perturbation p, vec2 xi, float select) {
     vec3 base = tabulated_base_sample(b, xi);
     return perturbed_sample(p, base, base, xi, select);

@@ -1,15 +1,15 @@
-// Which exemplars a pixel sees of a tabulated material, and what it sees of each: texels cannot be
-// mixed before the light is reflected, so radiance is mixed after. Up close the four texels about the
-// point, weighed as a bilinear filter weighs them. Where the pixel (or its part for one of several
-// samples) is wider than a texel, 4 to 16 texels drawn evenly from its area: their mean over the samples
-// of a pixel is the mean over all texels.
+// The exemplars of a tabulated material within a pixel. Texels must not be averaged before
+// reflection, so their radiances are averaged. For a magnified texture these are the four texels
+// about the point, with bilinear weights. Where the pixel (or the part of it for one of several
+// samples) is wider than a texel, they are 4 to 16 texels drawn uniformly from its area: their mean
+// over the samples of a pixel is the mean over all texels.
 
 uniform highp usampler2D u_tabulated_texels;  // tabulated_maps.hpp
 uniform highp usampler2D u_tabulated_colors;
-uniform int u_tabulated_columns;              // of blocks beside one another
-uniform float u_tabulated_part;               // side of a sample's share of the pixel
-uniform int u_tabulated_one;                  // 1 where all texels are one
-uniform int u_tabulated_area_rows;            // of a block of areas
+uniform int u_tabulated_columns;  // number of blocks in a row
+uniform float u_tabulated_part;  // side of a sample's part of the pixel
+uniform int u_tabulated_one;  // 1 where all texels are equal
+uniform int u_tabulated_area_rows;  // height of a block of areas
 #if IMAGE_LIGHT != 1
 uniform uint u_frame;
 uniform uint u_seed;
@@ -17,35 +17,36 @@ uniform uint u_seed;
 
 vec2 tabulated_uv(Surface s) {
 #ifdef UV_PER_TEXTURE
-    return texture_uv(s, 2);  // that of the normal map
+    return texture_uv(s, 2);  // those of the normal map
 #else
     return s.uv.xy;
 #endif
 }
 
-// Two numbers of [-1, 1].
+// Two numbers in [-1, 1] from 16 bits each.
 vec2 pair_of(uint bits) {
     return (vec2(float(int(bits & 0xffffu)), float(int(bits >> 16))) - 32768.0) * (1.0 / 32767.0);
 }
 
-// Of half floats that are not negative: their bits are those of a float 2^112 times as small.
+// A color from non-negative half floats: their bits are those of a float 2^112 times as small.
 vec3 color_of(uint r, uint g, uint b) {
     return vec3(uintBitsToFloat((r & 0xffffu) << 13), uintBitsToFloat((g & 0xffffu) << 13),
                 uintBitsToFloat((b & 0xffffu) << 13)) * 5.192296858534828e33;
 }
 
-// Makes `m`, whose n is the normal map's, the material at a texel; 0 where nothing was measured, and
-// then it is some other. No branches: software renderers go through both sides.
+// Sets `m`, whose n is that of the normal map, to the material at a texel. Returns 1, or 0 for a
+// texel without measurement, whose material is then arbitrary. No branches, because software
+// renderers execute both sides.
 float put_texel(inout Shading m, vec2 whole) {
     vec2 size = vec2(textureSize(u_tabulated_texels, 0));
-    // 0.5: so that a quotient of whole numbers is never rounded down to the one before.
+    // 0.5: keeps the quotient of whole numbers from being rounded below an integer.
     vec2 cell = whole - size * floor((whole + 0.5) / size);
     ivec2 at = ivec2(clamp(cell, vec2(0.0), size - 1.0));
     uvec4 bits = texelFetch(u_tabulated_texels, at, 0);
     int exemplar = int(bits.x & 0xffffu);
     bool measured = exemplar != 0xffff;
     exemplar = measured ? exemplar : 0;
-    // By float, exact for 16 bits: software renderers divide integers one by one.
+    // As float, exact for 16 bits: software renderers divide integers one by one.
     int row = int((float(exemplar) + 0.5) / float(u_tabulated_columns));
     ivec2 block = ivec2(exemplar - row * u_tabulated_columns, row);
     m.table.table = block * u_tabulated_grid;
@@ -61,8 +62,8 @@ float put_texel(inout Shading m, vec2 whole) {
     return measured ? 1.0 : 0.0;
 }
 
-// Where in its part of the pixel a tap lies. Multiples of sqrt(2) and sqrt(3): uneven with those that
-// choose directions.
+// Position of a tap in its part of the pixel. Multiples of sqrt(2) and sqrt(3), which do not
+// correlate with those that choose directions.
 vec2 tap_place(uvec2 pixel, int tap) {
     Rotation rotation = rotation_of_pixel(pixel, u_seed);
     uint index = u_frame * 16u + uint(tap);
@@ -70,7 +71,7 @@ vec2 tap_place(uvec2 pixel, int tap) {
 }
 
 #if LIGHTS > 0
-// What all texels have in common; directions against the surface's axes.
+// Values that all texels share; directions are in the axes of the surface.
 struct TexelLights {
     vec3 wi[LIGHTS];
     vec3 h[LIGHTS];
@@ -94,7 +95,7 @@ TexelLights texel_lights(Surface s, Frame a, vec3 wo) {
     return l;
 }
 
-// Directions against the texel's axes but for those of `l`.
+// Radiance of one texel. Directions are in the axes of the texel, except those of `l`.
 vec3 lit_texel(TexelLights l, Shading m, Perturbation p, vec3 wo) {
     float cos_o = dot(p.n, wo);
     float seen = tabulated_seen(m.table, perturb_direction(p, wo));
@@ -137,7 +138,7 @@ vec3 reflected_by_texels(Surface s, Shading m, Frame a) {
     vec2 corner = vec2(0.0);
     for (int tap = 0; tap < m.taps; ++tap) {
         vec2 cell = first + corner;
-        // A loop that runs once or not at all: software renderers leave a loop, but go through both
+        // A loop that runs once or not at all: software renderers can skip a loop, but execute both
         // sides of an `if`.
         for (int i = wide ? 0 : 1; i < 1; ++i) {
             vec2 place = (corner + tap_place(s.pixel, tap)) / side - 0.5;
