@@ -1,5 +1,5 @@
-// Woven cloth: yarns against the maths at single pixels, and what is seen from afar against
-// pictures without the filter and 1,024 samples a pixel.
+// Woven cloth: yarns against the maths at single pixels, and the mean at a distance against
+// pictures without the filter at 1,024 samples per pixel.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -41,7 +41,7 @@ Cloth& cloth_in(Material& m) {
 
 class ClothYarn : public GpuTest {};
 
-// Ribbons without gaps, twist or crimp: flat cells whose lobes differ by a quarter turn.
+// Ribbons without gaps, twist or crimp: flat cells whose lobes differ by 90 degrees.
 TEST_F(ClothYarn, TheLobeRunsAlongTheYarn) {
     Material m = woven("plain");
     cloth_in(m) = {cloth_of(m)->draft, 2.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {}, {}};
@@ -54,7 +54,7 @@ TEST_F(ClothYarn, TheLobeRunsAlongTheYarn) {
     gpu::Renderer renderer(*context, scene, nullptr);
     const Image image = renderer.render(camera, o);
     const int ggx = static_cast<int>(Mdf::ggx), microfacet = static_cast<int>(Brdf::microfacet);
-    // Two cells a side: warp and weft are above by turns.
+    // Two cells a side: warp and weft are on top alternately.
     for (const int x : {3, 12}) {
         for (const int y : {3, 12}) {
             const double half = std::tan(0.5 * camera.yfov) * 3.0;
@@ -63,7 +63,7 @@ TEST_F(ClothYarn, TheLobeRunsAlongTheYarn) {
             const vec3 wi = f64::normalize(vec3(0.5, 0.1, 1.0));
             const int end = at.x < 0 ? 0 : 1, pick = at.y < 0 ? 0 : 1;
             const bool warp = cloth_of(m)->draft->is_warp_up(end, pick);
-            // Smooth along the yarn: along y on the warp.
+            // The lobe is narrow along the yarn: along y on the warp.
             const f64::Lobe lobe = f64::lobe_make(ggx, warp ? 0.45 : 0.2, warp ? 0.2 : 0.45);
             const f64::Perturbation p =
                 f64::perturb_make(f64::kMethodNone, vec3(0, 0, 1), true, false);
@@ -80,8 +80,8 @@ TEST_F(ClothYarn, TheLobeRunsAlongTheYarn) {
 
 struct View {
     const char* draft;
-    double metres;    // from the cloth
-    double tilt_deg;  // of the view from the cloth's normal
+    double metres;    // distance from the cloth
+    double tilt_deg;  // between the view and the cloth's normal
 };
 
 void PrintTo(const View& v, std::ostream* out) {
@@ -90,7 +90,7 @@ void PrintTo(const View& v, std::ostream* out) {
 
 class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
   protected:
-    // Two yarns a millimetre on a square of two metres; 24 pixels of a third of a degree.
+    // Two yarns per millimeter on a square of two meters; 24 pixels of 1/3 degree each.
     Image picture(ImageLight image_light, bool filtered, int samples) {
         const View& view = GetParam();
         Material m = woven(view.draft);
@@ -102,7 +102,7 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
             scene.lights.push_back(directional({-0.8f, 0.1f, 0.6f}));
         }
         Environment environment = constant_environment(glm::vec3(0.2f));
-        // A window over a quarter of the sky.
+        // A window that covers a quarter of the sky.
         for (int y = 2; y < 7; ++y)
             for (int x = 8; x < 16; ++x)
                 for (int c = 0; c < 3; ++c) environment.radiance.at(x, y)[c] = 3.0f;
@@ -131,7 +131,7 @@ class ClothFromAfar : public GpuTest, public testing::WithParamInterface<View> {
 
     void expect_same_mean(ImageLight image_light, double tolerance) {
         const auto seen = mean_of(picture(image_light, true, 1));
-        // The truth does not approximate the light either.
+        // The reference samples the light exactly too.
         const auto truth = mean_of(picture(
             image_light == ImageLight::off ? image_light : ImageLight::importance, false, 1024));
         if (std::getenv("BURNISH_PRINT_CLOTH") != nullptr) {
@@ -154,7 +154,8 @@ TEST_P(ClothFromAfar, MeanColorUnderASky) {
 }
 
 TEST_P(ClothFromAfar, MeanColorUnderAPrefilteredSky) {
-    // One look along the family's wide lobe: seen askance it is dimmer (docs/evidence/cloth.md).
+    // One look-up along the family's wide lobe is too dim at grazing angles
+    // (docs/evidence/cloth.md).
     expect_same_mean(ImageLight::prefiltered, GetParam().tilt_deg > 0 ? 0.18 : 0.03);
 }
 
@@ -167,11 +168,11 @@ INSTANTIATE_TEST_SUITE_P(Views, ClothFromAfar,
 
 // --- turning -----------------------------------------------------------------------------------
 
-// Flicker over the truth's.
+// Ratio of the flicker of the picture to that of the reference.
 struct Turn {
-    double pixels;  // a yarn, in the middle of the picture
+    double pixels;  // per yarn, in the middle of the picture
     int truth_samples;
-    double least, most;  // of one sample a pixel
+    double least, most;  // with one sample per pixel
     double most_of_four;
     double least_of_points;
 };
@@ -184,12 +185,13 @@ class ClothTurning : public GpuTest, public testing::WithParamInterface<Turn> {
   protected:
     static constexpr int kSide = 96;
 
-    // A sphere of twill in one lamp's light, drawn `factor` times larger.
+    // A sphere of twill under one lamp, drawn `factor` times larger.
     double flicker(bool filtered, int factor, int samples) {
         Mesh sphere = uv_sphere(256, 128);
-        for (glm::vec2& uv : sphere.texcoord0) uv.x *= 2.0f;  // as many yarns a metre both ways
+        // Equal yarns per meter in both directions.
+        for (glm::vec2& uv : sphere.texcoord0) uv.x *= 2.0f;
         Material m = woven("twill-2-2");
-        // A pixel is 2.2/96 of the radius, half the way around it pi.
+        // A pixel spans 2.2/96 of the radius; half the circumference is pi.
         cloth_in(m).yarns =
             static_cast<float>(std::round(std::numbers::pi / (2.2 / kSide * GetParam().pixels)));
         Scene scene = one_object(std::move(sphere), m);
@@ -203,11 +205,11 @@ class ClothTurning : public GpuTest, public testing::WithParamInterface<Turn> {
     }
 };
 
-// Where yarns are seen, one sample is a point of them and their edges jump; four are smooth enough.
-// truth.
+// Where yarns are resolved, a single sample is a point of them, so that edges alias. Four samples
+// are as smooth as the reference.
 TEST_P(ClothTurning, FlickersAsTheTruthDoes) {
     const Turn& turn = GetParam();
-    // 4 of its pixels a yarn and more.
+    // At least 4 pixels of the reference per yarn.
     const double truth = flicker(false, 16, turn.truth_samples);
     const double one = flicker(true, 1, 1), four = flicker(true, 1, 4),
                  points = flicker(false, 1, 1);

@@ -12,7 +12,7 @@ using gpu::Context;
 TEST_F(GpuTest, NamesItsDevice) {
     EXPECT_FALSE(context->renderer().empty());
     EXPECT_FALSE(context->version().empty());
-    EXPECT_GE(context->max_texture_size(), 2048);  // what ES 3.0 promises
+    EXPECT_GE(context->max_texture_size(), 2048);  // the minimum of ES 3.0
 }
 
 int open_files() {
@@ -30,7 +30,7 @@ TEST_F(GpuTest, ContextsOneAfterAnotherKeepNoFileOpen) {
     for (int i = 0; i < 8; ++i) {
         const Context one;
         EXPECT_FALSE(one.renderer().empty());
-        if (i == 1) before = open_files();  // whatever the first ones keep for the process
+        if (i == 1) before = open_files();  // after the files that the first contexts keep open
         if (i == 7) {
             EXPECT_EQ(open_files(), before);
         }

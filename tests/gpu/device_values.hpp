@@ -1,5 +1,5 @@
-// Random inputs, and what a fragment shader makes of each of them: a value a pixel, read back as
-// floats.
+// Random inputs, and the values that a fragment shader computes from them: one value per pixel,
+// read back as floats.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct Inputs {
         for (int i = 0; i < kInputCount; ++i) {
             wi.push_back(direction(0.02f));
             wo.push_back(direction(0.02f));
-            n.push_back(direction(0.6f));  // tilts to 53 degrees
+            n.push_back(direction(0.6f));  // tilts up to 53 degrees
         }
     }
 };

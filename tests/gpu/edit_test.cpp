@@ -1,5 +1,5 @@
 // Edits of a scene on the device: each gives the picture of a new renderer of the edited scene, and
-// uploads what it brings alone.
+// uploads only new data.
 #include <functional>
 
 #include "burnish/draft.hpp"
@@ -74,7 +74,7 @@ TEST_F(Edit, OfTheFilterOfANormalMapUploadsItsOtherForm) {
 
 TEST_F(Edit, OfTheTexturesThatAMaterialUses) {
     EXPECT_EQ(expect_as_new([](Renderer& renderer, Scene& scene) {
-                  scene.materials[1].base_color_texture.texture = 1;  // which is there
+                  scene.materials[1].base_color_texture.texture = 1;  // an existing texture
                   renderer.update_material(1, scene.materials[1]);
               }),
               UploadCounts{});
@@ -294,7 +294,7 @@ TEST_F(Edit, OfWhatIsNotThereIsRefusedInWordsAndChangesNothing) {
     });
 }
 
-// x and y of a normal, z left out: what the three channels say.
+// A normal map of x and y without z is read like one of three channels.
 TEST_F(Edit, NormalMapsOfTwoChannelsAreReadAsThree) {
     Scene scene = busy_scene();
     scene.materials[0].normal_filter = NormalFilter::mips;
@@ -325,7 +325,7 @@ TEST_F(Edit, RenderersOfOneContextShareTheirPrograms) {
     Renderer second(*context, scene, &sky_);
     EXPECT_TRUE(equal_pictures(second.render(camera(), settings()), wanted));
     EXPECT_EQ(context->programs().size(), compiled);
-    // Each has its own uniforms and textures in the programs that they share.
+    // Each renderer has its own uniforms and textures in the programs that they share.
     Scene other = scene;
     other.materials[0].lobe = AlphaLobe{{0.5f, 0.1f}};
     other.materials[1].base_color = {1, 0, 0, 1};

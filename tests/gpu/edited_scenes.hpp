@@ -1,4 +1,4 @@
-// A small scene of everything that a renderer can be told to change, for the tests of edits.
+// A small scene with every kind of data that an edit can change.
 #pragma once
 
 #include "burnish/scene.hpp"
@@ -37,7 +37,7 @@ inline Scene busy_scene() {
     return scene;
 }
 
-// Brighter above and to the right: rotations and shadows show.
+// Brighter above and to the right, so that rotations and shadows are visible.
 inline Environment sky_environment() {
     Environment sky = constant_environment({0.1f, 0.12f, 0.15f}, 64);
     sky.name = "sky";

@@ -1,5 +1,5 @@
-// Pictures of a turntable held against the truth: the same drawn so large that nothing is lost, box
-// filtered. Luminance is the green channel.
+// Compares pictures on a turntable with a reference: the same pictures drawn so large that no
+// detail is lost, box filtered. Luminance is the green channel.
 #pragma once
 
 #include <cmath>
@@ -32,8 +32,9 @@ inline double mean(const Image& image) {
     return sum / static_cast<double>(image.pixels.size());
 }
 
-// What a pixel jumps: the rms second difference over three frames, over the mean of the pictures.
-// `draw` gives the picture of a scene, of one channel; the scene turns by 1 degree a frame.
+// Flicker of a pixel: the rms second difference over three frames, divided by the mean of the
+// pictures. `draw` returns the picture of a scene, of one channel; the scene rotates by 1 degree a
+// frame.
 template <typename Draw>
 double flicker_on_turntable(Scene& scene, Draw draw) {
     constexpr std::size_t kFrames = 9;

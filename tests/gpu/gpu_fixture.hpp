@@ -1,4 +1,4 @@
-// Tests that need an OpenGL context: skipped in words where there is none.
+// Tests that need an OpenGL context: skipped with a message where there is none.
 #pragma once
 
 #include <gtest/gtest.h>

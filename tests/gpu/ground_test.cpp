@@ -1,4 +1,4 @@
-// The ground's shadow against closed forms: rays through the plane, form factors of a disc.
+// The ground's shadow against closed forms: rays to the plane, form factors of a disk.
 #include "gpu/draw/ground.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 TEST(Flattened, IsWhereTheRayMeetsThePlane) {
     const glm::vec3 p(0.3f, 1.2f, -0.7f);
     const float height = -0.5f;
-    // On from p along the ray until y = height.
+    // Extends the ray from p to y = height.
     const glm::vec3 sun = glm::normalize(glm::vec3(1, 2, -0.5f));
     const glm::vec3 wanted_sun = p - sun * ((p.y - height) / sun.y);
     const glm::vec3 lamp(2, 3, 1);
@@ -30,7 +30,7 @@ TEST(Flattened, IsWhereTheRayMeetsThePlane) {
 }
 
 TEST(SkyLights, GiveWhatTheUpperHalfGives) {
-    // L = 1 + y / 2 above, bright below: Int L y dw = pi + pi/3.
+    // L = 1 + y / 2 above the horizon, bright below: Int L y dw = pi + pi/3.
     Environment e = constant_environment(glm::vec3(0), 256);
     for (int y = 0; y < e.radiance.height; ++y) {
         const float up = std::cos(kPiF * (static_cast<float>(y) + 0.5f) / 128.0f);
@@ -49,11 +49,11 @@ TEST(SkyLights, GiveWhatTheUpperHalfGives) {
         EXPECT_NEAR(sum[c], static_cast<float>(c + 1) * kPiF * 4 / 3, 0.005f * sum[c]);
     EXPECT_NEAR(mean.x, 0, 0.02f);
     EXPECT_NEAR(mean.z, 0, 0.02f);
-    // Of light that falls as cosines: Int L y^2 dw over Int L y dw.
+    // The irradiance-weighted mean of y: Int L y^2 dw over Int L y dw.
     EXPECT_NEAR(mean.y, (2.0f / 3 + 0.25f) / (4.0f / 3), 0.005f);
 }
 
-// As the camera sees it: towards -z in the middle of the picture, and turned as shaders turn it.
+// Directions as the camera sees them: -z is the middle of the picture. Rotated as in the shaders.
 TEST(SkyLights, AreWhereTheEnvironmentIsBright) {
     Environment e = constant_environment(glm::vec3(0), 64);
     *e.radiance.at(16, 10) = 5;  // u = 1/4: towards -x
@@ -86,7 +86,7 @@ Mesh disc(float radius, float height) {
     return mesh;
 }
 
-// A disc of radius 1 at height 1, and a speck far off that puts the ground at 0.
+// A disk of radius 1 at height 1, and a small distant object that puts the ground at 0.
 class GroundTest : public GpuTest {
   protected:
     Scene floating_disc() {
@@ -100,7 +100,7 @@ class GroundTest : public GpuTest {
         return scene;
     }
 
-    // Coverage of the ground at (x, 0, z), looked at from beneath the disc, over nothing.
+    // Coverage by the shadow at (x, 0, z), seen from below the disk without a background.
     float missing(const Scene& scene, const Environment* environment, glm::vec3 point,
                   float eye_height = 0.5f) {
         gpu::Renderer renderer(*context, scene, environment);
@@ -117,8 +117,9 @@ class GroundTest : public GpuTest {
     }
 };
 
-// Under an even sky the disc takes R^2 / (R^2 + H^2) from the point below its middle, and of a
-// point r beside it (1 - (r^2 + H^2 - R^2) / sqrt((r^2 + H^2 + R^2)^2 - 4 r^2 R^2)) / 2.
+// Under a uniform sky the disk blocks the fraction R^2 / (R^2 + H^2) of the irradiance of the point
+// below its center, and (1 - (r^2 + H^2 - R^2) / sqrt((r^2 + H^2 + R^2)^2 - 4 r^2 R^2)) / 2 at the
+// distance r from that point.
 TEST_F(GroundTest, AnEvenSkyIsHiddenByTheFormFactorOfTheDisc) {
     const Scene scene = floating_disc();
     const Environment sky = constant_environment(glm::vec3(3.0f));
@@ -132,20 +133,20 @@ TEST_F(GroundTest, AnEvenSkyIsHiddenByTheFormFactorOfTheDisc) {
 TEST_F(GroundTest, ALampsShadowIsWhereItsRaysEnd) {
     Scene scene = floating_disc();
     scene.lights.push_back(directional({1, 1, 0}, glm::vec3(2.0f)));
-    // Height 1 under 45 degrees: the disc about (-1, 0, 0).
+    // A light at 45 degrees and height 1: the shadow is the disk about (-1, 0, 0).
     EXPECT_NEAR(missing(scene, nullptr, {-1, 0, 0}), 1, 2e-3);
     EXPECT_NEAR(missing(scene, nullptr, {-0.1f, 0, 0}), 1, 2e-3);
     EXPECT_NEAR(missing(scene, nullptr, {0.1f, 0, 0}), 0, 2e-3);
     EXPECT_NEAR(missing(scene, nullptr, {-1, 0, 1.1f}), 0, 2e-3);
-    // From (0, 2, 0) the disc at half the height throws a shadow of radius 2.
+    // From (0, 2, 0) the disk at half that height casts a shadow of radius 2.
     scene.lights[0] = Light{};
     scene.lights[0].type = LightType::point;
     scene.lights[0].position = {0, 2, 0};
-    EXPECT_NEAR(missing(scene, nullptr, {0, 0, -1.9f}), 1, 4e-3);  // a display's step
+    EXPECT_NEAR(missing(scene, nullptr, {0, 0, -1.9f}), 1, 4e-3);  // one step of an 8-bit display
     EXPECT_NEAR(missing(scene, nullptr, {0, 0, -2.1f}), 0, 2e-3);
 }
 
-// Each light hides its share: 3 cos 45 and 4 cos 0, of which the second is in the way.
+// Each light is a part of the irradiance: 3 cos 45 and 4 cos 0, of which the second is blocked.
 TEST_F(GroundTest, LightsHideTheirShareOfAllLight) {
     Scene scene = floating_disc();
     scene.lights.push_back(directional({1, 1, 0}, glm::vec3(3.0f)));
@@ -158,7 +159,7 @@ TEST_F(GroundTest, IsNotSeenFromBelow) {
     EXPECT_EQ(missing(floating_disc(), &sky, {0, 0, 0}, -0.5f), 0.0f);
 }
 
-// The background times what is left; where no shadow is, to the bit.
+// Multiplies the background by the remaining light; outside the shadow it is unchanged to the bit.
 TEST_F(GroundTest, MultipliesTheBackground) {
     const Scene scene = floating_disc();
     const Environment sky = constant_environment(glm::vec3(1.0f));

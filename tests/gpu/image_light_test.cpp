@@ -26,7 +26,7 @@ Material white_metal(Method method, glm::vec2 alpha) {
     return m;
 }
 
-// Lambda in closed form, bright enough around `lobe` to matter, smooth enough for small maps.
+// Radiance in closed form: bright around one direction, smooth enough for small maps.
 double sky(vec3 w) {
     const vec3 toward = f64::normalize(vec3{0.6, 0.5, 0.7});
     return 0.2 + 0.1 * w.x + 6.0 * std::exp(12.0 * (f64::dot(w, toward) - 1));
@@ -55,9 +55,9 @@ class ImageLighting : public GpuTest {
     }
 };
 
-// White metal (F = 1) in constant light: what leaves is the albedo. Rotations turn a lobe that
-// keeps its energy, so nothing above 1 may leave but noise; the deformations and normal-map are no
-// rotations, and what they gain is theirs (docs/theory/papers.md): here they have only to be bounded.
+// White metal (F = 1) in constant light, so that the radiance is the albedo. Rotations preserve the
+// energy of a lobe: nothing above 1 but noise. The deformations and normal-map are not rotations
+// and gain energy (docs/theory/papers.md): only bounds are checked.
 TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
     Scene scene = one_object(uv_sphere(48, 24), white_metal(Method::none, {0.15f, 0.5f}));
     scene.textures.push_back(bump_texture(64, 6, 0.4f));
@@ -86,7 +86,7 @@ TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
             }
         }
         mean /= covered;
-        // 256 samples a pixel of weights up to about 3: 3 sigma is 0.12 at the limb.
+        // 256 samples per pixel with weights up to about 3: 3 sigma is 0.12 at the limb.
         if (m == Method::normal_map) {
             EXPECT_GT(highest, 1.3);
             continue;
@@ -102,7 +102,7 @@ TEST_F(ImageLighting, FurnaceGainsNoEnergy) {
 
 using Radiance = std::function<double(vec3)>;
 
-// Int value(wi) (n.wi) over wi, midpoints in the hemisphere about n.
+// Int value(wi) (n.wi) dwi, by the midpoint rule over the hemisphere about n.
 double quadrature(const Radiance& value, const vec3& n) {
     constexpr int kTheta = 600, kPhi = 1200;
     const f64::Frame frame = f64::frame_shortest_arc(n);
@@ -121,7 +121,7 @@ double quadrature(const Radiance& value, const vec3& n) {
 
 const glm::vec3 kTilt = glm::normalize(glm::vec3(0.3f, 0.2f, 1.0f));
 
-// A plate of the material with a map that tilts it everywhere, seen from one direction: the mean.
+// The mean over a plate of the material with a map of one tilt, seen from one direction.
 class TiltedPlate : public ImageLighting {
   protected:
     double seen_from(glm::vec3 eye, const Material& material, const Environment& environment) {
@@ -186,8 +186,7 @@ TEST_F(TiltedPlate, CosineLobesConvergeToTheIntegral) {
 }
 
 // The 2000 model of Ashikhmin and Shirley with its diffuse term in constant light: the sum of both
-// by quadrature, and never more than came. The specular term of this model alone gains nothing
-// either.
+// terms by quadrature, and at most 1. The specular term alone gains no energy either.
 TEST_F(TiltedPlate, CoupledDiffuseTermInAFurnace) {
     const Environment furnace = constant_environment(glm::vec3(1));
     Material m;
@@ -239,9 +238,10 @@ TEST_F(ImageLighting, DiffuseInConstantLightHasAClosedForm) {
     m.dielectric_f0 = 0.0f;
     const Scene scene = one_object(unit_plane(), m);
     RenderSettings o = small_picture(9, 9);
-    o.image_light = ImageLight::bent_normal;  // no noise; its specular is the same without F0 ...
+    // No noise; its specular term is the same without F0 .
+    o.image_light = ImageLight::bent_normal;
     const Image image = render(scene, constant_environment(glm::vec3(3)), o, camera_on_z(4, 0.05f));
-    // ... but for the split sum's edge term, below 0.05 facing the surface.
+    // ... except for the edge term of the split sum, below 0.05 at normal incidence.
     EXPECT_NEAR(image.at(4, 4)[0], 3 * (0.5 * 20.0 / 21.0), 3 * 0.05);
 }
 
@@ -273,7 +273,8 @@ TEST_F(ImageLighting, RotationTurnsTheEnvironmentCounterClockwise) {
     o.background = BackgroundKind::environment;
     o.environment_rotation = 0.5f;
     const Image image = render(scene, environment, o, camera);
-    // Turned about +y by 0.5, what was at R(-0.5) (0,0,-1) is now straight ahead.
+    // After a rotation about +y by 0.5, the direction R(-0.5) (0,0,-1) of the map is straight
+    // ahead.
     const vec3 source{std::sin(0.5), 0, -std::cos(0.5)};
     EXPECT_NEAR(image.at(4, 4)[0], sky(source), 0.02 * sky(source));
 }
@@ -299,7 +300,7 @@ TEST_F(ImageLighting, ASunBeyondHalfFloatsIsKept) {
     o.image_light = ImageLight::bent_normal;
     o.image_light_samples = 1;
     const Image image = render(flipped, environment, o, camera);
-    EXPECT_GT(image.at(2, 2)[0], 200.0f);  // E/pi is some 10^5.5 times 1e-3
+    EXPECT_GT(image.at(2, 2)[0], 200.0f);  // E/pi is about 10^5.5 times 1e-3
     EXPECT_LE(image.at(2, 2)[0], 65504.0f);
 }
 

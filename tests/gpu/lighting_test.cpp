@@ -1,4 +1,4 @@
-// Punctual lights against the maths in double precision, worked out at single pixels on the CPU.
+// Punctual lights against the maths in double precision, evaluated at single pixels on the CPU.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -24,7 +24,7 @@ struct Case {
     Brdf brdf;
     Method method;
     glm::vec2 alpha;
-    glm::vec3 n;  // perturbed normal against tangent, bitangent, normal
+    glm::vec3 n;  // perturbed normal in the axes of tangent, bitangent, normal
     std::optional<float> ks{};
 };
 
@@ -55,7 +55,7 @@ double expected(const Case& c, vec3 wi, vec3 wo, double irradiance, double f0) {
 
 class Lighting : public GpuTest {
   protected:
-    // Where the ray of a pixel meets the plane z = 0.
+    // The intersection of a pixel's ray with the plane z = 0.
     static vec3 point_at(const Camera& camera, const RenderSettings& o, int x, int y) {
         const double half = std::tan(0.5 * camera.yfov) * camera.position.z;
         return {half * ((x + 0.5) * 2 / o.width - 1) * o.width / o.height,
@@ -97,8 +97,9 @@ class Lighting : public GpuTest {
                     irradiance *= factor(light, wi, f64::dot(d, d));
                 }
                 const double wanted = expected(c, wi, wo, irradiance, 0.8);
-                // 2e-3: the deferred pass keeps tangents to 7e-4 rad and llvmpipe's pow and exp are
-                // good to about 1e-5 of the exponent; 1e-4 of the brightest where there is nothing.
+                // 4e-3 is twice the errors of the tangents of the deferred pass, 7e-4 rad, and of
+                // llvmpipe's pow and exp, 1e-5 of the exponent. 1e-4 of the brightest value for
+                // values near 0.
                 EXPECT_NEAR(image.at(x, y)[0], wanted, 4e-3 * wanted + 1e-4 * largest)
                     << name_of(c.mdf) << " " << name_of(c.brdf) << " " << name_of(c.method)
                     << " at " << x << "," << y;
@@ -106,7 +107,7 @@ class Lighting : public GpuTest {
         }
     }
 
-    // KHR_lights_punctual.
+    // Attenuation by KHR_lights_punctual.
     static double factor(const Light& light, vec3 wi, double d2) {
         double f = 1 / d2;
         if (light.range > 0) {
@@ -180,7 +181,7 @@ TEST_F(Lighting, DiffuseIsWhatTheHeaderStates) {
     Material m;
     m.metallic = 0.0f;
     m.base_color = glm::vec4(0.5f, 0.25f, 1.0f, 1.0f);
-    m.lobe = AlphaLobe{glm::vec2(0.001f)};  // a highlight far from where we look
+    m.lobe = AlphaLobe{glm::vec2(0.001f)};  // a highlight far from the tested pixel
     Scene scene = one_object(unit_plane(), m);
     const glm::vec3 towards = glm::normalize(glm::vec3(1.0f, 0.0f, 1.0f));
     scene.lights.push_back(directional(towards));
@@ -196,14 +197,14 @@ TEST_F(Lighting, DiffuseIsWhatTheHeaderStates) {
     EXPECT_NEAR(image.at(8, 8)[2], 1.0 * each, 1e-4);
 }
 
-// With the 2000 model's own diffuse term, under a tilted normal: only the cosines to n~ count.
+// With the diffuse term of the 2000 model under a tilted normal, only the cosines to n~ count.
 TEST_F(Lighting, AshikhminShirleyBringsItsDiffuseTerm) {
     Material m;
     m.metallic = 0.25f;
     m.base_color = glm::vec4(0.5f, 0.25f, 1.0f, 1.0f);
     m.dielectric_f0 = 0.2f;
     m.brdf = Brdf::ashikhmin_shirley;
-    m.lobe = AlphaLobe{glm::vec2(0.001f)};  // a highlight far from where we look
+    m.lobe = AlphaLobe{glm::vec2(0.001f)};  // a highlight far from the tested pixel
     m.normal_texture.texture = 0;
     for (const Method method : {Method::follow_grain, Method::normal_map, Method::deform_smooth}) {
         m.method = method;

@@ -1,5 +1,5 @@
-// Bumps from afar against the truth: the same picture drawn so large that no bump is lost, box
-// filtered.
+// Filtered bumps against a reference: the same picture drawn so large that every bump is resolved,
+// box filtered.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,9 +14,9 @@ namespace burnish::test {
 namespace {
 
 constexpr int kTexels = 512;
-constexpr int kTrueSide = 2048;  // 4 samples: a pixel is half a texel of the map and less
+constexpr int kTrueSide = 2048;  // 4 samples: a pixel is at most half a texel of the map
 
-// What the brightest twentieth of the picture holds: its highlights, wherever they are.
+// The mean of the brightest twentieth of the pixels: the highlights, at any position.
 double highlights(const Image& image) {
     std::vector<float> sorted = image.pixels;
     std::sort(sorted.begin(), sorted.end(), std::greater<>());
@@ -68,8 +68,8 @@ struct Surface {
     Method method;
 };
 
-// One sample a pixel, as when a model is turned. Lower bounds: trilinear look-ups blur over more
-// than a pixel, and most near the limb.
+// One sample per pixel, as during rotation of a model. Lower bounds are loose: trilinear look-ups
+// blur over more than a pixel, most near the limb.
 TEST_F(NormalFilterTest, HighlightsAreNotBrighterThanTheTruth) {
     const Surface surfaces[] = {{Mdf::ggx, {0.1f, 0.4f}, Method::follow_grain},
                                 {Mdf::beckmann, {0.1f, 0.4f}, Method::follow_grain},
@@ -98,19 +98,19 @@ TEST_F(NormalFilterTest, HighlightsAreNotBrighterThanTheTruth) {
             EXPECT_LT(ratio, 1.01) << what;
             EXPECT_GT(ratio, 0.75) << what;
             EXPECT_NEAR(mean(with) / mean(truth), 1, 0.2) << what;
-            // A deformation moves the lobe's far side less than its peak: widening fits it less
-            // well.
+            // A deformation moves the far side of the lobe less than its peak, so widening fits it
+            // less well.
             const double better = is_deformation(s.method) ? 1.0 : 0.85;
             if (side < 512) {
                 EXPECT_LT(distance(with, truth), better * distance(without, truth)) << what;
             }
         }
-        // Without it bumps of the size of a pixel sparkle.
+        // Unfiltered bumps of the size of a pixel sparkle.
         EXPECT_GT(brightest_plain, 1.1) << name_of(s.mdf);
     }
 }
 
-// A still: finer mips and 16 samples.
+// A still picture: finer mips and 16 samples.
 TEST_F(NormalFilterTest, StillsConvergeToTheTruth) {
     const Scene scene =
         bumpy_sphere(Mdf::ggx, {0.1f, 0.4f}, Method::follow_grain, NormalFilter::moments);
@@ -121,7 +121,8 @@ TEST_F(NormalFilterTest, StillsConvergeToTheTruth) {
     EXPECT_GT(highlights(still) / highlights(truth), 0.88);
 }
 
-// Up close there is no variance: both read the same normals, interpolated as slopes or as vectors.
+// Magnified bumps have no variance: both filters read the same normals, interpolated as slopes or
+// as vectors.
 TEST_F(NormalFilterTest, UpCloseBothAreOnePicture) {
     const Image a = reduced(
         draw(bumpy_sphere(Mdf::ggx, {0.2f, 0.4f}, Method::follow_grain, NormalFilter::moments),
@@ -134,7 +135,7 @@ TEST_F(NormalFilterTest, UpCloseBothAreOnePicture) {
     EXPECT_LT(distance(a, b), 0.03 * mean(b));
 }
 
-// A turntable of 1 degree a frame: what a pixel jumps, the second difference of three frames.
+// A turntable of 1 degree a frame: flicker is the second difference of a pixel over three frames.
 TEST_F(NormalFilterTest, ATurntableFlickersAsTheTruthDoes) {
     constexpr int kSide = 96;
     const auto flicker_of = [&](NormalFilter filter, int side) {
@@ -151,7 +152,7 @@ TEST_F(NormalFilterTest, ATurntableFlickersAsTheTruthDoes) {
     EXPECT_GT(plain, 1.5 * truth);
 }
 
-// The map is uploaded in its other form: the picture is that of a renderer that never knew the first.
+// The map is uploaded in its other form, and the picture is that of a new renderer.
 TEST_F(NormalFilterTest, TheFilterCanBeChanged) {
     Scene scene = bumpy_sphere(Mdf::ggx, {0.2f, 0.4f}, Method::follow_grain, NormalFilter::moments);
     gpu::Renderer edited(*context, scene, nullptr);

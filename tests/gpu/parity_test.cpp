@@ -1,4 +1,4 @@
-// One text, two compilers: the shading functions on the device against the same text in C++ floats.
+// The shading functions on the device against the same text compiled as C++ in float.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,9 +11,9 @@ namespace {
 using f32::vec2;
 using f32::vec3;
 
-// Relative error a device may have, times 1 + |ln(D/D0)|. Measured on llvmpipe (LLVM 15): 1.3e-6,
-// that is 11 units of 2^-23, in the worst of all distributions, methods and models; twice that
-// here.
+// Bound of the relative error of a device, times 1 + |ln(D/D0)|. Measured on llvmpipe (LLVM 15):
+// 1.3e-6, or 11 units of 2^-23, in the worst distribution, method and model. The bound is twice
+// that.
 constexpr double kBound = 2.6e-6;
 
 constexpr char kStage[] = R"(
@@ -101,12 +101,13 @@ class Parity : public DeviceValues {
             const f32::Perturbation p = f32::perturb_make(method, xyz(inputs.n[i]), along_x, true);
             const vec3 h = f32::normalize(wi + wo);
             const double d = f32::lobe_D(lobe, p, h);
-            // An error of eps in the argument of exp or pow is |ln(D/D0)| eps of the value.
+            // An error of eps in the argument of exp or pow is an error of |ln(D/D0)| eps of the
+            // value.
             const double lost = 1 + std::abs(std::log(std::max(d, 1e-30) / lobe.projected_norm));
             const auto error = [&](float on_device_value, double wanted, double floor) {
                 return std::abs(on_device_value - wanted) / (std::abs(wanted) + floor) / lost;
             };
-            // Floors: below 1e-6 of the peak a value is 0 for any picture.
+            // Floors: a value below 1e-6 of the peak is invisible in any picture.
             worst.d = std::max(worst.d, error(device[i][0], d, 1e-6 * lobe.projected_norm));
             worst.f = std::max(worst.f, error(device[i][1], f32::brdf_eval(brdf, lobe, p, wi, wo),
                                               1e-5 * lobe.projected_norm));
@@ -151,8 +152,8 @@ TEST_F(Parity, EveryModelAgrees) {
     }
 }
 
-// The models that have no distribution. Phong with an exponent of 1,000: the chord between unit
-// vectors is rounded by 2^-24 against a lobe 0.03 wide, twice (the square), times |ln f|.
+// Models without a distribution. Phong with an exponent of 1,000: rounding of the chord between
+// unit vectors, 2^-24, relative to a lobe 0.03 wide, twice (the square), times |ln f|.
 TEST_F(Parity, ModelsWithoutADistributionAgree) {
     const auto device = on_device(f32::kMdfGgx, f32::kBrdfMicrofacet, f32::kMethodNone,
                                   "COSINE_POWERS", {0.3f, 0.3f});
@@ -165,13 +166,14 @@ TEST_F(Parity, ModelsWithoutADistributionAgree) {
         expect(device[i][0], f32::phong_eval(1.5f, 1000.0f, wi, wo), 1.5);
         expect(device[i][1], f32::lafortune_eval(1.5f, {-1.1f, -0.9f, 0.8f}, 20.0f, wi, wo), 1.5);
         expect(device[i][2], f32::ashikhmin_shirley_diffuse(0.6f, 0.3f, wi.z, wo.z), 0.1);
-        // With C = (-1, -1, 1) lafortune's lobe is phong's: both samplers, made on the device.
+        // With C = (-1, -1, 1) the lobe of lafortune is that of phong; the device makes both
+        // samplers.
         EXPECT_NEAR(device[i][3], 1.0f, 1e-4f) << i;
     }
 }
 
-// The same two under every method. As above, with 1e-5 of the power's own error: n = 60 times the
-// rounding of a dot product.
+// phong and lafortune under every method. As above, with 1e-5 for the error of the power: n = 60
+// times the rounding of a dot product.
 TEST_F(Parity, CosineLobesAgreeUnderEveryMethod) {
     const f32::CosineLobe phong = f32::cosine_lobe_make(f32::kBrdfPhong, -1.0f, {0, 0, 0}, 60.0f);
     const f32::CosineLobe own =
@@ -187,7 +189,7 @@ TEST_F(Parity, CosineLobesAgreeUnderEveryMethod) {
                 EXPECT_NEAR(found, wanted, 1e-5 * lost * wanted + 1e-6 * scale)
                     << i << " " << name_of(static_cast<Method>(method));
             };
-            // Horizons are sharp: which side of one a rounded cosine falls on is no error.
+            // Horizons are sharp: rounding decides the side of a cosine near 0.
             if (std::abs(f32::dot(p.n, wi)) < 1e-5f || std::abs(f32::dot(p.n, wo)) < 1e-5f)
                 continue;
             expect(device[i][0], f32::cosine_lobe_eval(phong, p, wi, wo), phong.ks);
@@ -198,7 +200,7 @@ TEST_F(Parity, CosineLobesAgreeUnderEveryMethod) {
     }
 }
 
-// Slopes to 4 of single precision; where an edge lies both say alike, for it is a comparison of
+// Slopes within 4 units of single precision. Edges agree exactly, because they are comparisons of
 // floats.
 TEST_F(Parity, WovenPointsAgree) {
     const auto device = on_device(f32::kMdfGgx, f32::kBrdfMicrofacet, f32::kMethodNone,
@@ -227,7 +229,7 @@ TEST_F(Parity, WidenedLobesAgree) {
             const f32::Lobe wide = f32::widen_lobe(lobe, inputs.wi[i][3] * inputs.wo[i][3] * 0.2f,
                                                    select * select * 0.2f);
             const float wanted[] = {wide.p0, wide.p1, wide.paper_norm, wide.projected_norm};
-            // Exponents down to 3 are a difference with 2.
+            // Exponents down to 3 are computed by subtracting 2.
             const float floor[] = {mdf == f32::kMdfAshikhminShirley ? 2.0f : 0.0f, 2.0f, 0.0f,
                                    0.0f};
             for (std::size_t k = 0; k < 4; ++k) {
@@ -238,7 +240,7 @@ TEST_F(Parity, WidenedLobesAgree) {
     }
 }
 
-// Each sample lies where the C++ text puts it, and its density is that of the C++ text.
+// Each sample has the direction and the density of the C++ text.
 TEST_F(Parity, SamplesAgree) {
     const glm::vec2 alpha(0.15f, 0.5f);
     for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
@@ -259,7 +261,8 @@ TEST_F(Parity, SamplesAgree) {
             }
             std::sort(errors.begin(), errors.end());
             std::sort(densities.begin(), densities.end());
-            // 99 %: the rest sit on a branch (select at a share of the mixture) or at the rim.
+            // 99 %: the other samples lie at a branch (select at a part of the mixture) or at the
+            // rim.
             const std::size_t most = kInputCount * 99 / 100;
             if (std::getenv("BURNISH_PRINT_PARITY") != nullptr) {
                 std::printf("sample %d %d: 99%% %.2e worst %.2e density 99%% %.2e worst %.2e\n",

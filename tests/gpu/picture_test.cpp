@@ -1,4 +1,4 @@
-// Where things are in the picture, and what must not change it: tiles, passes, mirrors, methods.
+// Positions in the picture, and invariance under tiles, passes, mirroring and methods.
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -64,7 +64,7 @@ TEST_F(Picture, FlatNormalMapMakesAllMethodsOne) {
     }
 }
 
-// What engines ship is wrong for anisotropic lobes alone: theirs take the isotropic path otherwise.
+// Engines are wrong for anisotropic lobes only, because isotropic lobes take a separate path there.
 TEST_F(Picture, NormalMapOnAnIsotropicMaterialIsTheRotatedLobe) {
     Scene scene = bumpy_sphere();
     const Environment environment = constant_environment({0.5f, 0.7f, 1.0f});
@@ -78,7 +78,7 @@ TEST_F(Picture, NormalMapOnAnIsotropicMaterialIsTheRotatedLobe) {
         return renderer.render(camera_on_z(), o);
     };
     const glm::vec2 isotropic(0.25f), brushed(0.4f, 0.15f);
-    // The software renderer repeats its own pictures to 1e-7: one rounding of the sum.
+    // The software renderer repeats its own pictures within 1e-7: one rounding of the sum.
     EXPECT_TRUE(close_pictures(drawn(Method::normal_map, isotropic),
                                drawn(Method::gram_schmidt, isotropic), 1e-2, 1e-6));
     EXPECT_GT(largest_difference(drawn(Method::normal_map, brushed),
@@ -108,8 +108,8 @@ TEST_F(Picture, TilesLeaveNoSeam) {
             difference += d;
             different += d > 1e-4 ? 1 : 0;
         }
-        // At the limb slivers of triangles are interpolated from another origin, and a sample of
-        // the environment may change sides of the horizon: a few values, seams nowhere.
+        // At the limb, slender triangles are interpolated from another origin, and a sample of the
+        // environment may change sides of the horizon: a few values differ, but seams do not show.
         EXPECT_LT(difference / sum, 1e-4);
         EXPECT_LT(different, 150 * 100 * 4 / 100);
     }
@@ -127,7 +127,7 @@ TEST_F(Picture, ForwardAndDeferredAreOnePicture) {
         sum += forward.pixels[i];
         difference += std::abs(forward.pixels[i] - deferred.pixels[i]);
     }
-    // Mips differ by the sixteenth of a level that the packed footprint is rounded to.
+    // Mips differ by 1/16 of a level, the rounding of the packed footprint.
     EXPECT_LT(difference / sum, 5e-3);
 }
 
@@ -177,7 +177,7 @@ TEST_F(Picture, TransparentBackgroundHoldsCoverage) {
     EXPECT_EQ(image.at(32, 32)[3], 1.0f);
 }
 
-// A mesh mirrored by its transform, with its texture mirrored too, is the mirrored picture.
+// A mesh mirrored by its transform, with a mirrored texture, gives the mirrored picture.
 TEST_F(Picture, MirroredTransformGivesTheMirroredPicture) {
     Scene scene = bumpy_sphere();
     scene.materials[0].lobe = AlphaLobe{{0.5f, 0.12f}};
@@ -202,12 +202,12 @@ TEST_F(Picture, MirroredTransformGivesTheMirroredPicture) {
             }
         }
         EXPECT_GT(sum, 1.0);
-        // Edges fall on the other side of pixel centres; tangents are packed to 7e-4 rad.
+        // Edges fall on the other side of pixel centers; tangents are packed to 7e-4 rad.
         EXPECT_LT(difference / sum, 0.01);
     }
 }
 
-// Mirrored UVs: u runs the other way and w is -1; the bump pattern runs the other way with it.
+// Mirrored UVs: u is reversed and w is -1; the bump pattern is reversed with it.
 TEST_F(Picture, MirroredTextureCoordinatesMirrorTheBumps) {
     Scene scene = one_object(unit_plane(), bumpy_material());
     const glm::vec3 n = glm::normalize(glm::vec3(0.3f, 0.2f, 1.0f));
@@ -259,7 +259,7 @@ TEST_F(Picture, MaskAndBlendFollowAlpha) {
     EXPECT_EQ(render(scene, small_picture(8, 8)).at(4, 4)[0], 1.0f);
     scene.materials[0].alpha_mode = AlphaMode::blend;
     EXPECT_NEAR(render(scene, small_picture(8, 8)).at(4, 4)[0], 0.4f, 1e-5f);
-    // A nearer blended plane, given first, is drawn last: 0.4 x 3 over 0.6 x 0.4.
+    // A nearer blended plane, first in the list, is drawn last: 0.4 x 3 over 0.6 x 0.4.
     scene.materials.push_back(scene.materials[0]);
     scene.materials[1].emissive = glm::vec3(3.0f);
     Instance near_plane;
@@ -287,7 +287,7 @@ TEST_F(Picture, BaseColorIsDecodedFromSrgb) {
 }
 
 TEST_F(Picture, TextureTransformsAndSetsArePerUse) {
-    // Left half red, right half green in one texture; emission reads it moved by half.
+    // The left half of a texture is red, the right half green; emission reads it shifted by half.
     Scene scene = one_object(unit_plane(), Material{});
     scene.textures.push_back(float_texture(2, 1, {{1, 0, 0}, {0, 1, 0}}));
     Material& m = scene.materials[0];
@@ -301,7 +301,7 @@ TEST_F(Picture, TextureTransformsAndSetsArePerUse) {
     const Image moved = render(scene, small_picture(16, 16));
     EXPECT_EQ(moved.at(5, 8)[1], 1.0f);
     EXPECT_EQ(moved.at(10, 8)[0], 1.0f);
-    m.occlusion_texture.texture = 0;  // another transform: textures are addressed one by one
+    m.occlusion_texture.texture = 0;  // another transform: each texture has coordinates of its own
     const Image separate = render(scene, small_picture(16, 16));
     EXPECT_TRUE(close_pictures(separate, moved, 1e-2, 1e-6));
 }
@@ -316,7 +316,7 @@ TEST_F(Picture, EsDrawsThePictureOfTheDesktop) {
         ASSERT_TRUE(es.is_es());
         gpu::Renderer renderer(es, scene, &environment);
         const Image image = renderer.render(camera_on_z(), o);
-        // Half-float normal map there, float here.
+        // The normal map is half float there and float here.
         EXPECT_TRUE(close_pictures(image, desktop, 0.1, 0.1));
         double sum = 0, difference = 0;
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {

@@ -1,4 +1,4 @@
-// --image-light prefiltered against importance sampling, and what occlusion and irradiance do.
+// --image-light prefiltered against importance sampling; the effect of occlusion; irradiance.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,8 @@ std::filesystem::path environment_folder() {
     return data_folder() / "environments";
 }
 
-// A white metal under a normal map of one texel, 45 degrees along (0.8, 0.6): normal_scale tilts.
+// A white metal under a normal map of one texel, 45 degrees along (0.8, 0.6); normal_scale sets the
+// tilt.
 Scene tilted_sphere() {
     Scene scene = one_object(uv_sphere(96, 48), Material{});
     const float s = std::sqrt(0.5f);
@@ -114,8 +115,8 @@ std::vector<EnvironmentUnderTest> environments_under_test() {
 
 class PrefilteredLight : public GpuTest {};
 
-// The budget of docs/evidence/performance.md: error a quarter of the bent normal's, both against 4,096
-// samples.
+// The budget of docs/evidence/performance.md: the error is at most a quarter of the bent normal's,
+// both against 4,096 samples.
 TEST_F(PrefilteredLight, ErrsAQuarterAsMuchAsBentNormals) {
     for (const auto& [environment, least] : environments_under_test()) {
         const char* name = environment.name.c_str();
@@ -140,7 +141,7 @@ TEST_F(PrefilteredLight, ErrsAQuarterAsMuchAsBentNormals) {
     }
 }
 
-// The deformations, whose energy and widths the look-ups follow: at a tilt of 30 degrees.
+// The deformations at a tilt of 30 degrees; the look-ups follow their energy and widths.
 TEST_F(PrefilteredLight, DeformationsErrLessThanBentNormals) {
     for (const auto& [environment, least] : environments_under_test()) {
         const char* name = environment.name.c_str();
@@ -160,9 +161,9 @@ TEST_F(PrefilteredLight, DeformationsErrLessThanBentNormals) {
     }
 }
 
-// phong and lafortune are round lobes about a direction, read in one place of the blurred map. What
-// that leaves, rms over what the picture shows, grows with the contrast of the environment: up to
-// 0.115 under the one, 0.202 under the other. Narrower and wider read-outs do worse there.
+// phong and lafortune are round lobes about a direction and take a single look-up in the blurred
+// map. The rms error over the picture grows with the contrast of the environment: up to 0.115 under
+// one, 0.202 under the other. Narrower and wider look-ups are worse there.
 TEST_F(PrefilteredLight, OnePlaceServesCosineLobes) {
     const std::filesystem::path folder = environment_folder();
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no sample data in " << folder;
@@ -188,7 +189,7 @@ TEST_F(PrefilteredLight, OnePlaceServesCosineLobes) {
     }
 }
 
-// Rotations keep the albedo, whatever the tilt: 1.5 % of the mean, and importance sampling in 128
+// Rotations preserve the albedo at any tilt: within 1.5 % of the mean. Importance sampling with 128
 // samples has 0.2 % of noise over the picture.
 TEST_F(PrefilteredLight, FurnaceAgreesWithImportanceSampling) {
     const Environment furnace = constant_environment(glm::vec3(1));
@@ -216,12 +217,13 @@ TEST_F(PrefilteredLight, FurnaceAgreesWithImportanceSampling) {
     for (const Brdf brdf : {Brdf::phong, Brdf::lafortune}) {
         check(brdf, Mdf::ggx, Method::gram_schmidt, 0.02);
     }
-    // No rotation: its gains and losses are not followed (docs/theory/image-light.md).
+    // Not a rotation: its gains and losses are not modeled (docs/theory/image-light.md).
     check(Brdf::microfacet, Mdf::ggx, Method::deform_linear, 0.2);
 }
 
-// The axis along which look-ups lie is undefined for a lobe seen round: nothing may jump there. The
-// sky changes by 1 a radian and a step turns the lobe by 0.02 radian at most.
+// The axis of the look-ups is undefined for a lobe that appears round, but the result must be
+// continuous there. The sky changes by 1 per radian, and a step rotates the lobe by at most 0.02
+// radian.
 TEST_F(PrefilteredLight, ChangesWithoutJumps) {
     const Environment sky = gradient_sky();
     Scene scene = tilted_sphere();
@@ -264,8 +266,8 @@ TEST_F(PrefilteredLight, HostileNormalsStayFiniteAndGainNothing) {
             scene.materials[0].lobe = AlphaLobe{alpha};
             scene.materials[0].method = static_cast<Method>(method);
             renderer.set_materials(scene.materials);
-            // The deformations do gain at steep tilts, as published: no more than the reference
-            // does.
+            // The deformations gain energy at steep tilts, as published: at most as much as the
+            // reference.
             float most = 1.02f;
             if (is_deformation(static_cast<Method>(method))) {
                 const Image truth = lit(renderer, ImageLight::importance, 256, 24);
@@ -281,7 +283,7 @@ TEST_F(PrefilteredLight, HostileNormalsStayFiniteAndGainNothing) {
     }
 }
 
-// GGX facing the view along its normal: G2/G1 averaged over the lobe, by quadrature in the slope.
+// GGX viewed along its normal: G2/G1 averaged over the lobe, by quadrature in the slope.
 TEST(AlbedoTable, AgreesWithQuadrature) {
     const std::vector<float> table = albedo_table(Brdf::microfacet, Mdf::ggx);
     const int n = kAlbedoAlphas;
@@ -291,7 +293,7 @@ TEST(AlbedoTable, AgreesWithQuadrature) {
     constexpr int kSteps = 20000;
     for (int i = 0; i < kSteps; ++i) {
         const double u = (i + 0.5) / kSteps;
-        const double tan_h = alpha * std::sqrt(u / (1 - u));  // of the half vector
+        const double tan_h = alpha * std::sqrt(u / (1 - u));  // tangent of the half vector's angle
         const double tan_i = std::tan(2 * std::atan(tan_h));
         if (tan_h >= 1) continue;  // wi below the horizon
         const double lambda = 0.5 * (std::sqrt(1 + alpha * alpha * tan_i * tan_i) - 1);
@@ -308,8 +310,8 @@ Material chalk() {
     return m;
 }
 
-// Only a disk of the sky shines: irradiance is its solid angle times the cosine, by quadrature over
-// its texels, and nowhere negative.
+// Only a disk of the sky shines. The irradiance is its solid angle times the cosine, by quadrature
+// over its texels, and nowhere negative.
 TEST_F(PrefilteredLight, IrradianceOfASun) {
     Environment sun = constant_environment(glm::vec3(0), 256);
     glm::dvec3 power(0);
@@ -327,7 +329,8 @@ TEST_F(PrefilteredLight, IrradianceOfASun) {
     gpu::Renderer renderer(*context, scene, &sun);
     RenderSettings o = small_picture(48, 48);
     o.image_light = ImageLight::prefiltered;
-    Camera camera = camera_on_z(40.0f, 1.0f);  // nearly parallel rays: the normal is the place
+    // Nearly parallel rays: the position gives the normal.
+    Camera camera = camera_on_z(40.0f, 1.0f);
     const Image white = renderer.render(camera, o);
     scene.materials[0].base_color = glm::vec4(0, 0, 0, 1);
     renderer.set_materials(scene.materials);
@@ -340,8 +343,8 @@ TEST_F(PrefilteredLight, IrradianceOfASun) {
             const glm::dvec3 n(nx, ny, std::sqrt(1 - nx * nx - ny * ny));
             const double through = 20.0 / 21.0 * (1 - std::pow(1 - n.z, 5.0));
             const double wanted = std::max(glm::dot(n, power), 0.0) / 3.14159265358979 * through;
-            // 3 % of the peak: where the sun sets, half of its 8 degrees is still seen (1 %), and
-            // look-ups are bilinear across the crease.
+            // 3 % of the peak: at the terminator half of the sun's 8 degrees is still visible (1
+            // %), and look-ups are bilinear across the crease.
             const double found = double{white.at(x, y)[0]} - black.at(x, y)[0];
             EXPECT_NEAR(found, wanted, 0.03 * peak);
             EXPECT_GE(found, -1e-4 * peak);
@@ -373,7 +376,7 @@ TEST_F(Occlusion, HalvesDiffuseImageLight) {
     EXPECT_LT(middle(plate(chalky, 0.0f), &furnace), 1e-3);
 }
 
-// The rule of shade.glsl, worked out here: head-on, alpha 0.5, occlusion 0.3.
+// The rule of shade.glsl evaluated here: normal incidence, alpha 0.5, occlusion 0.3.
 TEST_F(Occlusion, DimsReflectionsByItsRule) {
     const Environment furnace = constant_environment(glm::vec3(1));
     Material metal;

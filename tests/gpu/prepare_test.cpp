@@ -1,5 +1,5 @@
-// Long preparations: done off the frame, cancelled at any step, failed; the renderer then draws
-// what it drew.
+// Long preparations: completed before a frame, cancelled at any step, or failed. The renderer then
+// draws the same picture as before.
 #include <functional>
 #include <set>
 #include <string>
@@ -17,7 +17,8 @@ using gpu::Renderer;
 
 class Prepare : public GpuTest {
   protected:
-    // Everything that is prepared: blurred environment, albedo tables, shadow on the ground.
+    // Settings that need every kind of preparation: blurred environment, albedo tables, ground
+    // shadow.
     static RenderSettings costly() {
         RenderSettings o = small_picture(40, 30, 1);
         o.image_light = ImageLight::prefiltered;
@@ -36,7 +37,7 @@ class Prepare : public GpuTest {
     }
 
     // Calls `work` with a progress that is cancelled at its first step, then at its second, and so
-    // on until it is done; `check` after each. Returns the stages.
+    // on until `work` completes; calls `check` after each. Returns the stages.
     static std::set<std::string> cancel_everywhere(const std::function<void(const Progress&)>& work,
                                                    const std::function<void()>& check) {
         std::set<std::string> stages;
@@ -51,7 +52,7 @@ class Prepare : public GpuTest {
                 token);
             try {
                 work(progress);
-                return stages;  // cancelled at its last step or not: it was done
+                return stages;  // it completed, whether cancelled at its last step or not
             } catch (const Interrupted&) {
             }
             check();
@@ -75,7 +76,7 @@ TEST_F(Prepare, CancelledAnywhereLeavesTheSeriesInProgress) {
     EXPECT_TRUE(stages.contains("shaders"));
     EXPECT_TRUE(stages.contains("blurred environment"));
     EXPECT_TRUE(stages.contains("shadow on the ground"));
-    // Once prepared, no frame compiles or makes anything.
+    // After preparation no frame compiles or makes anything.
     const std::size_t compiled = context->programs().size();
     renderer.begin(camera(), costly());
     const Image found = sample(renderer);

@@ -1,4 +1,4 @@
-// Whatever goes in, pictures are finite and errors are words.
+// Any input gives finite pictures or error messages.
 #include <cmath>
 #include <limits>
 
@@ -102,7 +102,7 @@ TEST_F(Robustness, MeshesWithoutDirectionsStayFinite) {
     expect_finite(scene, "a vertex nowhere");
 }
 
-// Found by the soak: coverage beyond any number, whose filtered differences were NaN.
+// Huge coverage values, whose filtered differences would be NaN, are limited.
 TEST_F(Robustness, CoverageStaysAShareOfThePixel) {
     Scene scene = lit_sphere();
     scene.materials[0].alpha_mode = AlphaMode::blend;
@@ -210,7 +210,8 @@ TEST_F(Robustness, InterruptsStopARender) {
     });
     EXPECT_THROW(renderer.render(camera_on_z(), small_picture(8, 8, 64), progress), Interrupted);
     EXPECT_EQ(steps, 3);
-    EXPECT_EQ(renderer.render(camera_on_z(), small_picture(8, 8)).width, 8);  // and it works again
+    // The renderer still works.
+    EXPECT_EQ(renderer.render(camera_on_z(), small_picture(8, 8)).width, 8);
 }
 
 }  // namespace

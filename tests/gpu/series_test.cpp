@@ -70,7 +70,8 @@ TEST_F(Series, EndsAtThePictureOfRender) {
         renderer.add_sample();
         EXPECT_EQ(renderer.samples_done(), i);
     }
-    // The number of lights is a constant in one shader and a uniform in the other: rounding.
+    // The number of lights is a constant in one shader and a uniform in the other, so rounding
+    // differs.
     EXPECT_TRUE(close_pictures(renderer.picture(), wanted, 1e-2, 1e-4));
 }
 
@@ -133,7 +134,7 @@ TEST_F(Series, BeginsAnewAfterAnEdit) {
     scene_.materials[1].base_color = {1, 0, 0, 1};
     renderer.update_material(1, scene_.materials[1]);
     EXPECT_EQ(renderer.samples_done(), 0);
-    EXPECT_TRUE(equal_pictures(renderer.picture(), before));  // until there is a sample
+    EXPECT_TRUE(equal_pictures(renderer.picture(), before));  // until the first sample
     renderer.add_sample();
     EXPECT_EQ(renderer.samples_done(), 1);
     Renderer fresh(*context, scene_, &sky_);
@@ -157,7 +158,8 @@ TEST_F(Series, OfAnotherNumberOfLightsCompilesNothing) {
         const Image found = renderer.picture();
         Renderer fresh(*context, scene_, &sky_);
         EXPECT_TRUE(close_pictures(found, fresh.render(camera(), o), 1e-2, 1e-4)) << lights;
-        compiled = context->programs().size();  // render's are for its number of lights
+        // The programs of render are for its number of lights.
+        compiled = context->programs().size();
     }
 }
 

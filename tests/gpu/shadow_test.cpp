@@ -1,4 +1,4 @@
-// Shadows of punctual lights: where geometry puts them, and nowhere else.
+// Shadows of punctual lights: at their geometric positions, and nowhere else.
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -42,12 +42,12 @@ class Shadows : public GpuTest {
         return renderer.render(camera, o);
     }
 
-    // The box of the pixels that shadows darken by half, in world coordinates.
+    // The box of the pixels that a shadow darkens by more than half, in world coordinates.
     static glm::vec4 darkened(const Image& lit, const Image& shadowed) {
         int low_x = kSide, high_x = 0, low_y = kSide, high_y = 0;
         for (int y = 0; y < kSide; ++y) {
             for (int x = 0; x < kSide; ++x) {
-                // Outside a spot's cone there is no light to be shadowed.
+                // No light to be shadowed outside the cone of a spot.
                 if (lit.at(x, y)[0] < 1e-4f) continue;
                 if (shadowed.at(x, y)[0] > 0.5f * lit.at(x, y)[0]) continue;
                 low_x = std::min(low_x, x);
@@ -72,7 +72,7 @@ class Shadows : public GpuTest {
 };
 
 TEST_F(Shadows, OfADirectionalLightFallAside) {
-    // Light from (1, 0, 1): the shadow of z = 0.5 lies 0.5 to the left.
+    // Light from (1, 0, 1): the shadow of the square at z = 0.5 lies 0.5 to the left.
     expect_shadow(plate_and_blocker(), directional({1, 0, 1}), {-0.75f, -0.25f, -0.25f, 0.25f});
 }
 
@@ -87,7 +87,8 @@ Light lamp(LightType type) {
     return light;
 }
 
-// From (1.5, 0, 2) z = 0.5 is thrown on z = 0 by a factor of 4/3: x to 1.5 + (x - 1.5) 4/3.
+// From (1.5, 0, 2) the square at z = 0.5 is projected on z = 0 with a scale of 4/3: x to 1.5 + (x -
+// 1.5) 4/3.
 TEST_F(Shadows, OfPointLightsAndSpotsGrow) {
     const glm::vec4 box(-0.8333f, -0.1667f, -0.3333f, 0.3333f);
     expect_shadow(plate_and_blocker(), lamp(LightType::point), box);
@@ -103,13 +104,13 @@ TEST_F(Shadows, LeaveLitPixelsAlone) {
         EXPECT_LE(shadowed.pixels[i], lit.pixels[i] * 1.001f + 1e-6f);
         same += std::abs(shadowed.pixels[i] - lit.pixels[i]) < 1e-3f * lit.pixels[i] ? 1 : 0;
     }
-    // The shadow is 0.25 of 16 square metres; the pixel filter widens its edge, 64
-    // pixels long, to some four pixels.
+    // The shadow has 0.25 of 16 square meters. The pixel filter widens its edge, 64 pixels long, to
+    // about four pixels.
     EXPECT_GT(same, static_cast<int>(0.96 * kSide * kSide));
 }
 
-// Lit from 80 degrees beside the view: no acne where the light is more than 6 degrees above the
-// surface. Below that the triangles themselves turn away before their interpolated normals do.
+// Light at 80 degrees to the view: no acne where the light is more than 6 degrees above the
+// surface. Below that, triangles face away from the light before their interpolated normals do.
 TEST_F(Shadows, ASphereDoesNotShadowItsLitSide) {
     Material matt;
     matt.lobe = AlphaLobe{{0.6f, 0.6f}};
@@ -139,7 +140,7 @@ TEST_F(Shadows, ASphereDoesNotShadowItsLitSide) {
     }
 }
 
-// More maps are wanted than there are: the last lights cast no shadow, and nothing breaks.
+// With more lights than maps, the last lights cast no shadow, and nothing fails.
 TEST_F(Shadows, ManyLightsOfEveryKindRender) {
     Scene scene = plate_and_blocker();
     for (int i = 0; i < 16; ++i) {

@@ -1,5 +1,5 @@
-// The whole of a surface on the device, in float and in double: one text (shading/), three compilers. What
-// is compared is surface_words.glsl, which all three read.
+// A whole surface on the device, in float and in double: one text (shading/), three compilers. The
+// compared values are those of surface_words.glsl, which all three compile.
 #include <fstream>
 #include <iterator>
 
@@ -7,7 +7,7 @@
 #include "device_values.hpp"
 #include "support/paths.hpp"
 
-// In this order.
+// The order is significant.
 // clang-format off
 namespace burnish::f32 {
 #include "shading/prelude_begin.hpp"
@@ -139,8 +139,9 @@ Four four_of(const Row& row) {
     return {{double{row[0]}, double{row[1]}, double{row[2]}, double{row[3]}}};
 }
 
-// The share of inputs that may differ by more than a bound: rounding decides on which side of an edge they
-// lie (the horizon of n~, the rim of a deformation, the part of a mixture).
+// The error at the quantile `share`. The remaining inputs may differ by more than the bound,
+// because rounding decides the side of an edge (the horizon of n~, the rim of a deformation, the
+// part of a mixture).
 double at_share(std::vector<double> errors, double share) {
     std::sort(errors.begin(), errors.end());
     return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
@@ -221,8 +222,8 @@ TEST_F(SurfaceParity, EveryWordAgrees) {
                         at_share(to_single, 0.995), at_share(to_single, 1),
                         at_share(to_double, 0.995), at_share(to_double, 1));
         }
-        // Measured: 1.7e-5 and 1.9e-5 (a normal of two channels, whose z is the root of a difference);
-        // 9e-5 in the worst input.
+        // Measured: 1.7e-5 and 1.9e-5 (a normal of two channels, whose z is the root of a
+        // difference); 9e-5 in the worst input.
         EXPECT_LT(at_share(to_single, 0.995), 5e-5) << word;
         EXPECT_LT(at_share(to_double, 0.995), 6e-5) << word;
         EXPECT_LT(at_share(to_single, 1), 3e-4) << word;

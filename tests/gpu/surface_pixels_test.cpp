@@ -1,4 +1,4 @@
-// Pixels that the renderer draws against surface_eval on the CPU: one plane under one light, every method
+// Pixels of the renderer against surface_eval on the CPU: one plane under one light, every method
 // with every kind of lobe, diffuse and specular together.
 #include <array>
 #include <cmath>
@@ -25,8 +25,9 @@ constexpr std::array<unsigned char, 3> kTexel = {160, 105, 230};  // a tilt of 2
 constexpr float kRotation = 0.4f;
 const glm::vec3 kTowards(0.5f, 0.1f, 1.0f);
 
-// Relative, beside 0.01. Measured on llvmpipe: 8e-7 at most, and 2.7e-5 for tables, whose places the CPU
-// finds here by atan2 and the shader by its polynomial; three to four times that.
+// Relative errors, plus 0.01 absolute. Measured on llvmpipe: at most 8e-7; 2.7e-5 for tables, whose
+// places the CPU computes here by atan2 and the shader by its polynomial. The bounds are three to
+// four times that.
 constexpr double kBound = 3e-6, kTableBound = 1e-4;
 
 vec3 of(glm::vec3 v) {
@@ -37,7 +38,7 @@ vec2 at_angle(float angle) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-// Codes of 8 bits: the CPU knows what the texture holds to the last bit.
+// 8-bit codes, so that the CPU has the texture's values exactly.
 Texture normal_texel() {
     Texture t;
     t.name = "one normal";
@@ -70,7 +71,7 @@ Material material_of(Brdf brdf, Mdf mdf, Method method) {
     return m;
 }
 
-// What the CPU is asked at a point of the plane.
+// Arguments of the CPU's evaluation at a point of the plane.
 struct Point {
     f32::SurfaceMaterial surface;
     f32::Perturbation p;
@@ -78,7 +79,7 @@ struct Point {
     vec3 wi, wo;
 };
 
-// `stretch`: of the lobe's x axis from the tangent; `n`: against the plane's own axes.
+// `stretch`: direction of the lobe's x axis relative to the tangent; `n`: in the plane's axes.
 Point point_of(const Material& m, const f32::SurfaceMaterial& surface, vec3 n, vec2 stretch,
                bool grooves_along_x, vec3 wi, vec3 wo) {
     Point point;
@@ -185,7 +186,7 @@ TEST_F(SurfacePixels, TabulatedUnderEveryMethod) {
         surface.diffuse = {0.25f, 0.125f, 0.5f};
         surface.specular = {0.5f, 0.25f, 0.75f};
         const float groove = method == f32::kMethodFollowGrain ? kGroove : 0.0f;
-        // The library's own look-ups: by angles.
+        // The look-ups of the library, by angles.
         const auto area = [&](vec3 w) {
             const float l = f32::length(w), c = std::cos(groove), s = std::sin(groove);
             return l * ndf_area_lookup(areas.data(), (w.x * c - w.y * s) / l,
@@ -206,7 +207,7 @@ TEST_F(SurfacePixels, TabulatedUnderEveryMethod) {
     }
 }
 
-// A yarn at a point: its fibres are the stretch, its surface the normal.
+// A yarn at a point: the direction of its fibers is the stretch, its normal the perturbed normal.
 TEST_F(SurfacePixels, YarnsUnderEveryMethod) {
     for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
         for (const Brdf brdf : {Brdf::microfacet, Brdf::phong}) {

@@ -1,6 +1,6 @@
-// What surface_parity_test.cpp compares between GLSL, float and double: dialect text like that of
-// shading/, compiled by all three. a, b: unit directions above the surface; n: unit, tilted to 53 degrees;
-// xi, select: uniform in [0, 1).
+// Functions that surface_parity_test.cpp compares between GLSL, float and double: dialect text like
+// that of shading/, compiled by all three. a, b: unit directions above the surface; n: unit, tilted
+// by up to 53 degrees; xi, select: uniform in [0, 1).
 
 // ---- whole surfaces --------------------------------------------------------------------------------
 
@@ -43,7 +43,7 @@ FN Float parity_pdf(SurfaceMaterial m, int method, vec3 a, vec3 b, vec3 n, vec2 
     return surface_pdf(m, parity_perturbation(m, method, n), parity_values(xi, select), a, b);
 }
 
-// The zero vector where the draw is thrown away.
+// The zero vector for a rejected draw.
 FN vec3 parity_direction(SurfaceMaterial m, int method, vec3 a, vec3 b, vec3 n, vec2 xi,
                          Float select) {
     Bool drawn = false;

@@ -1,5 +1,5 @@
-// Tabulated materials made in code, and what they reflect by a second derivation: tables read and
-// integrated here in double, nothing of src/scene/ndf_grid.cpp or shaders/.
+// Tabulated materials made in code, and their reflection by a second derivation: tables are
+// interpolated and integrated here in double, without src/scene/ndf_grid.cpp or shaders/.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ inline f64::vec3 direction_of(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-// One table read bilinearly in (u, phi), and its parts for integrals.
+// One table with bilinear interpolation in (u, phi), and its parts for integrals.
 class ReferenceTable {
   public:
     ReferenceTable(const NdfGrid& grid, const float* table) : grid_(grid), table_(table) {
@@ -65,7 +65,7 @@ class ReferenceTable {
     std::vector<std::pair<f64::vec3, double>> parts_;
 };
 
-// A GGX lobe as a table, scaled to a mass of 1 by the parts of the reference.
+// A GGX lobe as a table, normalized to a mass of 1 by the parts of the reference.
 inline std::vector<float> ggx_table(const NdfGrid& grid, double alpha_x, double alpha_y,
                                     double turn = 0) {
     const f64::Lobe lobe = f64::lobe_from_alpha(f64::kMdfGgx, alpha_x, alpha_y);
@@ -82,7 +82,7 @@ inline std::vector<float> ggx_table(const NdfGrid& grid, double alpha_x, double 
     return table;
 }
 
-// width x height texels of no exemplar, black, flat.
+// A flat, black material of width x height texels without exemplars.
 inline TabulatedMaterial blank_material(const NdfGrid& grid, int width, int height) {
     TabulatedMaterial m;
     m.grid = grid;
@@ -105,7 +105,7 @@ inline void add_exemplar(TabulatedMaterial& m, const std::vector<float>& table, 
     ++m.exemplars;
 }
 
-// Radiance under unit irradiance from wi, times the cosine: f cos of one texel, green.
+// f cos of one texel, green channel: radiance under unit irradiance from wi, times the cosine.
 inline double reflected_by_texel(const TabulatedMaterial& m, const ReferenceTable& table,
                                  std::size_t texel, int method, f64::vec3 wi, f64::vec3 wo) {
     const std::size_t exemplar = m.exemplar[texel];

@@ -1,6 +1,6 @@
-// Tabulated materials on the device: look-ups and draws against the tables, pictures against an
-// evaluation of our own, against the analytic lobe that a table was made of, and from afar against
-// pictures drawn much larger.
+// Tabulated materials on the device: look-ups and draws against the tables; pictures against a
+// separate evaluation, against the analytic lobe of a table, and at a distance against pictures
+// drawn much larger.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -62,7 +62,7 @@ void main() {
 
 class TabulatedLookUp : public GpuTest {
   protected:
-    // Five, which lie in two columns; number 3 is looked at.
+    // Five exemplars, whose blocks lie in two columns; the tests read number 3.
     TabulatedMaterial five() const {
         TabulatedMaterial m = blank_material({24, 80}, 2, 1);
         for (int i = 0; i < 3; ++i) add_exemplar(m, ggx_table(m.grid, 0.5, 0.5), 0);
@@ -127,22 +127,23 @@ TEST_F(TabulatedLookUp, IsThatOfTheTables) {
         const auto [x, y, z, none] = inputs[i];
         const float theta = std::atan2(std::hypot(x, y), z);
         const float u = std::sqrt(theta * 2 / kPiF);
-        // 2e-5: rounding of the place in the table, times its steepest slope.
+        // 2e-5: rounding of the position in the table, times the steepest slope.
         EXPECT_NEAR(values[i][0], ndf_lookup(m.grid, m.table(3), u, std::atan2(y, x)),
                     2e-5F * peak);
         EXPECT_NEAR(values[i][1], ndf_area_lookup(areas.data(), x, y, z), 1e-5F);
-        EXPECT_NEAR(values[i][2], 3 * values[i][1], 1e-5F);  // of degree one
+        EXPECT_NEAR(values[i][2], 3 * values[i][1], 1e-5F);  // homogeneous of degree one
     }
 }
 
-// E[f(h) / p(h)] is the integral of f over the hemisphere, here of D cos and of a broader function,
-// by even points; the integrals by quadrature of our own.
+// E[f(h) / p(h)] is the integral of f over the hemisphere, here for D cos and for a broader
+// function. Draws from stratified points; the integrals by a separate quadrature.
 TEST_F(TabulatedLookUp, DrawsHaveTheDensityThatTheySay) {
     const TabulatedMaterial m = five();
     const ReferenceTable table(m.grid, m.table(3));
     std::vector<std::array<float, 4>> inputs;
     for (int i = 0; i < kSide * kSide; ++i) {
-        // The third: which part of a mixture, evenly and regardless of the others.
+        // The third number selects the part of a mixture, uniformly and independently of the
+        // others.
         inputs.push_back({(static_cast<float>(i % kSide) + 0.5f) / kSide,
                           (static_cast<float>(i / kSide) + 0.5f) / kSide,
                           static_cast<float>(i * 2654435769.0 / 4294967296.0 -
@@ -174,7 +175,7 @@ TEST_F(TabulatedLookUp, DrawsHaveTheDensityThatTheySay) {
             found[0] += static_cast<double>(D) * weight;
             found[1] += static_cast<double>(std::sqrt(D)) * weight;
         }
-        // A mixture is drawn as by chance, the rest by even points.
+        // A mixture is sampled randomly, other lobes by stratified points.
         const double bound = method == f64::kMethodNormalMap ? 0.05 : 0.015;
         EXPECT_NEAR(found[0] / exact[0], 1, bound) << method;
         EXPECT_NEAR(found[1] / exact[1], 1, 2 * bound) << method;
@@ -183,7 +184,7 @@ TEST_F(TabulatedLookUp, DrawsHaveTheDensityThatTheySay) {
 
 // --- pictures against our own evaluation ---------------------------------------------------------
 
-// 4 x 3 texels of three exemplars, angles, colours and tilts, one of them not measured.
+// 4 x 3 texels of three exemplars, with angles, colors and tilts; one texel is not measured.
 TabulatedMaterial patchwork() {
     TabulatedMaterial m = blank_material({32, 96}, 4, 3);
     add_exemplar(m, ggx_table(m.grid, 0.4, 0.4), 0);
@@ -207,7 +208,7 @@ TabulatedMaterial patchwork() {
     return m;
 }
 
-// What a pixel of the plane shows: the four texels about its middle.
+// Radiance of a pixel of the plane: that of the four texels about its middle.
 double expected_at(const TabulatedMaterial& m, const std::vector<ReferenceTable>& tables,
                    int method, f64::vec3 at, f64::vec3 wi, f64::vec3 wo) {
     const double x = (at.x + 1) / 2 * m.width - 0.5, y = (at.y + 1) / 2 * m.height - 0.5;
@@ -262,18 +263,19 @@ TEST_P(TabulatedPicture, IsThatOfOurOwnEvaluation) {
     std::printf("%s: mean error %.2g of the mean, worst %.2g\n",
                 std::string(name_of(static_cast<Method>(GetParam()))).c_str(), mean_error / mean,
                 worst);
-    // What the nodes of the areas are off, twice, at angles to 70 degrees.
+    // Twice the error of the interpolated areas, at angles up to 70 degrees.
     EXPECT_LT(worst, 0.02);
     EXPECT_LT(mean_error / mean, 0.004);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, TabulatedPicture, testing::Range(0, 9));
 
-// Up close and from afar, where the shape of the pixel says which texels it sees; from a slant, so
-// that the shape is no square. A lamp with a place beside the directional one needs positions too.
+// Magnified and minified, where the shape of the pixel selects its texels. The view is oblique, so
+// that the shape is not square. A lamp with a position, beside the directional light, needs
+// positions too.
 class TabulatedDeferred : public GpuTest {
   protected:
-    // Mean difference over the mean.
+    // Ratio of the mean difference to the mean.
     double difference(float repeats, bool placed) {
         Scene scene = one_object(unit_plane(), surface_of(patchwork(), Method::follow_grain));
         scene.materials[0].normal_texture.transform =
@@ -310,7 +312,7 @@ TEST_F(TabulatedDeferred, IsThePictureThatForwardShadingDraws) {
             const double d = difference(repeats, placed);
             std::printf("%g repeats, %s: %.2g\n", static_cast<double>(repeats),
                         placed ? "a lamp with a place" : "directional", d);
-            // The tangent is packed to 7e-4 rad, and lobes here are no narrower than 0.2.
+            // The tangent is packed to 7e-4 rad, and no lobe here is narrower than 0.2.
             EXPECT_LT(d, 3e-3) << repeats;
         }
     }
@@ -320,7 +322,7 @@ TEST_F(TabulatedDeferred, IsThePictureThatForwardShadingDraws) {
 
 class TabulatedGgx : public GpuTest {
   protected:
-    // A sphere of the lobe, as a metal that reflects everything, and of its table.
+    // A sphere with the lobe, as a metal with reflectance 1, and one with the table of the lobe.
     Scene sphere(bool tabulated, Method method, bool bumps) const {
         Material material;
         material.metallic = 1.0f;
@@ -351,7 +353,7 @@ class TabulatedGgx : public GpuTest {
         return renderer.render(camera_on_z(4.0f, 1.1f), o);
     }
 
-    // Mean difference over the mean.
+    // Ratio of the mean difference to the mean.
     static double difference(const Image& a, const Image& b) {
         double sum = 0, level = 0;
         for (std::size_t i = 1; i < a.pixels.size(); i += 4) {
@@ -363,8 +365,8 @@ class TabulatedGgx : public GpuTest {
 };
 
 TEST_F(TabulatedGgx, UnderLampsIsTheLobe) {
-    // normal-map reads the elevation about n~ where GGX's shape takes x and y of the surface's own
-    // frame: no table can be that.
+    // normal-map takes the elevation about n~, but x and y in the frame of the surface, in the
+    // shape of GGX; no table can represent that.
     for (const Method method :
          {Method::none, Method::gram_schmidt, Method::rotate_exact, Method::rotate_arc,
           Method::follow_grain, Method::deform_linear, Method::deform_smooth}) {
@@ -384,7 +386,7 @@ TEST_F(TabulatedGgx, UnderAnEnvironmentIsTheLobe) {
     for (const Method method :
          {Method::none, Method::follow_grain, Method::rotate_exact, Method::deform_linear}) {
         const bool bumps = method != Method::none;
-        // Both are noisy: 64 samples of 16.
+        // Both pictures have the noise of 64 samples of 16 look-ups.
         const double d = difference(drawn(sphere(false, method, bumps), &sky, 64),
                                     drawn(sphere(true, method, bumps), &sky, 64));
         std::printf("%s: %.2g\n", std::string(name_of(method)).c_str(), d);
@@ -407,7 +409,7 @@ TEST_F(TabulatedGgx, ShortcutsAreRefused) {
 
 // --- from afar -----------------------------------------------------------------------------------
 
-// Texels a side, and how much larger the truth is drawn: 2 to 4 of its pixels a texel.
+// Texels a side, and the scale of the reference: 2 to 4 of its pixels per texel.
 struct Checker {
     int texels, factor;
 };
@@ -418,7 +420,7 @@ void PrintTo(const Checker& c, std::ostream* out) {
 
 class TabulatedFromAfar : public GpuTest, public testing::WithParamInterface<Checker> {};
 
-// Green of a picture `factor` times as large, through the renderer's own pixel filter.
+// Green channel of a picture `factor` times as large, filtered by the renderer's pixel filter.
 Image through_triangle(const Image& large, int factor) {
     Image small(large.width / factor, large.height / factor, 1);
     for (int y = 0; y < small.height; ++y) {
@@ -440,7 +442,7 @@ Image through_triangle(const Image& large, int factor) {
     return small;
 }
 
-// A checker of two exemplars a quarter turn apart, 4 to 8 and 16 to 32 texels a pixel.
+// A checkerboard of two exemplars, 90 degrees apart, with 4 to 8 and 16 to 32 texels per pixel.
 TEST_P(TabulatedFromAfar, IsTheMeanOverTexels) {
     const auto [texels, factor] = GetParam();
     TabulatedMaterial m = blank_material({32, 96}, texels, texels);
@@ -467,7 +469,7 @@ TEST_P(TabulatedFromAfar, IsTheMeanOverTexels) {
         const Image image = reduced(renderer.render(camera, small_picture(side, side, samples)), 1);
         double squares = 0, sum = 0, level = 0;
         int count = 0;
-        // Within the plane: at its edges a pixel of the large picture is in or out.
+        // Inside the plane: at its edges a pixel of the large picture is either covered or not.
         for (int y = 8; y < 24; ++y) {
             for (int x = 8; x < 24; ++x, ++count) {
                 const double found = static_cast<double>(*image.at(x, y));
