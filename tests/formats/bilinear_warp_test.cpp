@@ -1,5 +1,5 @@
-// The warp against its definition: areas under the bilinear density by quadrature, nothing of the
-// warp's own tables.
+// The warp against its definition: areas under the bilinear density by quadrature, without the
+// tables of the warp.
 #include "formats/bsdf/bilinear_warp.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::vector<float> random_table(unsigned seed, std::size_t slices) {
     return values;
 }
 
-// The bilinear function of one slice, not scaled.
+// The bilinear function of one slice, without normalization.
 double literal(std::span<const float> values, std::size_t slice, double x, double y) {
     const double cx = x * (kColumns - 1), cy = y * (kRows - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(cx), kColumns - 2);
@@ -37,8 +37,8 @@ double literal(std::span<const float> values, std::size_t slice, double x, doubl
            ty * ((1 - tx) * node(0, 1) + tx * node(1, 1));
 }
 
-// Integral over [0, x] x [0, y] by midpoints: exact but in the steps that a node of the table falls
-// into, some 5e-6 of the whole.
+// Integral over [0, x] x [0, y] by the midpoint rule: exact except in steps that contain a node of
+// the table, about 5e-6 of the total.
 double area(std::span<const float> values, std::size_t slice, double x, double y) {
     constexpr int kSteps = 480;
     double sum = 0;
@@ -54,7 +54,7 @@ TEST(BilinearWarp, TheSecondNumberIsTheShareOfTheAreaBelow) {
     const double all = area(values, 0, 1, 1);
     for (const double y : {0.1, 0.33, 0.5, 0.77, 0.98}) {
         const Warped back = warp.invert({}, 0.4, y);
-        EXPECT_NEAR(back.y, area(values, 0, 1, y) / all, 1e-5) << y;  // of the midpoint rule
+        EXPECT_NEAR(back.y, area(values, 0, 1, y) / all, 1e-5) << y;  // error of the midpoint rule
         EXPECT_NEAR(back.density, literal(values, 0, 0.4, y) / all, 1e-4 * back.density);
     }
 }
@@ -105,7 +105,7 @@ TEST(BilinearWarp, BetweenSlicesTheDensityIsTheMean) {
 
 TEST(BilinearWarp, WhereThereIsNoDensityNothingIsDrawn) {
     std::vector<float> values(kColumns * kRows, 0.0F);
-    values[2 * kColumns + 3] = 1.0F;  // a tent around one node
+    values[2 * kColumns + 3] = 1.0F;  // a tent about one node
     const BilinearWarp warp(values, kColumns, kRows);
     for (int i = 0; i <= 50; ++i)
         for (int j = 0; j <= 50; ++j) {

@@ -68,7 +68,7 @@ TEST(Studio, ABoxStandsWhereItWasPut) {
     EXPECT_NEAR(ahead_and_up.v, 0.25, 1e-3);
 }
 
-// A pyramid with apex angles a and b fills 4 asin(sin(a/2) sin(b/2)) steradians.
+// A pyramid with apex angles a and b subtends 4 asin(sin(a/2) sin(b/2)) steradians.
 TEST(Studio, ABoxFillsItsSolidAngle) {
     for (const auto& [a, b] : {std::pair{60.0f, 40.0f}, {20.0f, 20.0f}, {120.0f, 10.0f}}) {
         const double half_a = static_cast<double>(a) * pi / 360.0;
@@ -96,7 +96,7 @@ TEST(Studio, IsWellExposedAndSmooth) {
             ASSERT_TRUE(std::isfinite(value));
             brightest = std::max(brightest, value);
             darkest = std::min(darkest, value);
-            // Rows near the poles are squeezed: their texels are far apart in u for one direction.
+            // Rows near the poles are excluded: one direction spans many texels of u there.
             if (std::abs(y - 255) > 150) continue;
             steepest = std::max(steepest, std::abs(value - *map.at((x + 1) % map.width, y)));
         }
@@ -104,7 +104,7 @@ TEST(Studio, IsWellExposedAndSmooth) {
     EXPECT_GT(brightest, 5.0f);
     EXPECT_LT(brightest, 15.0f);
     EXPECT_GT(darkest, 0.0f) << "no metal is black in a room";
-    // A hard edge would step by the whole 12 from one texel to the next.
+    // A hard edge would change by the full 12 between adjacent texels.
     EXPECT_LT(steepest, 0.85f * brightest);
 }
 
@@ -168,7 +168,7 @@ TEST(Environment, RealOnes) {
             load_environment((test::sample_data() / "environments" / name).string());
         EXPECT_EQ(e.radiance.width, 1024);
         EXPECT_GT(*std::max_element(e.radiance.pixels.begin(), e.radiance.pixels.end()), 10.0f);
-        // Outdoors and indoors alike, it is brighter above than below.
+        // Every environment is brighter above the horizon than below.
         const Moments m = moments_of(e.radiance);
         EXPECT_LT(m.v, 0.5);
     }

@@ -1,4 +1,4 @@
-// The bytes of glTF files: accessors of every kind, and EXT_meshopt_compression.
+// The bytes of glTF files: accessors of every type, and EXT_meshopt_compression.
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
@@ -18,7 +18,7 @@ using test::error_of;
 using test::load_bytes;
 using test::writer_of;
 
-// Every component type, normalised or not, with a stride.
+// Every component type, normalized or not, with a stride.
 template <class Component>
 void expect_component(int code, bool normalized, float scale) {
     const std::array<Component, 12> raw = {0, 0, 1, 99, 2, 0, 1, 99, 0, 2, 100, 99};
@@ -101,7 +101,7 @@ TEST(GltfAccessors, SparseReplacesSomeElements) {
     square.positions[8] = values[1];
     EXPECT_EQ(load_bytes(writer).meshes.at(0).positions, square.positions);
 
-    accessor.erase("bufferView");  // zeros under the sparse ones
+    accessor.erase("bufferView");  // zeros, which the sparse values replace
     std::vector<glm::vec3> zeros(9, glm::vec3(0.0f));
     zeros[1] = values[0];
     zeros[8] = values[1];
@@ -152,7 +152,7 @@ TEST(GltfAccessors, BrokenOnesAreErrors) {
     EXPECT_NE(broken("/accessors/1/count", 3).find("as POSITION has"), std::string::npos);
     EXPECT_NE(broken("/meshes/0/primitives/0/indices", 9).find("accessor"), std::string::npos);
     EXPECT_NE(broken("/meshes/0/primitives/0/material", 0).find("material"), std::string::npos);
-    // No bytes at all behind four billion zeros.
+    // Four billion zeros without any bytes.
     GlbWriter writer = good;
     writer.root["accessors"][0].erase("bufferView");
     writer.root["accessors"][0]["count"] = huge;
@@ -160,7 +160,7 @@ TEST(GltfAccessors, BrokenOnesAreErrors) {
     EXPECT_NE(error_of(writer).find("in proportion to the file"), std::string::npos);
 }
 
-// Puts a compressed copy of view `index` in place of its bytes; the buffer it names holds nothing.
+// Replaces the bytes of view `index` by a compressed copy; the buffer that it names is empty.
 void compress_view(GlbWriter& writer, int index, std::span<const unsigned char> bytes,
                    std::size_t stride, std::size_t count, const char* mode, const char* filter) {
     const int copy = writer.add_view(std::as_bytes(bytes));
@@ -225,7 +225,7 @@ TEST(GltfMeshopt, AttributesTrianglesAndFilters) {
         EXPECT_NEAR(mesh.texcoord0[i].y, square.texcoord0[i].y, 1e-5f);
         EXPECT_NEAR(mesh.normals[i].z, 1.0f, 1e-4f);
     }
-    // The codec may turn triangles round but not over.
+    // The codec may rotate the corners of a triangle but not reverse their order.
     ASSERT_EQ(mesh.indices.size(), square.indices.size());
     for (std::size_t c = 0; c < mesh.indices.size(); c += 3) {
         const glm::vec3 a = mesh.positions[mesh.indices[c]];
@@ -282,7 +282,8 @@ TEST(GltfMeshopt, Quaternions) {
         std::array<std::int16_t, 4> raw;
         std::memcpy(raw.data(), out.data() + 8 * i, 8);
         const glm::vec4 found = glm::vec4(raw[0], raw[1], raw[2], raw[3]) / 32767.0f;
-        EXPECT_NEAR(std::abs(glm::dot(found, rotations[i])), 1.0f, 1e-4f);  // q and -q are one
+        // Q and -q are the same rotation.
+        EXPECT_NEAR(std::abs(glm::dot(found, rotations[i])), 1.0f, 1e-4f);
     }
 }
 

@@ -1,5 +1,5 @@
-// Broken and malicious glTF files: whatever comes in, either an Error of one line or a sound scene
-// comes out. Meant to be run under the address and undefined-behaviour sanitizers as well.
+// Broken and malicious glTF files: every input gives either an Error of one line or a valid scene.
+// These tests are useful under the address and undefined-behavior sanitizers too.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 using test::error_line;
 
-// Everything a renderer relies on.
+// Checks every property that a renderer relies on.
 void expect_sound(const Scene& scene) {
     const auto inside = [](int index, std::size_t size) {
         return index >= 0 && static_cast<std::size_t>(index) < size;
@@ -63,7 +63,7 @@ void expect_sound(const Scene& scene) {
     }
 }
 
-// Returns whether it was loaded.
+// Returns whether the file was loaded.
 bool attempt(const std::filesystem::path& path) {
     try {
         expect_sound(load_gltf(path));
@@ -75,7 +75,7 @@ bool attempt(const std::filesystem::path& path) {
     return false;
 }
 
-// A file that has something of everything.
+// A file with every kind of element.
 GlbWriter rich_writer() {
     GlbWriter writer;
     const int texture = writer.add_png(png_gradient(3, 3));
@@ -144,7 +144,7 @@ TEST(GltfHostile, FlippedBytesNeverCrash) {
     for (unsigned seed = 0; seed < 300; ++seed) {
         std::mt19937 random(seed);
         std::vector<std::byte> bytes = whole;
-        // Half of them in header and JSON, half in the binary chunk.
+        // Half of the changes are in header and JSON, half in the binary chunk.
         const std::size_t first = seed % 2 == 0 ? 0 : json_bytes;
         const std::size_t end = seed % 2 == 0 ? json_bytes : bytes.size();
         for (unsigned k = 0; k < 1 + seed % 5; ++k)
@@ -153,7 +153,7 @@ TEST(GltfHostile, FlippedBytesNeverCrash) {
     }
 }
 
-// All places of a document, leaves and containers.
+// Collects the pointers to all values of a document, leaves and containers.
 void collect(const json& value, const json::json_pointer& here,
              std::vector<json::json_pointer>& out) {
     out.push_back(here);
@@ -231,7 +231,7 @@ TEST(GltfHostile, DeepAndEndlessJson) {
     std::string many = head + "[0";
     for (int i = 0; i < 5000000; ++i) many += ",0";
     EXPECT_NE(error_of_text(many + "]}").find("values"), std::string::npos);
-    // Brackets inside texts do not count.
+    // Brackets inside strings do not count.
     const TemporaryFolder folder;
     EXPECT_NO_THROW(
         load_gltf(folder.write("model.gltf", head + "\"" + std::string(1000, '[') + "\\\"" +

@@ -132,8 +132,8 @@ TEST(GltfMaterials, TextureTransform) {
     primitive["attributes"]["TEXCOORD_1"] = primitive["attributes"]["TEXCOORD_0"];
     const TextureUse use = load_bytes(writer).materials[0].normal_texture;
     EXPECT_EQ(use.texcoord, 1);
-    // Scaled to (2, 0), then turned counter-clockwise as seen in the picture, whose v runs down:
-    // from u towards -v. Then moved.
+    // Scaled to (2, 0), then rotated counter-clockwise in the picture, whose v runs down: from u
+    // towards -v. Then translated.
     const glm::vec3 uv = use.transform * glm::vec3(1.0f, 0.0f, 1.0f);
     EXPECT_NEAR(uv.x, 0.25f, 1e-6f);
     EXPECT_NEAR(uv.y, 0.5f - 2.0f, 1e-6f);
@@ -146,14 +146,14 @@ TEST(GltfMaterials, TexturesWithoutCoordinatesAreDropped) {
     GlbWriter writer = writer_with(
         {{"normalTexture", {{"index", 0}}},
          {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}}});
-    Scene scene = load_bytes(writer);  // the square has TEXCOORD_0 alone
+    Scene scene = load_bytes(writer);  // the square has only TEXCOORD_0
     EXPECT_TRUE(warns(scene, "no TEXCOORD_1: not used: base colour texture"));
     const auto used = [&] {
         return scene.materials[static_cast<std::size_t>(scene.instances.at(0).material)];
     };
     EXPECT_FALSE(used().base_color_texture);
     EXPECT_TRUE(used().normal_texture);
-    EXPECT_TRUE(scene.materials[0].base_color_texture);  // the file's own is as it was
+    EXPECT_TRUE(scene.materials[0].base_color_texture);  // the file's own material is unchanged
 
     writer.root["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
     scene = load_bytes(writer);
@@ -198,7 +198,7 @@ TEST(GltfMaterials, BrokenOnesAreErrors) {
 
 TEST(GltfMaterials, BrokenPicturesAreErrorsThatNameThem) {
     GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}}}});
-    writer.root["bufferViews"][0]["byteLength"] = 40;  // the PNG's
+    writer.root["bufferViews"][0]["byteLength"] = 40;  // shorter than the PNG
     EXPECT_NE(error_of(writer).find("images[0]"), std::string::npos);
     writer.root["textures"][0]["source"] = 3;
     EXPECT_NE(error_of(writer).find("textures[0].source"), std::string::npos);
@@ -248,7 +248,7 @@ GlbWriter writer_with_light(const json& light, const json& node) {
 
 TEST(GltfLights, ArePlacedInTheWorld) {
     const float h = std::sqrt(0.5f);
-    // Turned by -90 degrees about x: what looked along -z looks down.
+    // Rotated by -90 degrees about x: the direction -z becomes down.
     const json node = {
         {"translation", {1, 2, 3}}, {"rotation", {-h, 0, 0, h}}, {"scale", {5, 5, 5}}};
     const json light = {{"type", "spot"},
@@ -294,7 +294,7 @@ TEST(GltfCameras, LookAlongMinusZOfTheirNode) {
     const Scene scene = load_bytes(writer);
     ASSERT_EQ(scene.cameras.size(), 2u);
     EXPECT_EQ(scene.cameras[0].position, glm::vec3(0.5f, 0.5f, 4.0f));
-    EXPECT_EQ(scene.cameras[0].target, glm::vec3(0.5f, 0.5f, 0.0f));  // the square's centre
+    EXPECT_EQ(scene.cameras[0].target, glm::vec3(0.5f, 0.5f, 0.0f));  // the center of the square
     EXPECT_EQ(scene.cameras[0].up, glm::vec3(0.0f, 1.0f, 0.0f));
     EXPECT_EQ(scene.cameras[0].yfov, 0.8f);
     EXPECT_EQ(scene.cameras[0].near_plane, 0.1f);

@@ -1,4 +1,4 @@
-// What the tests of glTF files share: write, load, look.
+// Functions that tests of glTF files share: write, load, inspect.
 #pragma once
 
 #include <string>

@@ -118,7 +118,7 @@ TEST(Gltf, StripsAndFansUnfold) {
 TEST(Gltf, MissingNormalsAreFlat) {
     GlbPrimitive primitive;
     primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    primitive.tangents.assign(4, {0, 1, 0, 1});  // without normals these are void
+    primitive.tangents.assign(4, {0, 1, 0, 1});  // tangents without normals are ignored
     primitive.indices = {0, 1, 2, 0, 3, 1};
     const Scene scene = load_bytes(writer_of(primitive));
     const Mesh& mesh = scene.meshes.at(0);
@@ -168,7 +168,8 @@ TEST(Gltf, IndicesAndPositionsAreChecked) {
 TEST(Gltf, NodesCompose) {
     GlbWriter writer;
     const int mesh = writer.add_mesh(unit_square(1, true));
-    // child (matrix: moved by x) of parent (turned by 90 degrees about z, scaled, moved).
+    // child (matrix: translated by x) of parent (rotated by 90 degrees about z, scaled,
+    // translated).
     const float h = std::sqrt(0.5f);
     writer.root["nodes"] = {
         {{"translation", {0, 0, 5}},
@@ -181,13 +182,13 @@ TEST(Gltf, NodesCompose) {
     const Scene scene = load_bytes(writer);
     ASSERT_EQ(scene.instances.size(), 1u);
     const glm::vec4 p = scene.instances[0].transform * glm::vec4(1.0f, 1.0f, 1.0f, 1.0f);
-    // (11, 1, 1) scaled (22, 3, -1), turned (-3, 22, -1), moved (-3, 22, 4).
+    // (11, 1, 1), scaled (22, 3, -1), rotated (-3, 22, -1), translated (-3, 22, 4).
     EXPECT_NEAR(p.x, -3.0f, 1e-4f);
     EXPECT_NEAR(p.y, 22.0f, 1e-4f);
     EXPECT_NEAR(p.z, 4.0f, 1e-4f);
-    writer.root.erase("scene");  // then the first one, which is empty
+    writer.root.erase("scene");  // selects the first scene, which is empty
     EXPECT_TRUE(warns(load_bytes(writer), "nothing to draw"));
-    writer.root.erase("scenes");  // then all roots
+    writer.root.erase("scenes");  // selects all roots
     EXPECT_EQ(load_bytes(writer).instances.size(), 1u);
 }
 
@@ -253,7 +254,7 @@ TEST(Gltf, SampleModelsLoad) {
         const char* path;
         std::size_t instances, triangles, textures;
     };
-    // Triangles as drawn, counted from the files' accessors; textures by colour space.
+    // Triangles as drawn, counted from the files' accessors; textures by color space.
     const Expected expected[] = {
         {"models/AnisotropyRotationTest/glTF-Binary/AnisotropyRotationTest.glb", 11, 13876, 6},
         {"models/AnisotropyRotationTest/glTF/AnisotropyRotationTest.gltf", 11, 13876, 6},

@@ -50,7 +50,7 @@ TEST(Obj, ReadsPositionsNormalsAndCoordinates) {
     ASSERT_EQ(mesh.positions.size(), 3u);
     EXPECT_EQ(mesh.positions[1], glm::vec3(2.0f, 0.0f, 0.0f));
     EXPECT_EQ(mesh.normals[0], glm::vec3(0.0f, 0.0f, 1.0f));
-    EXPECT_EQ(mesh.texcoord0[0], glm::vec2(0.0f, 1.0f));  // v runs down here
+    EXPECT_EQ(mesh.texcoord0[0], glm::vec2(0.0f, 1.0f));  // v runs down in Mesh
     EXPECT_EQ(mesh.tangents[0], glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
     EXPECT_TRUE(scene.warnings.empty());
 }
@@ -77,7 +77,7 @@ TEST(Obj, SmoothingGroups) {
     ASSERT_EQ(flat.meshes.at(0).positions.size(), 24u);
     for (const glm::vec3 n : flat.meshes[0].normals)
         EXPECT_NEAR(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), 1.0f, 1e-6f);
-    // Bottom and top are one group each, the walls another: 8 + 8 vertices.
+    // Bottom and top are a group each, the walls a third: 8 + 8 vertices.
     const Scene groups = load_text(std::string(kCube) +
                                    "s 1\nf 1 4 3 2\ns 2\nf 5 6 7 8\ns 3\nf 1 2 6 5\nf 2 3 7 6\n"
                                    "f 3 4 8 7\nf 4 1 5 8\n");
@@ -91,7 +91,7 @@ TEST(Obj, ContinuedLinesCommentsAndOddEndings) {
     EXPECT_EQ(scene.meshes[0].positions[2], glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
-// Found by the fuzzer: names with a carriage return broke the line of the warning.
+// A carriage return in a name must not break the line of the warning.
 TEST(Obj, WarningsAreOneLineWhateverTheNames) {
     const Scene scene =
         load_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nusemtl cloth\rof gold\nf 1//1 2//1 3//1\n");
@@ -121,7 +121,7 @@ TEST(Obj, HostileInputIsALineOfError) {
         EXPECT_TRUE(warns(scene, "nothing to draw"));
     }
     EXPECT_TRUE(warns(load_text(vertices + "l 1 2\nf 1 2 3\n"), "lines and points"));
-    // A normal that is not there is made, a coordinate that is not there is 0.
+    // A missing normal is computed; a missing texture coordinate is 0.
     EXPECT_EQ(load_text(vertices + "vt 0 0\nf 1/9/9 2/1/7 3/1/-8\n").meshes.at(0).normals[0],
               glm::vec3(0.0f, 0.0f, 1.0f));
 }
@@ -181,7 +181,7 @@ TEST(Mtl, MaterialsAndTextures) {
     EXPECT_EQ(phong.metallic, 0.0f);
     EXPECT_NEAR(gltf_lobe_of(phong)->roughness, std::sqrt(std::sqrt(2.0f / 32.0f)), 1e-6f);
     ASSERT_TRUE(phong.base_color_texture);
-    EXPECT_FALSE(phong.normal_texture);  // a height map is no normal map
+    EXPECT_FALSE(phong.normal_texture);  // a height map is not a normal map
     EXPECT_TRUE(warns(scene, "map_Bump"));
     const Material& pbr = scene.materials[1];
     EXPECT_EQ(gltf_lobe_of(pbr)->roughness, 0.3f);
@@ -210,7 +210,7 @@ TEST(Mtl, MissingOrOutsideLibrariesAreWarnings) {
 }
 
 TEST(Polygon, ConcaveOutlinesKeepTheirAreaAndDirection) {
-    // A comb in the plane x + y + z = 0, so that no coordinate plane is special.
+    // A comb in the plane x + y + z = 0, which favors no coordinate plane.
     const glm::vec3 u = glm::normalize(glm::vec3(1, -1, 0));
     const glm::vec3 v = glm::normalize(glm::vec3(1, 1, -2));
     const glm::vec2 outline[] = {{0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {5, 1}, {5, 3}, {4, 3},
@@ -228,12 +228,12 @@ TEST(Polygon, ConcaveOutlinesKeepTheirAreaAndDirection) {
         EXPECT_GT(part, 0.0);
         area += part;
     }
-    EXPECT_NEAR(area, 7.0 + 4.0 * 2.0, 1e-4);  // the back and four teeth
+    EXPECT_NEAR(area, 7.0 + 4.0 * 2.0, 1e-4);  // the back of the comb and four teeth
 }
 
 TEST(Polygon, QuadrilateralsAreCutInside) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    // An arrow head: only the diagonal from the notch (3) is inside.
+    // An arrow head: only the diagonal from the notch (corner 3) is inside.
     triangulate({{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}}, triangles);
     ASSERT_EQ(triangles.size(), 2u);
     for (const auto& t : triangles) EXPECT_TRUE(t[0] == 3 || t[1] == 3 || t[2] == 3);
@@ -261,7 +261,7 @@ TEST(Obj, TeapotLoads) {
     if (data.empty()) GTEST_SKIP() << "no sample data (set BURNISH_DATA)";
     const Scene scene = load_model((data / "meshes" / "teapot_wdas.obj").string());
     ASSERT_EQ(scene.meshes.size(), 1u);
-    // 6400 triangles in the file, 80 of which use a vertex twice (at the lid and the bottom).
+    // 6400 triangles in the file; 80 of them use a vertex twice (at the lid and the bottom).
     EXPECT_EQ(scene.meshes[0].indices.size(), 3u * 6320u);
     for (const glm::vec3 n : scene.meshes[0].normals) EXPECT_NEAR(glm::length(n), 1.0f, 1e-5f);
 }

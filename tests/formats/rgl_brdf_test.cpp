@@ -1,5 +1,4 @@
-// The reader of measured materials, on files whose values are known in closed form and on broken
-// ones.
+// The reader of measured materials on files with values in closed form, and on broken files.
 #include "formats/bsdf/rgl_brdf.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +43,8 @@ Dir random_direction(std::mt19937& generator) {
 
 // ---- files whose values are known ---------------------------------------------------------------
 
-// f cos(theta_i) = colour D(h) / (4 sigma(wo)) at incident directions of the file; the tables of D
-// and sigma, 128 nodes to a side, are within 1 % of D at half that alpha's width.
+// f cos(theta_i) = color D(h) / (4 sigma(wo)) at incident directions of the file. The tables of D
+// and sigma, with 128 nodes a side, are within 1 % of D for lobes half as wide as that alpha.
 void expect_known_values(const KnownMaterial& material) {
     const RglBrdf brdf = parse(material);
     std::mt19937 generator(1);
@@ -81,13 +80,13 @@ TEST(RglBrdf, AnisotropicValuesAreThoseWritten) {
     expect_known_values(material);
 }
 
-// Azimuths of which the file has a half or a quarter, against the whole.
+// Files with a half or a quarter of the azimuths against the whole circle.
 TEST(RglBrdf, SymmetryFillsTheCircle) {
     KnownMaterial whole;
     whole.surface = {0.5, 0.25};
     whole.phis = 9;
     whole.thetas = 3;
-    // Not even in x or y, so that a mirror cannot pass for a half turn.
+    // Odd in x and y, so that a mirror image differs from a half turn.
     whole.color = [](double x, double y) { return std::array{0.2 + x, 0.2 + y, 0.5}; };
     KnownMaterial half = whole;
     half.phis = 5;
@@ -134,7 +133,7 @@ TEST(RglBrdf, ThePdfIsThatOfVisibleNormals) {
         for (int k = 0; k < 50; ++k) {
             const Dir wo = towards(material.theta(t), 0.3), wi = random_direction(generator);
             const Dir h = normalize(wi + wo);
-            if (std::acos(h.z) < 0.1) continue;  // the first cells of a table in u, where D u^3
+            if (std::acos(h.z) < 0.1) continue;  // first cells of a table in u, with D u^3
             const double expected =
                 material.surface.D(plain(h)) / (4 * material.surface.sigma(plain(wo)));
             EXPECT_NEAR(brdf.pdf(wi, wo), expected, 0.02 * expected) << t;
@@ -156,15 +155,15 @@ TEST(RglBrdf, TheParameterisationInvertsItself) {
         const Dir h = brdf.normal_at(wo, square, density);
         EXPECT_NEAR(length(h), 1, 1e-12);
         const auto back = brdf.square_of(h, wo);
-        // Sines and arcs between there and back, steepened by the density: some 1e6 in u.
+        // Rounding of sines and arcs in both directions, times the density: about 1e6 in u.
         EXPECT_NEAR(back[0], square[0], 1e-8);
         EXPECT_NEAR(back[1], square[1], 1e-8);
         EXPECT_GT(density, 0);
     }
 }
 
-// Colour is looked up at the place in the square: for a table that is x and y themselves, eval
-// gives the place of the half vector back.
+// The color is looked up at the position in the square. For a table of x and y themselves, eval
+// returns the position of the half vector.
 TEST(RglBrdf, ColorIsLookedUpInTheSquare) {
     KnownMaterial material;
     material.color = [](double x, double y) { return std::array{x, y, 1.0}; };
@@ -182,7 +181,7 @@ TEST(RglBrdf, ColorIsLookedUpInTheSquare) {
 TEST(RglBrdf, SpectralFilesBecomeColors) {
     KnownMaterial material;
     for (int w = 360; w <= 1000; w += 5) material.wavelengths.push_back(static_cast<float>(w));
-    const RglBrdf brdf = parse(material);  // 0.8 at every wavelength: grey
+    const RglBrdf brdf = parse(material);  // 0.8 at every wavelength: gray
     EXPECT_EQ(brdf.wavelengths(), material.wavelengths.size());
     const Dir wi = towards(0.4, 1), wo = towards(kPi / 14, 0);
     KnownMaterial gray;
@@ -200,7 +199,7 @@ TEST(RglBrdf, BelowTheHorizonThereIsNothing) {
     double density = 1;
     brdf.sample(down, {0.5, 0.5}, density);
     EXPECT_EQ(density, 0);
-    for (const double z : {1.0, 1e-3, 1e-9, 1e-300}) {  // up to the horizon and at the normal
+    for (const double z : {1.0, 1e-3, 1e-9, 1e-300}) {  // up to the horizon, and at the normal
         const Dir w{std::sqrt(1 - z * z), 0, z};
         EXPECT_TRUE(std::isfinite(brdf.eval(w, up)[0]) && std::isfinite(brdf.eval(up, w)[0]));
         EXPECT_TRUE(std::isfinite(brdf.pdf(w, up)) && std::isfinite(brdf.pdf(up, w)));
@@ -259,7 +258,7 @@ TEST(RglBrdfHostile, ShapesMustFitOneAnother) {
     part(parts, "ndf").shape = {36};
     expect_words(refusal(parts), {"ndf", "rank 2", "rank 1"});
     parts = tiny().parts();
-    part(parts, "rgb").type = 5;  // uint32: as many bytes
+    part(parts, "rgb").type = 5;  // uint32 has the same size
     expect_words(refusal(parts), {"rgb", "float32", "uint32"});
 }
 
@@ -306,7 +305,7 @@ TEST(RglBrdfHostile, DescriptionsStayOnOneLine) {
 
 // ---- colour -------------------------------------------------------------------------------------
 
-// CIE 015: the white point of D65 for the 2 degree observer; the fits are good to 0.003.
+// CIE 015: the white point of D65 for the 2 degree observer; the fits are within 0.003.
 TEST(SpectralRgb, DaylightHasItsColor) {
     double sum[3] = {};
     for (int w = 380; w <= 780; ++w) {
@@ -328,7 +327,7 @@ TEST(SpectralRgb, WhiteIsWhiteWhateverTheWavelengths) {
     }
 }
 
-// Bands of light look as they are called.
+// Spectral bands have the color of their name.
 TEST(SpectralRgb, BandsHaveTheirColors) {
     std::vector<float> waves;
     for (int w = 380; w <= 780; w += 5) waves.push_back(static_cast<float>(w));

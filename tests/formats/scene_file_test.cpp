@@ -1,4 +1,4 @@
-// Scene files as data: what they say, and what is refused.
+// Scene files as data: their meaning, and the errors for invalid files.
 #include "burnish/scene_file.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::string example_of_the_manual() {
     return text.substr(start, text.find("```", start) - start);
 }
 
-// A scene file around `members`.
+// A scene file with `members`.
 std::string scene_of(const std::string& members) {
     return R"({"format": "burnish-scene", "version": 1, )" + members + "}";
 }
@@ -61,7 +61,7 @@ TEST(SceneFile, ManualsExampleLoads) {
     EXPECT_DOUBLE_EQ(layer(1).values.real("roughness"), 0.6);
     EXPECT_FALSE(layer(1).values.is_set("metal"));
     EXPECT_TRUE(scene.textures.empty()) << "nothing that values name is read here";
-    // The plane faces +z; turned by -90 degrees about x it faces +y.
+    // The plane faces +z; rotated by -90 degrees about x it faces +y.
     const glm::vec3 up(scene.instances[1].transform * glm::vec4(0, 0, 1, 0));
     EXPECT_NEAR(up.y, 1.5f, 1e-5f);
 }
@@ -245,8 +245,8 @@ TEST(SceneFile, DeepNestingAndHugeNumbersOfBracketsAreRefused) {
     }
 }
 
-// Every beginning of a good file, and the file with random bytes changed: an error or a scene,
-// never anything else. Deterministic.
+// Every prefix of a valid file, and the file with random bytes changed, gives an error or a scene.
+// Deterministic.
 TEST(SceneFile, SurvivesDamage) {
     const ScratchFolder folder;
     const std::string good = scene_of(

@@ -1,4 +1,4 @@
-// Files of tabulated materials: what is written comes back, and nothing broken or hostile gets in.
+// Files of tabulated materials: round trips, and errors for broken or hostile files.
 #include "burnish/tabulated_material.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@
 namespace burnish::test {
 namespace {
 
-// Colours that half floats hold.
+// Colors that half floats represent exactly.
 float color_of(int i) {
     return static_cast<float>(i % 17) / 32.0F;
 }
@@ -112,14 +112,14 @@ TEST(TabulatedMaterialFile, WhatIsWrittenComesBack) {
     const TabulatedMaterial read = read_tabulated_material(folder / "m.exr");
     expect_equal(read, m);
     EXPECT_EQ(read.table(1)[3], m.D[static_cast<std::size_t>(m.grid.cells()) + 3]);
-    // And once more: what was read is written alike.
+    // A second round trip: the material that was read is written unchanged.
     write_tabulated_material(folder / "again.exr", read);
     expect_equal(read_tabulated_material(folder / "again.exr"), m);
 }
 
 TEST(TabulatedMaterialFile, ManyExemplarsLieBesideOneAnother) {
     const ScratchFolder folder;
-    // In one row they would be 96,000 pixels wide, in one column 48,000 high.
+    // One row would be 96,000 pixels wide, one column 48,000 high.
     TabulatedMaterial m = sample_material(1, {48, 96});
     m.exemplars = 1000;
     const std::vector<float> one = m.D;
@@ -134,8 +134,8 @@ TEST(TabulatedMaterialFile, ManyExemplarsLieBesideOneAnother) {
     write_tabulated_material(folder / "m.exr", m);
     const TabulatedMaterial read = read_tabulated_material(folder / "m.exr");
     expect_equal(read, m);
-    // Any viewer shows the parts; the image reader takes the first picture's leading channels only
-    // when they are colours, which these are not.
+    // Any viewer shows the parts. The image reader takes the first picture's leading channels only
+    // when they are colors, and these are not.
     EXPECT_TRUE(is_image_file(folder / "m.exr"));
     const auto parts = read_image_parts(folder / "m.exr");
     ASSERT_EQ(parts.size(), 3U);
@@ -158,7 +158,7 @@ TEST(TabulatedMaterialFile, OtherFilesAreNone) {
               std::string::npos);
 }
 
-// Each fault is refused on writing, with the place in the line, and leaves no file.
+// Each invalid material is rejected on writing, with its place in the error, and leaves no file.
 TEST(TabulatedMaterialFile, FaultsAreNamed) {
     const ScratchFolder folder;
     struct Fault {
@@ -200,7 +200,7 @@ TEST(TabulatedMaterialFile, FaultsAreNamed) {
     }
 }
 
-// Files that our writer would not make.
+// Files that our writer never makes.
 TEST(TabulatedMaterialFile, HostilePartsAreRefused) {
     const ScratchFolder folder;
     write_tabulated_material(folder / "good.exr", sample_material());
@@ -243,7 +243,7 @@ TEST(TabulatedMaterialFile, HostilePartsAreRefused) {
     });
 }
 
-// Truncated anywhere, flipped anywhere: an error of one line or the material, never anything else.
+// Files truncated or changed at any byte give an error of one line or the material.
 TEST(TabulatedMaterialFile, BrokenBytesAreSurvived) {
     const ScratchFolder folder;
     write_tabulated_material(folder / "good.exr", sample_material());
@@ -293,7 +293,7 @@ TEST(TabulatedMaterialFile, ABsdfIsOneExemplar) {
             const double read = static_cast<double>(
                 ndf_lookup(m.grid, m.table(0), ndf_u(static_cast<float>(std::cos(theta))),
                            static_cast<float>(phi)));
-            // The file's grid of 64 nodes a side over the square.
+            // The file has a grid of 64 nodes a side over the square.
             EXPECT_NEAR(read, exact, 0.02 * peak) << theta << " " << phi;
         }
     }

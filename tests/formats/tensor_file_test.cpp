@@ -1,4 +1,4 @@
-// The container: what a sound file holds, and one line for each way in which one can be broken.
+// The container: the contents of a valid file, and one error line for each kind of broken file.
 #include "formats/bsdf/tensor_file.hpp"
 
 #include <gtest/gtest.h>
@@ -33,14 +33,14 @@ std::vector<TensorPart> two_parts() {
     return {floats_part("table", {2, 3}, values), bytes_part("note", "hello")};
 }
 
-// Puts a number over the bytes at `at`.
+// Overwrites the bytes at `at` by a number.
 template <typename Number>
 std::string patched(std::string text, std::size_t at, Number value) {
     const char* bytes = reinterpret_cast<const char*>(&value);
     return text.replace(at, sizeof value, bytes, sizeof value);
 }
 
-// Places in the first entry of two_parts(), whose name has 5 letters.
+// Offsets in the first entry of two_parts(), whose name has 5 letters.
 constexpr std::size_t kCountAt = 14, kNameAt = 20, kRankAt = 25, kTypeAt = 27, kOffsetAt = 28,
                       kSizeAt = 36;
 
@@ -84,7 +84,7 @@ TEST(TensorFile, NamesWhatIsWrong) {
 
 TEST(TensorFile, DataMayNotOverlap) {
     const std::string sound = tensor_text(two_parts());
-    // Into the table of contents, and onto the note behind it.
+    // Offsets into the table of contents, and onto the note after it.
     expect_words(refusal(patched<std::uint64_t>(sound, kOffsetAt, 14)),
                  {"\"table\"", "table of contents"});
     const std::uint64_t end = sound.size() - 5;

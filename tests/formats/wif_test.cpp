@@ -1,4 +1,4 @@
-// WIF files against drafts worked out by hand, back and forth, and what is refused.
+// WIF files against drafts computed by hand, round trips, and errors.
 #include "burnish/wif.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using test::error_line;
 using test::ScratchFolder;
 
-// Sections by name; a test changes one and leaves the others.
+// Sections by name, so that a test can change one of them.
 using Sections = std::map<std::string, std::string>;
 
 // Three ends on three shafts, three picks, by treadles.
@@ -46,11 +46,11 @@ std::string complaint(const std::string& text) {
     const ScratchFolder folder;
     const auto path = folder.write("cloth.wif", text);
     std::string line = error_line([&] { read_wif(path); });
-    EXPECT_EQ(line.find(path.string()), 0u) << line;  // names the file first
+    EXPECT_EQ(line.find(path.string()), 0u) << line;  // starts with the file's name
     return line.substr(std::min(line.size(), path.string().size()));
 }
 
-// Rows from the bottom, as the picks come: "#.." is an end up and two down.
+// Rows from the bottom, in the order of picks: "#.." is one end up and two down.
 std::string drawn(const Draft& draft) {
     std::string text;
     for (int pick = 0; pick < draft.picks; ++pick) {
@@ -67,7 +67,8 @@ bool has(const std::vector<std::string>& warnings, const std::string& part) {
 }
 
 TEST(Wif, TreadlesMoveTheShaftsTheyAreTiedTo) {
-    // By hand: pick 1 lifts shafts 1 2, pick 2 shaft 3, pick 3 shafts 1 3; end n is on shaft n.
+    // By hand: pick 1 lifts shafts 1 and 2, pick 2 shaft 3, pick 3 shafts 1 and 3; end n is on
+    // shaft n.
     const WifFile file = read(text_of(small()));
     EXPECT_EQ(drawn(file.draft), "##. ..# #.# ");
     EXPECT_EQ(file.draft.name, "cloth");
@@ -90,7 +91,7 @@ TEST(Wif, ASinkingShedShowsTheOtherFace) {
 
 TEST(Wif, SeveralTreadlesSeveralShaftsAndNone) {
     Sections sections = small();
-    sections["THREADING"] = "3=3\n1=1,2\n";      // end 2 on no shaft, end 1 on two; any order
+    sections["THREADING"] = "3=3\n1=1,2\n";      // end 2 on no shaft, end 1 on two; in any order
     sections["TREADLING"] = "1=2,1\n2=0\n3=\n";  // both; none; none
     const WifFile file = read(text_of(sections));
     EXPECT_EQ(drawn(file.draft), "#.# ... ... ");
@@ -107,7 +108,7 @@ TEST(Wif, ALiftPlanNamesTheShaftsItself) {
     const WifFile file = read(text_of(sections));
     EXPECT_EQ(drawn(file.draft), "#.. .## ### ");
     EXPECT_TRUE(file.has_liftplan);
-    // Beside a treadling it must say the same.
+    // A lift plan beside a treadling must agree with it.
     sections = small();
     sections["LIFTPLAN"] = "1=1,2\n2=3\n3=1,3\n";
     EXPECT_EQ(drawn(read(text_of(sections)).draft), "##. ..# #.# ");
@@ -127,10 +128,10 @@ TEST(Wif, LettersLineEndsCommentsAndOtherSectionsDoNotMatter) {
         "Title=A cloth; mine\n\x1A";
     const WifFile file = read(text);
     EXPECT_EQ(drawn(file.draft), "##. ..# #.# ");
-    EXPECT_EQ(file.draft.name, "A cloth; mine");  // words keep their semicolons
+    EXPECT_EQ(file.draft.name, "A cloth; mine");  // free text keeps its semicolons
 }
 
-// Values are as free in case as keys, and may have a comment behind them.
+// Values ignore case, like keys, and may be followed by a comment.
 TEST(Wif, WordsMayBeInAnyCaseAndCommented) {
     Sections sections = small();
     sections["WIF"] = "Version=1.1 ; of 1997\n";
@@ -153,13 +154,13 @@ TEST(Wif, IsToldByItsNameOrByItsFirstSection) {
     EXPECT_TRUE(is_wif_file(folder.write("a.txt", "; cloth\n [ wif ] ; first\nVersion=1.1\n")));
     EXPECT_FALSE(is_wif_file(folder.write("b.txt", "[WEAVING]\nShafts=2\n[WIF]\n")));
     EXPECT_FALSE(is_wif_file(folder.write("c.txt", "[WIF\n")));
-    // A broken one is told as such by its name.
+    // A broken file is recognized by its name.
     EXPECT_TRUE(is_wif_file(folder.write("d.WIF", "")));
     EXPECT_TRUE(is_wif_file(folder.write("e.wif", std::string(1, '\0'))));
 }
 
 TEST(Wif, ColorsAreThoseOfAScreenInAnyRange) {
-    // The sRGB curve by its definition (IEC 61966-2-1).
+    // The sRGB curve by definition (IEC 61966-2-1).
     const auto linear = [](double v) {
         return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
     };
@@ -167,7 +168,7 @@ TEST(Wif, ColorsAreThoseOfAScreenInAnyRange) {
     sections["COLOR PALETTE"] = "Entries=3\nForm=RGB\nRange=-100,900\n";
     sections["COLOR TABLE"] = "1=-100,400,900\n3=-80,0,150\n";
     sections["WARP"] = "Threads=3\nColor=3\n";
-    sections["WARP COLORS"] = "2=1,255,0,0\n";  // older files write the colour behind its number
+    sections["WARP COLORS"] = "2=1,255,0,0\n";  // older files write the color after its number
     const WifFile file = read(text_of(sections));
     EXPECT_EQ(file.colors, 3);
     ASSERT_EQ(file.draft.warp_colors.size(), 3u);
@@ -210,7 +211,7 @@ TEST(Wif, ColorsThatLackSomethingAreNamed) {
 TEST(Wif, WhatIsNotDrawnIsSaidOnce) {
     Sections sections = small();
     sections["WARP"] = "Threads=3\nUnits=Centimeters\nSpacing=0.254\nThickness=1\n";
-    sections["WEFT"] = "Threads=3\nUnits=Inches\nSpacing=0.1\n";  // the same
+    sections["WEFT"] = "Threads=3\nUnits=Inches\nSpacing=0.1\n";  // equal values
     EXPECT_TRUE(read(text_of(sections)).warnings.empty());
     sections["WEFT"] = "Threads=3\nUnits=Decipoints\nSpacing=100\n";
     EXPECT_TRUE(has(read(text_of(sections)).warnings, "Spacing differs"));
@@ -321,11 +322,11 @@ TEST(Wif, CutAnywhereItIsADraftOrOneLine) {
             ++refused;
         }
     }
-    // Everything before the first line of the last section is needed.
+    // Everything before the first line of the last section is required.
     EXPECT_GE(refused, static_cast<int>(whole.find("[TREADLING]")));
 }
 
-// Random drafts, written and read again: cells exactly, colours to half an 8-bit code.
+// Random drafts are written and read again: cells exactly, colors within half an 8-bit code.
 TEST(Wif, WrittenDraftsReadBack) {
     std::mt19937 random(7);
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -353,7 +354,7 @@ TEST(Wif, WrittenDraftsReadBack) {
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(back.warp_colors[i][c], draft.warp_colors[i][c],
                             0.5f * 2.4f / 1.055f / 255.0f + 1e-6f);
-        // Rounding is done once: a second trip changes nothing.
+        // Colors are rounded once: a second round trip changes nothing.
         const Draft again = read(wif_text(back)).draft;
         EXPECT_EQ(again.warp_colors, back.warp_colors);
         EXPECT_EQ(again.weft_colors, back.weft_colors);
@@ -383,7 +384,7 @@ TEST(Wif, TheExamplesAreTheClothsTheyClaimToBe) {
     EXPECT_EQ(draft_figures(dobby).longest_weft_float, 3);
     for (int pick = 0; pick < 14; ++pick)
         for (int end = 0; end < 14; ++end) {
-            // Diamonds: a mirror through the first end and through the first pick.
+            // Diamonds: mirror symmetry about the first end and about the first pick.
             EXPECT_EQ(dobby.is_warp_up(end, pick), dobby.is_warp_up((14 - end) % 14, pick));
             EXPECT_EQ(dobby.is_warp_up(end, pick), dobby.is_warp_up(end, (14 - pick) % 14));
         }

@@ -35,8 +35,8 @@ TEST(Bumps, NormalsAreUnitAndNoSteeperThanAsked) {
     EXPECT_GE(steepest, 39.5) << "the steepest slope is reached";
 }
 
-// The closed-form normals against differences of the separately stored height, borders included:
-// the neighbours of the first column are in the last one.
+// The closed-form normals against differences of the separately computed height. At the border the
+// neighbors of the first column are in the last one.
 TEST(Bumps, NormalsAreThoseOfTheHeightAcrossTheSeam) {
     for (const int count : {1, 4, 9, 64}) {
         const BumpOptions options{
@@ -54,7 +54,8 @@ TEST(Bumps, NormalsAreThoseOfTheHeightAcrossTheSeam) {
                     border = std::max(border, angle);
             }
         }
-        // Differences over two texels are wrong by the third derivative, largest at small bumps.
+        // Differences over two texels have the error of the third derivative, largest for small
+        // bumps.
         EXPECT_LT(worst, count < 64 ? 1.5 : 6.0) << count;
         EXPECT_LE(border, worst);
     }

@@ -12,7 +12,7 @@
 namespace burnish {
 namespace {
 
-// The pattern goes on for ever.
+// The value of the infinitely repeated pattern.
 bool up(const Draft& draft, int end, int pick) {
     const auto wrap = [](int i, int n) { return ((i % n) + n) % n; };
     return draft.is_warp_up(wrap(end, draft.ends), wrap(pick, draft.picks));
@@ -53,8 +53,8 @@ TEST(Draft, PlainAlternatesBothWays) {
     });
 }
 
-// Each pick is the one before, one end further to the right; each yarn passes over and under as
-// many as the name says.
+// Each pick is the previous one, shifted by one end to the right. Each yarn passes over and under
+// the numbers of yarns in the twill's name.
 void expect_twill(const Draft& draft, int over, int under) {
     at_every_crossing(draft, [&](int end, int pick) {
         EXPECT_EQ(up(draft, end, pick), up(draft, end + 1, pick + 1)) << draft.name;
@@ -75,7 +75,7 @@ TEST(Draft, TwillsShiftByOneAPick) {
 
 TEST(Draft, EveryFloatOfTwill22HasLengthTwo) {
     const Draft twill = builtin_draft("twill-2-2");
-    // A crossing has exactly one like neighbour along each yarn.
+    // A crossing has exactly one equal neighbor along each yarn.
     at_every_crossing(twill, [&](int end, int pick) {
         const bool here = up(twill, end, pick);
         EXPECT_EQ((up(twill, end, pick - 1) == here) + (up(twill, end, pick + 1) == here), 1);
@@ -92,18 +92,18 @@ TEST(Draft, HerringboneReversesAtEnds8And16) {
             const int step = end < 8 ? 1 : -1;
             EXPECT_EQ(up(draft, end, pick), up(draft, end + 1, pick + step)) << end;
         } else {
-            // Clean cut: opposite on the two sides of a break.
+            // Clean cut: opposite on the two sides of a reversal.
             EXPECT_NE(up(draft, end, pick), up(draft, end + 1, pick)) << end;
         }
     });
-    // Every end is one of a 2/2 twill, and the cut makes no float longer.
+    // Every end is one of a 2/2 twill, and the cut lengthens no float.
     const DraftFigures figures = draft_figures(draft);
     EXPECT_EQ(figures.longest_warp_float, 2);
     EXPECT_EQ(figures.longest_weft_float, 2);
     EXPECT_DOUBLE_EQ(figures.warp_share, 0.5);
 }
 
-// One interlacing an end and a pick, none touching another, steps coprime with the repeat.
+// One interlacing per end and pick, none adjacent, with steps coprime to the repeat.
 void expect_satin(const Draft& draft, int repeat) {
     ASSERT_EQ(draft.ends, repeat);
     ASSERT_EQ(draft.picks, repeat);
@@ -158,11 +158,11 @@ TEST(Draft, EveryBuiltinHolds) {
 }
 
 TEST(Draft, FloatsGoOnOverTheRepeatAndLooseYarnsAreCounted) {
-    // By hand: end 0 is up at picks 3 and 0, which meet over the edge; end 1 never comes up.
+    // By hand: end 0 is up at picks 3 and 0, which are adjacent across the edge; end 1 is never up.
     Draft draft{"hand", 2, 4, {1, 0, 0, 0, 0, 0, 1, 0}, {}, {}};
     const DraftFigures figures = draft_figures(draft);
     EXPECT_EQ(figures.longest_warp_float, 2);
-    EXPECT_EQ(figures.longest_weft_float, 2);  // picks 1 and 2: over both ends, for ever
+    EXPECT_EQ(figures.longest_weft_float, 2);  // picks 1 and 2: over both ends, without end
     EXPECT_EQ(figures.loose_ends, 1);
     EXPECT_EQ(figures.loose_picks, 2);
     EXPECT_DOUBLE_EQ(figures.warp_share, 0.25);

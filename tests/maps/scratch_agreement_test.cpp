@@ -1,5 +1,5 @@
-// Height, normals, moments and direction of a scratch map are checked against one another and
-// against closed forms of one stroke.
+// Height, normals, moments and direction of a scratch map against one another and against closed
+// forms of one stroke.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -17,7 +17,7 @@ double height_at(const ScratchMaps& maps, int x, int y) {
     return static_cast<double>(*maps.height.at((x % n + n) % n, (y % n + n) % n));
 }
 
-// Slopes from the heights anew, in double, with the wrap by remainders.
+// Slopes recomputed from the heights in double, with wrapping by remainders.
 struct Slopes {
     double x, y;
 };
@@ -49,7 +49,7 @@ TEST_P(EveryPreset, NormalsAreThoseOfTheHeight) {
                     std::max(worst, std::abs(2.0 * static_cast<double>(n[c]) - 1.0 - expected[c]));
         }
     }
-    // Float's last digits of (1 + n) / 2 and of the difference of two heights.
+    // Rounding of (1 + n) / 2 and of the difference of two heights in float.
     EXPECT_LT(worst, 2e-6);
 }
 
@@ -75,7 +75,7 @@ TEST_P(EveryPreset, MomentsOfEveryLevelAreMeansOfTheFullMap) {
                     worst = std::max(worst, std::abs(static_cast<double>(found[c]) - sums[c]));
                     largest = std::max(largest, std::abs(sums[c]));
                 }
-                // Variances cannot be negative, but for rounding.
+                // Variances are not negative, except for rounding.
                 EXPECT_GE(m.sxx - m.sx * m.sx, -1e-6f);
                 EXPECT_GE(m.syy - m.sy * m.sy, -1e-6f);
             }
@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Scratch, EveryPreset,
                              return name;
                          });
 
-// The grain of a height is the direction in which it changes least: the minor axis of the mean of
-// its slopes' outer product. Compared in neighbourhoods where one line dominates both.
+// The grain of a height is the direction of least change: the minor axis of the mean outer product
+// of its slopes. Compared in neighborhoods where one line dominates both.
 TEST(ScratchDirection, IsThatOfTheStructureTensor) {
     ScratchSettings settings = one_layer(512, 60, 14, 0.8, 0.05);
     settings.layers[0].curvature_per_mm = constant_spread(0.05);
@@ -132,13 +132,15 @@ TEST(ScratchDirection, IsThatOfTheStructureTensor) {
             const double tensor = std::hypot(xx - yy, 2 * xy);
             const bool alone = known > 30 && std::hypot(c, s) > 0.97 * known;
             if (!alone || tensor < 0.98 * (xx + yy) || xx + yy < 0.1) continue;
-            // Major axis of the slopes, a quarter turn from the groove: the opposite double angle.
+            // The major axis of the slopes is 90 degrees from the groove: the opposite double
+            // angle.
             const double difference =
                 0.5 * std::acos(std::clamp(
                           -(c * (xx - yy) + s * 2 * xy) / (tensor * std::hypot(c, s)), -1.0, 1.0));
             sum += difference;
             ++compared;
-            // Nine texels bend by 2.5 degrees, and cross other strokes' feet.
+            // Strokes bend by 2.5 degrees over nine texels, and the feet of other strokes cross
+            // them.
             EXPECT_LT(difference * 180.0 / kPi, 6.0) << x << "," << y;
         }
     }
@@ -146,7 +148,8 @@ TEST(ScratchDirection, IsThatOfTheStructureTensor) {
     EXPECT_LT(sum / compared * 180.0 / kPi, 1.0);
 }
 
-// One straight stroke, cut through the middle: the cap of a sphere through its width and depth.
+// A section through the middle of one straight stroke: the cap of a sphere through its width and
+// depth.
 TEST(ScratchProfiles, RoundIsACapOfASphere) {
     ScratchSettings settings = one_layer(1000, 1, 30, 4, 0.5);
     settings.layers[0].field = ScratchField::constant;
@@ -155,18 +158,18 @@ TEST(ScratchProfiles, RoundIsACapOfASphere) {
     const auto place = static_cast<int>(lowest - maps.height.pixels.begin());
     const int x = place % maps.size, y = place / maps.size;
     const double radius = (2.0 * 2.0 + 0.5 * 0.5) / (2 * 0.5), texel = 0.05;
-    EXPECT_NEAR(height_at(maps, x, y), -0.5, 1e-3);  // the middle is not on a texel
+    EXPECT_NEAR(height_at(maps, x, y), -0.5, 1e-3);  // the middle is between texels
     for (int i = -45; i <= 45; ++i) {
         const double v = i * texel;
         const double cap =
             std::abs(v) < 2.0 ? std::sqrt(radius * radius - v * v) - (radius - 0.5) : 0.0;
-        // Half a texel of the middle's place times the steepest slope, 0.53.
+        // Half a texel, the offset of the middle, times the steepest slope, 0.53.
         EXPECT_NEAR(height_at(maps, x, y + i), -cap, 0.53 * 0.5 * texel + 1e-4) << i;
     }
 }
 
 TEST(ScratchProfiles, AHemisphereIsPressedInAtFullTaperAndEqualSides) {
-    // As long as wide, as deep as half of it: K11's pit. Volume 2/3 pi r^3.
+    // As long as wide, and half as deep: the pit of K11. Volume 2/3 pi r^3.
     const ScratchSettings settings = one_layer(800, 1, 10, 10, 5);
     const ScratchMaps maps = made(settings);
     const double texel = settings.tile_mm / settings.size;
@@ -186,7 +189,7 @@ TEST(ScratchProfiles, ABurrLiftsAShareOfWhatItDigs) {
     EXPECT_NEAR(lifted / dug, 0.0889 / 0.8, 0.003);
 }
 
-// A finer map averages to the coarser one, also where strokes are narrower than a texel.
+// The average of a finer map equals the coarser one, also where strokes are narrower than a texel.
 TEST(ScratchSizes, GiveTheSameSurface) {
     for (const double width : {0.06, 0.6}) {
         ScratchSettings settings = one_layer(256, 60, 8, width, 0.02);
@@ -208,8 +211,7 @@ TEST(ScratchSizes, GiveTheSameSurface) {
                 square_coarse += other * other;
             }
         }
-        // Where thin strokes cross, the wider ones of the coarse map cover one another a little
-        // more.
+        // Where thin strokes cross, the wider strokes of the coarse map overlap slightly more.
         EXPECT_NEAR(mean_coarse / mean_fine, 1.0, 0.03) << width;
         EXPECT_GT(cross / std::sqrt(square_fine * square_coarse), width < 0.1 ? 0.85 : 0.99);
     }

@@ -1,4 +1,4 @@
-// What the pattern as a whole must be: without seams, lattices or repeats, in the directions asked.
+// Properties of the whole pattern: no seams, lattices or repeats, and the requested directions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace burnish {
 namespace {
 
-// Mean square of the steps between column x and the next (or between rows).
+// Mean square of the differences between column x and the next, or between rows.
 std::vector<double> steps(const ScratchMaps& maps, bool between_rows) {
     const int n = maps.size;
     std::vector<double> sums(static_cast<std::size_t>(n));
@@ -37,14 +37,14 @@ TEST_P(Pattern, HasNoStepAtTheEdgeOfTheTile) {
         std::vector<double> all = steps(maps, rows);
         const double seam = all.back();
         std::nth_element(all.begin(), all.begin() + 500, all.end());
-        // No more than the 12 steepest of the 512 steps inside.
+        // The seam is no steeper than the 12th steepest of the 512 steps inside.
         EXPECT_LE(seam, all[500] * 1.0001) << rows;
     }
 }
 
-// Autocorrelation of the height by shifts of the tile: a lattice or a repeated motif would show as
-// a peak away from 0. `along_x`: lines of one direction are alike along themselves, which is what
-// they are; then only shifts across count.
+// Largest autocorrelation of the height over shifts of the tile: a lattice or a repeated motif
+// shows as a peak away from 0. `along_x`: lines of one direction correlate along themselves by
+// nature, so only shifts across them count.
 double largest_correlation(const ScratchMaps& maps, int least_x, int least_y) {
     const int n = maps.size;
     double mean = 0.0;
@@ -59,7 +59,8 @@ double largest_correlation(const ScratchMaps& maps, int least_x, int least_y) {
     for (int sy = 0; sy <= n / 2; sy += 1) {
         for (int sx = -n / 2; sx < n / 2; sx += 1) {
             if (std::abs(sx) < least_x && sy < least_y) continue;
-            if ((std::abs(sx) + sy) % 3 != 0) continue;  // a third of the shifts, peaks are wider
+            // A third of the shifts suffices, because peaks are wider.
+            if ((std::abs(sx) + sy) % 3 != 0) continue;
             double sum = 0.0;
             for (int y = 0; y < n; y += 2) {
                 const float* a = centered.data() + static_cast<std::size_t>(y * n);
@@ -74,7 +75,7 @@ double largest_correlation(const ScratchMaps& maps, int least_x, int least_y) {
 }
 
 TEST(ScratchLattice, ThereIsNoneInTheRandomPresets) {
-    // 128 texels of 0.39 mm: 2,000 to 3,000 strokes blur into noise whose chance peaks, over 5,000
+    // 128 texels of 0.39 mm: 2,000 to 3,000 strokes blur into noise. Its random peaks, over 5,000
     // shifts with some hundreds of independent patches, stay below 0.25.
     for (const std::string_view name : {"fine-random", "swirl-marks", "deep-gouges"}) {
         const ScratchMaps maps = preset_maps(name, 128);
@@ -83,7 +84,7 @@ TEST(ScratchLattice, ThereIsNoneInTheRandomPresets) {
 }
 
 TEST(ScratchLattice, TheTestSeesOne) {
-    // A motif that is there twice, a quarter of the tile apart.
+    // A motif that occurs twice, a quarter of the tile apart.
     ScratchMaps maps = preset_maps("fine-random", 128);
     const Image once = maps.height;
     for (int y = 0; y < 128; ++y)
@@ -92,7 +93,7 @@ TEST(ScratchLattice, TheTestSeesOne) {
     EXPECT_GT(largest_correlation(maps, 12, 12), 0.45);
 }
 
-// The slopes of straight strokes at angle a are along their normals: E[s s^T] has its major axis
+// The slopes of straight strokes at angle a are along their normals: the major axis of E[s s^T] is
 // across the grooves.
 double groove_angle_deg(const ScratchMaps& maps) {
     const SlopeMoments& m = maps.moments.back().texels.front();
@@ -134,14 +135,14 @@ TEST(ScratchFields, CircularAndRadialOnesAre) {
                 around += side * side;
             }
         }
-        // Grooves have their slope across; along them only their ends have any.
+        // Grooves slope across themselves, and along themselves only at their ends.
         const bool rings = field == ScratchField::circular;
         EXPECT_GT(rings ? radial : around, 50 * (rings ? around : radial));
     }
 }
 
 TEST(ScratchFields, AnImageSteersThemAndArrowsAreLines) {
-    // Left half at 30 degrees, right half at -60, every other texel's arrow reversed.
+    // Left half at 30 degrees, right half at -60, with the arrow of every other texel reversed.
     ScratchInputs inputs;
     inputs.direction = Image(64, 64, 3, 0.0f);
     for (int y = 0; y < 64; ++y) {
@@ -164,14 +165,14 @@ TEST(ScratchFields, AnImageSteersThemAndArrowsAreLines) {
             if (x > 148 && x < 236) right += s * s;
         }
     }
-    // Slopes stand across: 120 and 30 degrees, twice that in the square.
+    // Slopes are across the grooves, at 120 and 30 degrees; the square doubles the angle.
     EXPECT_NEAR(std::arg(left) * 180 / std::numbers::pi, 240.0 - 360.0, 6.0);
     EXPECT_NEAR(std::arg(right) * 180 / std::numbers::pi, 60.0, 6.0);
 }
 
 TEST(ScratchMask, LeavesTheUnwornAloneAndKeepsAShareOfTheRest) {
     ScratchInputs inputs;
-    inputs.wear_mask = Image(90, 90, 1);  // another size than the map's
+    inputs.wear_mask = Image(90, 90, 1);  // a different size from the map's
     for (int y = 0; y < 90; ++y)
         for (int x = 0; x < 90; ++x)
             *inputs.wear_mask.at(x, y) = x < 30 ? 0.0f : x < 60 ? 0.5f : 1.0f;
@@ -182,12 +183,12 @@ TEST(ScratchMask, LeavesTheUnwornAloneAndKeepsAShareOfTheRest) {
         for (int x = 0; x < 256; ++x) {
             const int third = x * 3 / 256;
             const int into = x - third * 256 / 3;
-            if (into < 12 || into > 72) continue;  // the mask blends over its edges
+            if (into < 12 || into > 72) continue;  // the mask is interpolated at its edges
             covered[third] += *maps.height.at(x, y) < 0.0f ? 1.0 : 0.0;
         }
     EXPECT_EQ(covered[0], 0.0);
-    // Strokes at random cover 1 - exp(-density): the exponent of the half-worn third is half. Its
-    // own noise, some 250 strokes, is 6 %, in each of two numbers.
+    // Random strokes cover 1 - exp(-density), so the exponent of the half-worn third is half. Its
+    // own noise, from some 250 strokes, is 6 % in each of two numbers.
     const double area = 61.0 * 256.0;
     const double half = -std::log(1.0 - covered[1] / area),
                  full = -std::log(1.0 - covered[2] / area);

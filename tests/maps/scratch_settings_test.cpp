@@ -1,4 +1,4 @@
-// What may be asked of the scratch generator, and what is refused.
+// The valid settings of the scratch generator, and the errors for invalid ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -103,7 +103,7 @@ TEST(ScratchSettings, InputsAreChecked) {
 TEST(ScratchSettings, TooMuchMemoryIsRefusedWithTheFigure) {
     ScratchSettings settings = one_layer(16384, 1e6, 5, 0.4, 0.02);
     const std::uint64_t needed = scratch_memory(settings);
-    // 12 bytes of height and direction, 20/3 of moments.
+    // 12 bytes of height and direction, and 20/3 of moments.
     EXPECT_GT(needed, std::uint64_t{16384} * 16384 * 56 / 3);
     EXPECT_LT(needed, std::uint64_t{16384} * 16384 * 25);
     const std::string said = complaint([&] { engrave(settings, {}, needed - 1); });
@@ -112,7 +112,7 @@ TEST(ScratchSettings, TooMuchMemoryIsRefusedWithTheFigure) {
 }
 
 TEST(ScratchSettings, ExtremesGiveNumbers) {
-    // Tight rings, strokes over several tiles, pits of a texel, none at all.
+    // Tight rings, strokes over several tiles, pits of one texel, no strokes.
     const auto sound = [](const ScratchSettings& settings) {
         const ScratchMaps maps = made(settings);
         for (const float h : maps.height.pixels) ASSERT_TRUE(std::isfinite(h));

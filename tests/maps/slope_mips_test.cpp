@@ -1,4 +1,4 @@
-// Mips of slopes: means and variances against sums over the texels that each stands for.
+// Mips of slopes: means and variances against sums over the texels below each.
 #include "maps/normal/slope_mips.hpp"
 
 #include <gtest/gtest.h>
@@ -56,12 +56,13 @@ TEST(SlopeMips, SidesHalveDownToOne) {
     }
 }
 
-// By area, also where a side is odd: E[s^2] - E[s]^2 in double over the texels under it.
+// By area, also for odd sides: E[s^2] - E[s]^2 in double over the texels below.
 TEST(SlopeMips, EveryTexelHasTheMomentsOfWhatItCovers) {
     for (const auto& [width, height] : {std::pair{16, 8}, std::pair{13, 7}, std::pair{5, 1}}) {
         const std::vector<SlopeLevel> levels = slope_mips(bumps(width, height));
         for (const SlopeLevel& level : levels) {
-            // Below level 1 an odd side's texels are means of means; the last level has them all.
+            // After level 1 the texels of an odd side are means of means; the last level covers all
+            // texels.
             const bool first = &level <= &levels[1], last = &level == &levels.back();
             if (!first && !last) continue;
             for (int y = 0; y < level.height; ++y) {
@@ -96,7 +97,7 @@ TEST(SlopeMips, EveryTexelHasTheMomentsOfWhatItCovers) {
     }
 }
 
-// A sine of slopes A has mean 0 and variance A^2/2 over whole waves.
+// Over whole waves, a sine of slope amplitude A has mean 0 and variance A^2/2.
 TEST(SlopeMips, ASineHasHalfItsSquare) {
     const Texture map = float_map(64, 64, [](int x, int) {
         return encoded(0.8 * std::sin(2 * std::numbers::pi * 4 * (x + 0.5) / 64), 0);
@@ -107,7 +108,7 @@ TEST(SlopeMips, ASineHasHalfItsSquare) {
     EXPECT_NEAR(all.variance_y, 0, 1e-12);
 }
 
-// The slopes of the bumps' own height, by differences, halfway down a smooth flank.
+// The slopes of the bumps' height, by differences, halfway down a smooth flank.
 TEST(SlopeMips, TheFinestLevelHasTheSlopesOfTheHeight) {
     const int size = 256;
     BumpOptions options;
@@ -129,7 +130,8 @@ TEST(SlopeMips, TheFinestLevelHasTheSlopesOfTheHeight) {
             worst = std::max(worst, std::abs(static_cast<double>(at(finest, x, y).y) + up));
         }
     }
-    // Differences over two texels of a bump of 60: the kink of the curvature at its rim.
+    // Differences over two texels of a bump of 60 texels: the discontinuity of the curvature at its
+    // rim.
     EXPECT_LT(worst, 0.03);
 }
 
@@ -147,7 +149,7 @@ TEST(SlopeMips, BrokenTexelsAreFlatAndSteepOnesHeld) {
     EXPECT_NEAR(at(level, 5, 0).x, kSteepestSlope, 1e-4);
 }
 
-// The same normal in every depth, and in two channels.
+// The same normal in every bit depth, and in two channels.
 TEST(SlopeMips, DepthsAndChannelsAgree) {
     const auto one = [](TexelType type, int channels, std::vector<std::byte> bytes) {
         const SlopeTexel t =

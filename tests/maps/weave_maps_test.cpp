@@ -1,4 +1,4 @@
-// Baked cloth: repeats without a seam, one surface in all maps, the yarns where the draft has them.
+// Baked cloth: it tiles without a seam, all maps show one surface, and yarns follow the draft.
 #include "burnish/weave_maps.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ f32::WeaveShape shape(float gap, float twist_deg) {
     return s;
 }
 
-// 32 texels a yarn.
+// Settings with 32 texels per yarn.
 WeaveMapSettings cloth(const char* weave, float gap = 0.2f, float twist_deg = 25.0f) {
     WeaveMapSettings settings;
     settings.draft = builtin_draft(weave);
@@ -82,16 +82,17 @@ TEST(WeaveMaps, SeveralRepeatsAreCopiesOfOne) {
     }
 }
 
-// Along a yarn the surface goes on over the edge of the tile as it does inside.
+// Along a yarn the surface continues across the edge of the tile as it does inside.
 TEST(WeaveMaps, TheSeamIsNoSteeperThanTheYarns) {
     for (const char* name : {"plain", "twill-2-1", "satin-8"}) {
         const WeaveMapSettings settings = cloth(name, 0.0f);
         const WeaveMaps maps = baked(settings);
-        // Of the middle line, crimp pi in spacings; across it tan(asin(bulge)): mm a texel.
+        // Steepest slope along the middle line, crimp times pi in spacings, and across,
+        // tan(asin(bulge)); in mm per texel.
         const double steepest = std::max(0.2 * 3.1416, 0.8 / 0.6) * 0.5 / 32.0;
         int met = 0;
         for (int x = 0; x < maps.width; ++x) {
-            // The same warp yarn on both sides: row 0 is the top, the last row below it again.
+            // The same warp yarn on both sides: row 0 is the top; the last row repeats above it.
             const int above = yarn_at(maps, x, 0), below = yarn_at(maps, x, maps.height - 1);
             if (above != below) continue;
             ++met;
@@ -133,8 +134,9 @@ TEST(WeaveMaps, NormalsAreThoseOfTheHeights) {
                       std::abs(static_cast<double>(maps.normals.at(x, y)[1]) + sy / length)});
         ++compared;
     });
-    // Central differences miss by h^2 / 6 of the third derivative, here at most pi^3 crimp along
-    // (6e-5) and 3 k^3 bulge... across (5e-4); heights are floats of 1e-7 over 4e-3 mm.
+    // Central differences have the error h^2 / 6 times the third derivative, here at most pi^3
+    // crimp along (6e-5) and 3 k^3 bulge... across (5e-4). Heights are floats with a rounding error
+    // of 1e-7 over 4e-3 mm.
     EXPECT_LT(worst, 1e-3);
     EXPECT_GT(compared, maps.width * maps.height * 8 / 10);
 }
@@ -173,8 +175,8 @@ TEST(WeaveMaps, WithoutTwistWarpRunsUpAndWeftAcross) {
 }
 
 TEST(WeaveMaps, YarnsCoverTheAreasTheyShould) {
-    // A gap of 1/4 of 32 texels: 24 texels of yarn; upper 24 x 32, lower beside it 8 x 24, hole 8
-    // x 8.
+    // A gap of 1/4 of 32 texels leaves 24 texels of yarn: the upper yarn shows 24 x 32 texels, the
+    // lower one beside it 8 x 24, the hole 8 x 8.
     const WeaveMapSettings settings = cloth("twill-3-1", 0.25f);
     const WeaveMaps maps = baked(settings);
     std::vector<float> ids(maps.yarns.size() * 3);
@@ -188,7 +190,7 @@ TEST(WeaveMaps, YarnsCoverTheAreasTheyShould) {
     const int cells = 16;
     EXPECT_EQ(holes, cells * 8 * 8);
     EXPECT_EQ(upper, cells * 24 * 32);
-    EXPECT_EQ(warp, 12 * 24 * 32 + 4 * 8 * 24);  // the warp is above at 12 of 16
+    EXPECT_EQ(warp, 12 * 24 * 32 + 4 * 8 * 24);  // the warp is on top at 12 of 16
 }
 
 TEST(WeaveMaps, ColorsAndNumbersAreThoseOfTheYarnOnTop) {
@@ -214,7 +216,8 @@ TEST(WeaveMaps, ColorsAndNumbersAreThoseOfTheYarnOnTop) {
                 EXPECT_NEAR(linear_from_srgb(colors[at + static_cast<std::size_t>(i)]), c[i],
                             1e-5f);
             EXPECT_EQ(ids[at], up ? 1.0f : 0.5f);
-            // As documented: the number is the whole part of G times the count, after 16 bits too.
+            // As documented: the number is the integer part of G times the count, also after
+            // storage in 16 bits.
             const double code = std::round(static_cast<double>(ids[at + 1]) * 65535.0) / 65535.0;
             EXPECT_EQ(static_cast<int>(code * (up ? 6 : 3)), up ? end : pick);
             EXPECT_EQ(ids[at + 2], 1.0f);

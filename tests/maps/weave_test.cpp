@@ -26,7 +26,7 @@ f32::WeaveShape in_float(const f64::WeaveShape& s) {
             {static_cast<float>(s.twist.x), static_cast<float>(s.twist.y)}};
 }
 
-// The cloth at a point given in yarn spacings.
+// The cloth at a point in yarn spacings.
 f64::WeavePoint cloth_at(const Draft& draft, const f64::WeaveShape& shape, double u, double v) {
     const double end = std::floor(u), pick = std::floor(v);
     const f32::WeaveCell cell = weave_cell(draft, static_cast<int>(end), static_cast<int>(pick));
@@ -40,8 +40,8 @@ class Weave : public testing::TestWithParam<std::string_view> {
     std::uniform_real_distribution<double> uniform{0.0, 1.0};
 };
 
-// Central differences of the height, 1e-6 apart, are good to 1e-9; twice single steps are kept from
-// the borders of yarns and cells, where the surface has edges.
+// Central differences of the height over 1e-6 have an error of 1e-9. Points are at least two steps
+// away from the borders of yarns and cells, where the surface has edges.
 TEST_P(Weave, NormalIsThatOfTheHeight) {
     const f64::WeaveShape shape = shape_of(0.17, 0.8, 0.13);
     constexpr double kStep = 1e-6;
@@ -72,7 +72,7 @@ TEST_P(Weave, NormalIsThatOfTheHeight) {
 TEST_P(Weave, RepeatsWithTheDraft) {
     const f64::WeaveShape shape = shape_of(0.1, 0.6, 0.2, 0.4);
     for (int i = 0; i < 1000; ++i) {
-        // Multiples of 1/1024: adding a repeat is exact.
+        // Multiples of 1/1024, so that adding a repeat is exact.
         const double u = std::floor(uniform(random) * draft.ends * 1024) / 1024;
         const double v = std::floor(uniform(random) * draft.picks * 1024) / 1024;
         const f64::WeavePoint a = cloth_at(draft, shape, u, v);
@@ -83,8 +83,8 @@ TEST_P(Weave, RepeatsWithTheDraft) {
     }
 }
 
-// From cell to cell along a yarn neither its height nor its slopes jump, above or below, and it is
-// above where the draft says so.
+// Across cells along a yarn, height and slopes are continuous, above and below, and the yarn is on
+// top where the draft says so.
 TEST_P(Weave, YarnsAreContinuous) {
     const f64::WeaveShape shape = shape_of(0.2, 0.5, 0.1);
     const auto warp_in = [&](int end, int pick, double along) {
@@ -119,7 +119,7 @@ struct Counted {
     double hole = 0;
 };
 
-// A grid over the whole repeat.
+// Counts over a grid on the whole repeat.
 Counted counted(const Draft& draft, const f64::WeaveShape& shape, int steps) {
     Counted c;
     const double weight = 1.0 / (static_cast<double>(steps * steps) * draft.ends * draft.picks);
@@ -140,8 +140,8 @@ Counted counted(const Draft& draft, const f64::WeaveShape& shape, int steps) {
     return c;
 }
 
-// A grid of 40 a cell and a gap of 0.2 = 8/40 count exactly; the moments differ by the grids' own
-// errors, below 1e-3.
+// A grid of 40 points per cell and a gap of 0.2 = 8/40 count exactly. The moments differ by the
+// errors of the grids, below 1e-3.
 TEST_P(Weave, SharesAndSlopesOfFamiliesAreThoseCounted) {
     const f64::WeaveShape shape = shape_of(0.15, 0.7, 0.2);
     const Counted c = counted(draft, shape, 40);
@@ -173,8 +173,8 @@ INSTANTIATE_TEST_SUITE_P(Drafts, Weave, testing::ValuesIn(draft_names()), [](con
     return name;
 });
 
-// e_x and e_y swap with the yarn: fibres run along +u on the weft, along +v on the warp, both
-// turned counter-clockwise by the twist.
+// e_x and e_y are exchanged with the yarn: fibers run along +u on the weft and along +v on the
+// warp, both rotated counter-clockwise by the twist.
 TEST(WeavePoint, FibersFollowTheirYarn) {
     for (const double twist : {0.0, 0.3, -0.5}) {
         const f64::WeaveShape shape = shape_of(0.1, 0.6, 0.1, twist);
@@ -189,7 +189,7 @@ TEST(WeavePoint, FibersFollowTheirYarn) {
     }
 }
 
-// Through the gap beside the upper yarn the lower one shows, and between all yarns the hole.
+// The lower yarn is visible through the gap beside the upper one, and the hole between all yarns.
 TEST(WeavePoint, GapsShowWhatLiesBelow) {
     const f64::WeaveShape shape = shape_of(0.1, 0.6, 0.2);
     const f64::WeaveCell cell{true, true, true, true, true};
@@ -202,7 +202,7 @@ TEST(WeavePoint, GapsShowWhatLiesBelow) {
     EXPECT_EQ(f64::weave_point(cell, shape, 0.41, 0.45).cover, 0.0);
 }
 
-// The sine of the tilt across a yarn grows evenly to `bulge` at its edge.
+// The sine of the tilt across a yarn is linear and reaches `bulge` at the edge.
 TEST(WeavePoint, BulgeIsTheSineAtTheEdge) {
     const f64::WeaveShape shape = shape_of(0.0, 0.8, 0.1);
     const f64::WeaveCell cell{true, true, true, true, true};
@@ -238,7 +238,7 @@ TEST(WeaveMean, TableCoordinateIsInverted) {
                         slope, 1e-9 * (1 + std::abs(slope) / width));
 }
 
-// From three pixels a cell down to one the mean takes over.
+// The mean replaces the yarns as the pixel grows from a third of a cell to a cell.
 TEST(WeaveMean, ShareGrowsWithThePixel) {
     EXPECT_EQ(f64::weave_mean_share(-1.6), 0.0);
     EXPECT_EQ(f64::weave_mean_share(0.0), 1.0);

@@ -87,8 +87,8 @@ TEST_P(BuiltIn, TrianglesFaceTheWayTheirNormalsDo) {
     }
 }
 
-// Tangents and bitangents against the derivatives of position by texture coordinates, triangle by
-// triangle: +u along the tangent, and up in the picture, -v, along cross(n, t).
+// Tangents and bitangents against the derivatives of position by texture coordinates, per triangle:
+// +u is along the tangent, and up in the picture, -v, is along cross(n, t).
 TEST_P(BuiltIn, TangentsFollowTheTextureCoordinates) {
     const Mesh mesh = make_builtin_mesh(GetParam());
     double worst_u = 1.0, worst_v = 1.0, sum_u = 0.0;
@@ -108,8 +108,8 @@ TEST_P(BuiltIn, TangentsFollowTheTextureCoordinates) {
             worst_v = std::min(worst_v, static_cast<double>(glm::dot(-dv, up)));
         }
     }
-    // A triangle at a pole sees its neighbours' tangents turned by half a segment; the cloth has
-    // folds sharper than a triangle, and shears, so that warp and weft are not square.
+    // At a pole the tangents of a triangle's neighbors are rotated by half a segment. The cloth has
+    // folds sharper than a triangle, and shear, so that warp and weft are not perpendicular.
     const bool cloth = GetParam() == "drape";
     EXPECT_GT(sum_u / static_cast<double>(mesh.indices.size()), cloth ? 0.995 : 0.999);
     EXPECT_GT(worst_u, cloth ? 0.8 : 0.97);
@@ -134,17 +134,17 @@ TEST(BuiltInSolid, AreasAndVolumesAreThoseOfTheSolids) {
     EXPECT_NEAR(area_of(torus) / (4.0 * pi * pi * 0.35 * 0.15), 1.0, 1e-3);
     EXPECT_NEAR(volume_of(torus) / (2.0 * pi * pi * 0.35 * 0.15 * 0.15), 1.0, 1e-3);
     EXPECT_NEAR(area_of(make_builtin_mesh("plane")), 1.0, 1e-6);
-    // The rounded edges take less than 0.2 % of the volume pi r^2 h, r = 1/pi.
+    // The rounded edges reduce the volume pi r^2 h, r = 1/pi, by less than 0.2 %.
     EXPECT_NEAR(volume_of(make_builtin_mesh("cylinder")) / (0.8 / pi), 0.999, 2e-3);
 }
 
-// Seen as positions only, every edge has two triangles: no gap at the seams, bit for bit.
+// By positions alone, every edge has two triangles: no gap at the seams, bit for bit.
 TEST(BuiltInSolid, Closed) {
     for (const std::string_view name : {"sphere", "torus", "cylinder"}) {
         const Mesh mesh = make_builtin_mesh(name, 5000);
         std::map<std::tuple<float, float, float>, int> ids;
         const auto id = [&](const glm::vec3& p) {
-            // The poles' copies differ by the sign of zero, which is one number to a map.
+            // The copies of the poles differ by the sign of zero, which a map treats as equal.
             return ids.try_emplace({p.x, p.y, p.z}, static_cast<int>(ids.size())).first->second;
         };
         std::map<std::pair<int, int>, int> edges;
@@ -165,7 +165,7 @@ TEST(BuiltInSolid, NoSeamInTheTangents) {
         int shared = 0;
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             const glm::vec3 p = mesh.positions[i];
-            if (std::hypot(p.x, p.z) < 1e-6f) continue;  // a pole has every direction
+            if (std::hypot(p.x, p.z) < 1e-6f) continue;  // every direction is a tangent at a pole
             const auto [found, is_new] = first.try_emplace({p.x, p.y, p.z}, i);
             if (is_new) continue;
             ++shared;
@@ -196,7 +196,7 @@ TEST(Drape, HangsInFoldsAndHardlyStretches) {
     }
     EXPECT_NEAR(mean, 1.0, 0.05);
     EXPECT_LT(longest, 1.25);
-    // Folds: the hem's distance from the axis swings in and out.
+    // Folds: the distance of the hem from the axis oscillates.
     int turns = 0;
     double last = 0.0, direction = 0.0;
     for (std::size_t i = 0; i < side; ++i) {
@@ -207,7 +207,7 @@ TEST(Drape, HangsInFoldsAndHardlyStretches) {
         last = distance;
     }
     EXPECT_GE(turns, 3) << "along one of the four hems";
-    // It lies on the plinth and hangs down over its side.
+    // The cloth lies on the plinth and hangs over its side.
     float low = 0.0f, high = -1.0f;
     for (const glm::vec3& p : mesh.positions) {
         low = std::min(low, p.y);

@@ -42,7 +42,8 @@ TEST(CubeMap, TexelsCoverTheSphere) {
 }
 
 TEST(CubeMap, DirectionsFollowOpenGl) {
-    // Table 8.19 of the OpenGL specification: the middle of each face and the way s grows.
+    // Table 8.19 of the OpenGL specification: the middle of each face and the direction of
+    // increasing s.
     const glm::vec3 middle[6] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                  {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
     const glm::vec3 s_axis[6] = {{0, 0, -1}, {0, 0, 1}, {1, 0, 0},
@@ -56,8 +57,8 @@ TEST(CubeMap, DirectionsFollowOpenGl) {
     }
 }
 
-// One pixel of a sun, at the equator, in mid sky and near the zenith: nothing may fall between
-// samples.
+// A sun of one pixel at the equator, at medium elevation and near the zenith: samples must not miss
+// it.
 TEST(CubeMap, KeepsTheEnergyOfASmallSun) {
     for (const int width : {256, 1000}) {
         for (const double height : {0.03, 0.2, 0.37, 0.5, 0.81}) {
@@ -112,7 +113,7 @@ TEST(Irradiance, IsExactForConstantLight) {
     }
 }
 
-// L = max(dot(d, up), 0)^2 ... its cosine convolution about up is Int cos^3 dw / pi = 1/2.
+// L = max(dot(d, up), 0)^2: its cosine convolution about up is Int cos^3 dw / pi = 1/2.
 TEST(Irradiance, AgreesWithAClosedForm) {
     Image map(256, 128, 3);
     for (int y = 0; y < map.height; ++y) {
@@ -122,7 +123,7 @@ TEST(Irradiance, AgreesWithAClosedForm) {
         }
     }
     const CubeMap cube = cube_irradiance(cube_from_latlong(map, 32), 16);
-    // Four texels around the zenith, 0.09 rad off it: cos costs 0.4 %.
+    // The four texels around the zenith are 0.09 rad away: the cosine costs 0.4 %.
     EXPECT_NEAR(cube.at(2, 8, 8).x, 0.5f, 0.005f);
     EXPECT_NEAR(cube.at(3, 8, 8).x, 0.0f, 0.005f);
 }

@@ -42,7 +42,7 @@ TEST(Bounds, OfTheLargestNumbersStayFinite) {
     EXPECT_EQ(bounds_of(mesh).center().x, kLargest);
 }
 
-// An erased instance keeps its place and its id, and counts for nothing.
+// An erased instance keeps its slot and its id, and does not extend the bounds.
 TEST(SceneBounds, LeaveErasedInstancesOut) {
     Scene scene;
     Mesh& mesh = scene.meshes.emplace_back();

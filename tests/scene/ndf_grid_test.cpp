@@ -1,4 +1,4 @@
-// Tables of distributions against the analytic lobes they are made of, and quadrature of our own.
+// Tables of distributions against the analytic lobes that they sample, and a separate quadrature.
 #include "burnish/ndf_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(NdfGrid, RingsAreEqualStepsOfU) {
     for (int r = 0; r < grid.rings; ++r) {
         const double u = (r + 0.5) / grid.rings;
         EXPECT_NEAR(static_cast<double>(grid.theta(r)), kPi / 2 * u * u, 1e-6);
-        // 4e-4: what a rounded cosine leaves of theta near the normal, as u.
+        // 4e-4: the error of theta near the normal, as u, from a rounded cosine.
         EXPECT_NEAR(static_cast<double>(ndf_u(std::cos(grid.theta(r)))), u, r < 2 ? 1e-2 : 4e-4);
     }
     EXPECT_EQ(ndf_u(0.0F), 1.0F);
@@ -66,8 +66,9 @@ TEST(NdfGrid, RingsAreEqualStepsOfU) {
     EXPECT_EQ(ndf_u(1.0F), 0.0F);
 }
 
-// Linear interpolation of a curve is off by h^2/8 of its second derivative: with 32 rings a lobe of
-// alpha 0.08 has 5 rings within its width, and the mean over the lobe is off by about a percent.
+// Linear interpolation has the error h^2/8 times the second derivative. With 32 rings a lobe of
+// alpha 0.08 has 5 rings within its width, and the error of the mean over the lobe is about one
+// percent.
 TEST(NdfGrid, MassOfAnalyticLobesIsOne) {
     for (const Case& c : kCases) {
         const NdfGrid coarse{32, 96}, fine{128, 384};
@@ -87,18 +88,19 @@ TEST(NdfGrid, CellCentersAreReadExactly) {
             const float u = (static_cast<float>(r) + 0.5F) / 9.0F;
             for (const int turns : {-1, 0, 2}) {
                 const double phi = 2 * kPi * a / grid.azimuths + 2 * kPi * turns;
-                // 0.01: float phi of a few turns, times slopes of up to 100 a column.
+                // 0.01: rounding of phi over a few turns in float, times slopes of up to 100 per
+                // column.
                 EXPECT_NEAR(ndf_lookup(grid, table.data(), u, static_cast<float>(phi)),
                             table[static_cast<std::size_t>(r * 14 + a)], 0.01F);
             }
         }
     }
-    // Constant beyond the outermost centres.
+    // Constant beyond the outermost centers.
     EXPECT_EQ(ndf_lookup(grid, table.data(), 0, 0), table[0]);
     EXPECT_EQ(ndf_lookup(grid, table.data(), 1, 0), table[8 * 14]);
 }
 
-// Half way between columns and across the wrap: the mean of the two.
+// Halfway between columns and across the wrap: the mean of the two.
 TEST(NdfGrid, ColumnsAreInterpolatedAcrossTheWrap) {
     const NdfGrid grid{2, 4};
     const std::vector<float> table = {1, 2, 3, 8, 1, 2, 3, 8};
@@ -127,7 +129,7 @@ TEST(NdfGrid, BilinearErrorFallsWithTheSquareOfTheStep) {
     }
     const double peak = lobe_value(lobe, 0, 0);
     EXPECT_LT(worst[0], 0.03 * peak);
-    EXPECT_LT(worst[1], 0.4 * worst[0]);  // a quarter, but for where the samples fall
+    EXPECT_LT(worst[1], 0.4 * worst[0]);  // a quarter, except for the positions of the samples
 }
 
 TEST(NdfGrid, TurningShiftsColumns) {
@@ -150,7 +152,7 @@ TEST(NdfGrid, TurningShiftsColumns) {
     for (int i = 0; i < 40; ++i) {
         const float theta = 0.038F * static_cast<float>(i), phi = 0.9F * static_cast<float>(i);
         const float x = std::sin(theta) * std::cos(phi), y = std::sin(theta) * std::sin(phi);
-        // 2e-3: the area nodes, 32 around, lie elsewhere in the turned lobe.
+        // 2e-3: the 32 nodes of the areas lie elsewhere in the rotated lobe.
         EXPECT_NEAR(
             ndf_area_lookup(areas.data(), x, y, std::cos(theta)),
             ndf_area_lookup(areas_turned.data(), c * x - s * y, s * x + c * y, std::cos(theta)),
@@ -159,7 +161,7 @@ TEST(NdfGrid, TurningShiftsColumns) {
 }
 
 // g = cos / G1 in the separable Smith model: a second derivation, in closed form for Beckmann and
-// GGX (the fitted ones of the other lobes are no reference).
+// GGX (the fits of the other lobes are not a reference).
 TEST(NdfGrid, AreasAreThoseOfSmith) {
     const NdfGrid grid{96, 192};
     const Case cases[] = {{f64::kMdfGgx, 0.1, 0.4},
@@ -182,13 +184,14 @@ TEST(NdfGrid, AreasAreThoseOfSmith) {
             if (std::fabs(read - smith) > worst) at = theta;
             worst = std::max(worst, std::fabs(read - smith));
         }
-        // Nodes (below), and what the bilinear table is off the lobe: 96 rings, alpha 0.05.
+        // Errors of the nodes (below), and of the bilinear table against the lobe: 96 rings, alpha
+        // 0.05.
         EXPECT_LT(worst, 5e-3) << c.mdf << " " << c.alpha_x << " at " << at * 180 / kPi;
     }
 }
 
-// The nodes alone: 16 x 32 against nodes four times as many a side. 3e-3: alpha 0.1 beside 0.4,
-// whose horizon turns within two columns.
+// The error of the nodes: 16 x 32 against four times as many a side. 3e-3: alpha 0.1 with 0.4,
+// where the horizon changes within two columns.
 TEST(NdfGrid, AreaNodesAreCloseEnough) {
     const NdfGrid grid{48, 96}, many{61, 128};
     for (const Case& c : kCases) {

@@ -43,7 +43,7 @@ TEST(ParameterTable, RowsAreSound) {
     }
 }
 
-// A number within the range and not the default, of the parameter's kind.
+// A number of the parameter's kind, within the range and different from the default.
 ParameterValue another_value(const Parameter& p) {
     switch (p.kind) {
         case ParameterKind::real:
@@ -78,7 +78,7 @@ TEST(ParameterTable, TextGivesEveryValueBack) {
     }
 }
 
-// Enumerations and the names of their choices: by name, so that a change of either order is seen.
+// Enumerations against the names of their choices, by name, so that a change of either order fails.
 TEST(ParameterTable, ChoicesAreTheEnumerations) {
     const auto number = [](std::string_view parameter, std::string_view name) {
         ParameterValues values;
@@ -121,7 +121,7 @@ TEST(ParameterTable, DefaultsAreThoseOfMaterialsAndCloth) {
     EXPECT_EQ(static_cast<float>(values.real("weave_gap")), cloth.gap);
     EXPECT_EQ(static_cast<float>(values.real("weave_fuzz")), cloth.fuzz);
     EXPECT_FLOAT_EQ(glm::radians(static_cast<float>(values.real("weave_twist"))), cloth.twist);
-    // What help texts show: the decimal numbers, not the floats nearest to them.
+    // Help texts show the decimal numbers, not the nearest floats.
     EXPECT_EQ(find_parameter("weave_bulge")->default_text, "0.7");
     EXPECT_EQ(find_parameter("weave_twist")->default_text, "20");
     EXPECT_EQ(find_parameter("background_color")->default_text, "0.05,0.05,0.05");
@@ -151,7 +151,7 @@ TEST(ParameterValues, ColorsAreLinearOrSrgb) {
     values.set("base_color", "0.1,0.2,1", "");
     EXPECT_EQ(values.vec3("base_color"), glm::vec3(0.1f, 0.2f, 1.0f));
     values.set("base_color", "#80ff00", "");
-    // IEC 61966-2-1 above its linear foot.
+    // IEC 61966-2-1 above the linear segment.
     EXPECT_NEAR(values.vec3("base_color").r, std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
     EXPECT_FLOAT_EQ(values.vec3("base_color").g, 1.0f);
     EXPECT_FLOAT_EQ(values.vec3("base_color").b, 0.0f);
@@ -227,7 +227,7 @@ TEST(ParameterValues, TheLaterWinsAndReplacesOtherWaysOfSayingIt) {
 TEST(ParameterValues, TakesTypedValues) {
     ParameterValues values;
     values.set_value("alpha_x", 0.25);
-    values.set_value("roughness", 1);  // a whole number does for a real
+    values.set_value("roughness", 1);  // a real parameter accepts a whole number
     values.set_value("width", 640);
     values.set_value("conserve", true);
     values.set_value("mdf", ParameterChoice{static_cast<int>(Mdf::ward)});

@@ -1,5 +1,5 @@
 // Tangents against closed forms, against a slow second implementation, and against assets that
-// store what MikkTSpace computed.
+// store the results of MikkTSpace.
 #include "scene/geometry/tangents.hpp"
 
 #include <gtest/gtest.h>
@@ -49,11 +49,11 @@ void expect_sound(const Mesh& mesh) {
     }
 }
 
-// A sphere by longitude (u) and latitude, indexed without sharing across the seam.
+// A sphere by longitude (u) and latitude, without shared vertices across the seam.
 Mesh globe(int rings) {
     Mesh mesh = mesh_of(unit_square(rings, false));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        // Both ends of a circle, and all of a pole, are to be the same point to the last bit.
+        // Both ends of a circle, and all points of a pole, must be identical to the last bit.
         const glm::vec3 p = mesh.positions[i];
         const float phi = p.x == 1.0f ? 0.0f : glm::two_pi<float>() * p.x;
         const float theta = glm::pi<float>() * (1.0f - p.y);
@@ -75,7 +75,7 @@ TEST(MakeTangents, SquareWithUnmirroredCoordinates) {
 }
 
 TEST(MakeTangents, BitangentPointsUpInThePicture) {
-    // Turned by a quarter and squeezed: u runs along +y, the picture's up along -x.
+    // Rotated by 90 degrees and compressed: u runs along +y, the picture's up along -x.
     Mesh mesh = mesh_of(unit_square(2, false));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         mesh.texcoord0[i] = {3.0f * mesh.positions[i].y, mesh.positions[i].x};
@@ -112,7 +112,7 @@ TEST(MakeTangents, GlobePointsEast) {
     expect_sound(mesh);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3 p = mesh.positions[i];
-        // East is the derivative by longitude; within a cell of the poles triangles are degenerate.
+        // East is the derivative by longitude. Triangles within a cell of the poles are degenerate.
         if (std::hypot(p.x, p.z) < 0.1f) continue;
         EXPECT_LT(degrees_between(mesh.tangents[i], glm::vec3(p.z, 0.0f, -p.x)), 3.0);
         EXPECT_EQ(mesh.tangents[i].w, 1.0f);
@@ -142,8 +142,8 @@ TEST(MakeTangents, DoNotDependOnHowVerticesAreShared) {
     }
 }
 
-// The definition written down directly, for meshes without degenerate triangles: at every corner,
-// gather the corners that are connected with it through edges and of its orientation.
+// A direct implementation of the definition, for meshes without degenerate triangles: at every
+// corner, gather the corners of equal orientation that are connected to it through edges.
 class SlowTangents {
   public:
     explicit SlowTangents(const Mesh& mesh) : mesh_(mesh) {}
@@ -209,7 +209,7 @@ TEST(MakeTangents, AgreeWithTheDefinitionOnRandomSurfaces) {
             mesh.positions[i] += glm::vec3(jitter(random), jitter(random), 3.0f * jitter(random));
             mesh.normals[i] =
                 glm::normalize(glm::vec3(4.0f * jitter(random), 4.0f * jitter(random), 1.0f));
-            // Some vertices land on the other side of their neighbours: mirrored triangles.
+            // Some vertices move to the other side of their neighbors: mirrored triangles.
             mesh.texcoord0[i] += 3.0f * glm::vec2(jitter(random), jitter(random));
         }
         const Mesh before = mesh;
@@ -230,7 +230,7 @@ TEST(MakeTangents, DegenerateInputGivesSoundFrames) {
     for (std::size_t i = 0; i < mesh.texcoord0.size(); i += 3) mesh.texcoord0[i] = glm::vec2(0.5f);
     mesh.texcoord0[1] = glm::vec2(kNaN, 1.0f);
     mesh.texcoord0[2] = glm::vec2(1e38f, -1e38f);
-    mesh.positions.emplace_back(9.0f);  // used by nothing
+    mesh.positions.emplace_back(9.0f);  // an unused vertex
     mesh.normals.emplace_back(0.0f, 1.0f, 0.0f);
     mesh.texcoord0.emplace_back(0.0f);
     make_tangents(mesh);
@@ -265,7 +265,7 @@ TEST(MakeTangents, ManyTrianglesAtOneEdgeOrVertexTakeNoLonger) {
     expect_sound(mesh);
 }
 
-// Share of corners within a degree of what the asset stores, and of equal handedness.
+// Fraction of corners within a degree of the stored tangent and of equal handedness.
 void expect_close_to_stored(const std::filesystem::path& path) {
     const Scene scene = load_gltf(path);
     for (const Mesh& stored : scene.meshes) {
@@ -286,8 +286,9 @@ void expect_close_to_stored(const std::filesystem::path& path) {
     }
 }
 
-// Blender's exporter stores what MikkTSpace gave. (Suzanne of the same collection stores one
-// tangent a face, not perpendicular to the normals, and w = 1 throughout: no reference.)
+// Blender's exporter stores the results of MikkTSpace. (Suzanne of the same collection is not a
+// reference: it stores one tangent per face, not perpendicular to the normals, with w = 1
+// throughout.)
 TEST(MakeTangents, AgreeWithAssetsThatStoreTheirs) {
     const auto data = test::sample_data();
     if (data.empty()) GTEST_SKIP() << "no sample data (set BURNISH_DATA)";
@@ -305,7 +306,7 @@ TEST(RepairFrames, ReplacesWhatHasNoDirection) {
     mesh.tangents[3] = {1.0f, 0.0f, 0.0f, kNaN};
     EXPECT_EQ(repair_frames(mesh), 4u);
     expect_sound(mesh);
-    for (const glm::vec3 n : mesh.normals) EXPECT_NEAR(n.z, 1.0f, 1e-6f);  // of the faces
+    for (const glm::vec3 n : mesh.normals) EXPECT_NEAR(n.z, 1.0f, 1e-6f);  // face normals
     EXPECT_EQ(repair_frames(mesh), 0u);
 }
 

@@ -1,4 +1,4 @@
-// Woven cloth as a material: what --weave and its numbers do, and what they refuse.
+// Woven cloth as a material: the effect of --weave and its parameters, and their errors.
 #include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
@@ -44,7 +44,7 @@ TEST(ClothMaterial, AWeaveMakesTheSurfaceFibers) {
 }
 
 TEST(ClothMaterial, RoughnessIsAPairOfTheFibers) {
-    // Also where the cloth was there before: alpha = roughness^2, stretched across the fibres.
+    // Also for an existing cloth: alpha = roughness^2, stretched across the fibers.
     Scene scene = scene_with({{"weave", "plain"}});
     ParameterValues later;
     later.set("roughness", "0.5", "");

@@ -1,4 +1,4 @@
-// Parameters are a pure function of the models' materials and the values: properties over the whole
+// Materials are a pure function of the models' materials and the values: properties over the whole
 // table.
 #include "burnish/layered_materials.hpp"
 
@@ -23,7 +23,8 @@ class LayeredMaterialsTest : public testing::Test {
         return scene_.materials;
     }
 
-    // Twice is once, other values in between leave nothing, and no values give the base back.
+    // Applying values twice equals once, values in between leave no trace, and no values restore
+    // the base.
     void expect_pure(const ParameterValues& values, const ParameterValues& between) {
         LayeredMaterials materials(base_);
         const std::vector<Material> once = applied(materials, values);
@@ -51,7 +52,7 @@ TEST_F(LayeredMaterialsTest, EveryParameterIsAppliedOnceAndCanBeTakenBack) {
     EXPECT_EQ(counted, 36);
 }
 
-// What two values of a layer say together that is refused.
+// Whether the combination of two values in a layer is an error.
 bool is_refused(const ParameterValues& values) {
     try {
         apply_parameters(Material{}, values, MaterialAssets{});
@@ -81,7 +82,7 @@ TEST_F(LayeredMaterialsTest, SoAreManyTogether) {
     }
 }
 
-// What the file says of a parameter leaves nothing behind when a flag says it.
+// A file's value of a parameter leaves no trace when a flag overrides it.
 TEST_F(LayeredMaterialsTest, AFlagWinsOverTheFileForEveryParameter) {
     scene_.instances.resize(1);
     for (const Parameter& p : parameter_table()) {

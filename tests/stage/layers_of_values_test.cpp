@@ -1,4 +1,5 @@
-// Values of a scene file under those of flags: what flags replace, and who is told of a fault.
+// Values of a scene file below those of flags: which values flags replace, and the source that an
+// error names.
 #include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
@@ -20,7 +21,7 @@ ParameterValues values_of(const Words& words) {
     return values;
 }
 
-// A default material under the file's values and the flags'.
+// A material under the values of the file and the flags; by default the default material.
 Material material_of(const Words& file, const Words& flags, Material base = {}) {
     Scene scene;
     LayeredMaterials materials({base}, {{values_of(file), "s.json: objects[0]"}});
@@ -35,7 +36,7 @@ TEST(LayersOfValues, HalfOfAPairKeepsTheOtherHalf) {
     EXPECT_EQ(alpha({{"alpha_x", "0.1"}, {"alpha_y", "0.3"}}, {{"alpha_x", "0.2"}}),
               glm::vec2(0.2f, 0.3f));
     EXPECT_EQ(alpha({{"alpha_x", "0.1"}}, {{"alpha_y", "0.2"}}), glm::vec2(0.1f, 0.2f));
-    // One alone states both, in the file and after the flag has replaced it.
+    // A single half sets both, in the file and after a flag has replaced it.
     EXPECT_EQ(alpha({{"alpha_x", "0.1"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f));
     EXPECT_EQ(alpha({{"e_x", "198"}}, {{"alpha_x", "0.2"}}), glm::vec2(0.2f));
     // alpha = sqrt(2 / (e + 2)): 198 is 0.1.
@@ -53,7 +54,7 @@ TEST(LayersOfValues, AMetalOfTheFlagsIsMetallic) {
     EXPECT_TRUE(gold.conductor);
     EXPECT_EQ(gold.metallic, 1.0f);
     EXPECT_EQ(material_of({{"metal", "gold"}}, {{"metallic", "0.5"}}).metallic, 0.5f);
-    // One set, one thing: what a file says of both holds.
+    // Values of one layer combine: both apply.
     EXPECT_EQ(material_of({{"metallic", "0"}, {"metal", "gold"}}, {}).metallic, 0.0f);
 }
 
@@ -78,13 +79,13 @@ TEST(LayersOfValues, AWeaveOfTheFlagsIsNoneOfTheFilesMetal) {
     EXPECT_FALSE(m.conductor);
     EXPECT_EQ(m.metallic, 0.0f);
     EXPECT_EQ(cloth_of(m)->alpha, Cloth{}.alpha);
-    // The roughness of a cloth of the file stays with another draft.
+    // The roughness of the file's cloth stays when a flag changes the draft.
     const Material other =
         material_of({{"weave", "plain"}, {"roughness", "0.5"}}, {{"weave", "satin-5"}});
     EXPECT_EQ(cloth_of(other)->alpha, glm::vec2(0.25f));
 }
 
-// A flag takes back all that the file's value did.
+// A flag undoes every effect of the file's value.
 TEST(LayersOfValues, WhatAFlagReplacesLeavesNothing) {
     Material base;
     base.metallic = 0.6f;
@@ -103,7 +104,7 @@ TEST(LayersOfValues, WhatAFlagReplacesLeavesNothing) {
     const Words follow = {{"scratch", map}, {"scratch_direction", "follow"}};
     EXPECT_TRUE(material_of(follow, {}, base).anisotropy_texture);
     EXPECT_EQ(material_of(follow, {{"normal_map", "none"}}, base), base);
-    // The rotation follows the pair that holds in the end.
+    // The rotation follows the final roughness pair.
     Words pair = follow;
     pair.insert(pair.end(), {{"alpha_x", "0.1"}, {"alpha_y", "0.4"}});
     EXPECT_FLOAT_EQ(material_of(pair, {}).anisotropy_rotation, glm::radians(90.0f));
@@ -134,7 +135,7 @@ TEST(LayersOfValues, FaultsOfTheFileNameItsPlace) {
     }
 }
 
-// An example, through the reader and the parameters.
+// An example file, through the reader and the parameters.
 TEST(LayersOfValues, TheExampleIsWhatItSays) {
     SceneFile file = load_scene_file(source_folder() / "examples/scenes/brushed_cup.json");
     LayeredMaterials materials(file.scene.materials, file.layers);
@@ -150,7 +151,7 @@ TEST(LayersOfValues, TheExampleIsWhatItSays) {
               "builtin:bumps");
 }
 
-// One model in several sets: each has its own values, and a map is read once.
+// One model with several sets of parameters: each has its own values, and a map is read once.
 TEST(LayersOfValues, ManyObjectsOfAFile) {
     const ScratchFolder folder;
     const auto path = folder.write("s.json", R"({"format": "burnish-scene", "version": 1,

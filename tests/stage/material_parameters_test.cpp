@@ -1,4 +1,4 @@
-// Material parameters put onto the materials of a scene.
+// Material parameters applied to the materials of a scene.
 #include <gtest/gtest.h>
 
 #include "burnish/image_io.hpp"
@@ -59,7 +59,7 @@ TEST(MaterialParameters, RoughnessInThreeWays) {
     exponents.set("e_x", "0", "");
     exponents.set("e_y", "198", "");
     apply_material_parameters(scene, exponents);
-    // e = 2 / alpha^2 - 2, so 0 is alpha 1 and 198 is alpha 0.1.
+    // e = 2 / alpha^2 - 2: 0 is alpha 1 and 198 is alpha 0.1.
     EXPECT_NEAR(stated_alpha(scene.materials[0])->x, 1.0f, 1e-6f);
     EXPECT_NEAR(stated_alpha(scene.materials[0])->y, 0.1f, 1e-6f);
 
@@ -107,7 +107,7 @@ TEST(MaterialParameters, CosineLobesHaveTheirOwn) {
     EXPECT_EQ(scene.materials[1].lafortune_c, glm::vec3(-1.0f, -0.5f, 0.75f));
 }
 
-// What has no half vectors cannot be deformed, whether one call asks for it or two.
+// Models without half vectors reject deformations, whether one call sets both or two calls.
 TEST(MaterialParameters, DeformationsNeedHalfVectors) {
     for (const char* method : {"deform-linear", "deform-smooth"}) {
         Scene scene = one_triangle(true);

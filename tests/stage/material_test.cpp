@@ -1,4 +1,4 @@
-// What is drawn of a material, and what is said of its normal map.
+// The drawn form of a material, and the warnings about its normal map.
 #include <glm/geometric.hpp>
 #include <span>
 
@@ -42,7 +42,7 @@ TEST(DrawnMethod, OtherMethodsStay) {
     }
 }
 
-// Every member that a kind of lobe does not read is neutral in the material that is drawn.
+// Every member that a kind of lobe does not read is neutral in the drawn material.
 TEST(DrawnMaterial, IsWhatTheLobeReads) {
     Material all;
     all.base_color = {0.1f, 0.2f, 0.3f, 0.4f};
@@ -104,7 +104,7 @@ std::vector<std::string> warnings_of(std::vector<std::uint8_t> texels, int width
 
 TEST(NormalMapCheck, TakesMapsThatLeanLittle) {
     EXPECT_TRUE(warnings_of({128, 128, 255, 128, 128, 255}, 2, 3).empty());
-    // 45 degrees to both sides, and black padding beside.
+    // 45 degrees to both sides, next to black padding.
     EXPECT_TRUE(
         warnings_of({218, 128, 218, 37, 128, 218, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 5, 3).empty());
     EXPECT_TRUE(warnings_of({0, 0, 0}, 1, 3).empty());

@@ -1,4 +1,5 @@
-// Values of a scene file and of flags on a material: flags win, and the model's name is no tag.
+// Values of a scene file and of flags on a material: flags override the file, and errors name the
+// source.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -32,7 +33,7 @@ TEST(NamedFaults, TheFlagsUvScaleTakesThePlaceOfTheFiles) {
     EXPECT_EQ(repeats(request_of(file, {{"uv_scale", "2"}})), 2.0f);
 }
 
-// A square whose anisotropy texture has a transform of its own.
+// A square whose anisotropy texture has its own transform.
 void write_square(const std::filesystem::path& path) {
     GlbWriter writer;
     writer.add_png(png_gradient(4, 2));

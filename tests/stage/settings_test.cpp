@@ -1,4 +1,4 @@
-// Render settings and the parameter table say the same.
+// Render settings agree with the parameter table.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ TEST(RenderSettings, DefaultsAreThoseOfTheTable) {
     EXPECT_EQ(none.real("exposure"), stage.exposure_ev);
 }
 
-// A value at the other end of a parameter's range, which is no default.
+// A value at the other end of a parameter's range, different from the default.
 ParameterValue another_value(const Parameter& p) {
     switch (p.kind) {
         case ParameterKind::integer:
@@ -36,7 +36,7 @@ TEST(RenderSettings, EveryParameterOfThePictureGoesIn) {
     int counted = 0;
     for (const Parameter& p : parameter_table()) {
         if (p.group != ParameterGroup::render && p.group != ParameterGroup::environment) continue;
-        if (p.name == "exposure" || p.name == "tone_map") continue;  // of Stage
+        if (p.name == "exposure" || p.name == "tone_map") continue;  // members of Stage
         ParameterValues values;
         values.set_value(p.name, another_value(p));
         EXPECT_NE(render_settings(values), RenderSettings{}) << p.name;

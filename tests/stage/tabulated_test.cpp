@@ -1,5 +1,5 @@
-// `tabulated` as a parameter of materials: flags, scene files, what it replaces and what replaces
-// it.
+// `tabulated` as a parameter of materials: flags, scene files, the parameters that it replaces and
+// those that replace it.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace burnish::test {
 namespace {
 
-// Two texels of D = 1/pi.
+// Writes a material of two texels with D = 1/pi.
 void write_even(const std::filesystem::path& path) {
     TabulatedMaterial m;
     m.grid = {4, 8};
@@ -65,7 +65,7 @@ TEST_F(TabulatedParameter, ReplacesLobeAndColors) {
     std::string warnings;
     for (const std::string& line : scene.warnings) warnings += line + "\n";
     EXPECT_NE(warnings.find("alpha_x, metal"), std::string::npos) << warnings;
-    // Later values: what they leave out stays.
+    // Later values keep the parameters that they do not set.
     apply_material_parameters(scene, values_of({{"method", "follow-grain"}}));
     EXPECT_TRUE(tabulated_of(scene.materials[0]));
     apply_material_parameters(scene, values_of({{"tabulated", "none"}}));

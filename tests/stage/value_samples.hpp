@@ -1,4 +1,4 @@
-// Values of every material parameter, and scenes of every kind of lobe to put them onto.
+// Values of every material parameter, and scenes with every kind of lobe.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace burnish::test {
 
-// One texel of D = 1/pi.
+// One texel with D = 1/pi.
 inline TabulatedMaterial even_table() {
     TabulatedMaterial m;
     m.grid = {4, 8};
@@ -32,7 +32,8 @@ inline TabulatedMaterial even_table() {
     return m;
 }
 
-// Files that parameters name, two of each kind: "flat0.png", "scratch0/", "table0.exr" ...
+// Files for parameters that name files, two of each kind: "flat0.png", "scratch0/", "table0.exr"
+// ...
 class ValueSamples {
   public:
     ValueSamples() {
@@ -46,7 +47,7 @@ class ValueSamples {
         }
     }
 
-    // Value 0 or 1 of the parameter: two that differ, neither its default.
+    // Value 0 or 1 of the parameter: two different values, neither the default.
     ParameterValue value(const Parameter& p, int which) const {
         const float part = which == 0 ? 0.25f : 0.5f;
         switch (p.kind) {
@@ -64,7 +65,7 @@ class ValueSamples {
         }
     }
 
-    // The values of `p` alone, or beside the parameter that it belongs to.
+    // The values of `p` alone, or with the parameter that it belongs to.
     ParameterValues values(const Parameter& p, int which) const {
         ParameterValues values;
         if (!p.belongs_to.empty())
@@ -85,7 +86,8 @@ class ValueSamples {
     ScratchFolder folder_;
 };
 
-// A triangle in one material of each kind of lobe, on which value 0 of every parameter tells.
+// A triangle with one material of each kind of lobe; value 0 of every parameter changes some of
+// them.
 inline Scene scene_of_all_lobes() {
     Scene scene;
     Mesh& mesh = scene.meshes.emplace_back();
