@@ -5,7 +5,7 @@
 
 in vec2 v_ndc;
 uniform sampler2D u_sum;
-uniform ivec2 u_size;  // of the picture, in the lower left of u_sum
+uniform ivec2 u_size;         // of the picture, in the lower left of u_sum
 uniform float u_share;        // 1 / samples
 uniform float u_gain;         // 2^EV
 uniform int u_tone_map;       // kToneMap...

@@ -12,7 +12,7 @@ layout(location = 5) in vec4 a_color;
 uniform mat4 u_clip_from_world;
 uniform mat4 u_world_from_local;
 uniform mat3 u_normal_from_local;  // inverse transpose
-uniform float u_mirror;  // -1 when the transform reverses handedness
+uniform float u_mirror;            // -1 when the transform reverses handedness
 uniform vec3 u_uv_row_s;           // the one texture transform in use
 uniform vec3 u_uv_row_t;
 uniform float u_uv_from_set;

@@ -5,9 +5,9 @@
 uniform highp usampler2D u_weave_cells;  // the bits of src/maps/weave/weave_cells.hpp, a texel a cell
 uniform sampler2D u_weave_weft;  // coverage of a family: rgb color times coverage, a coverage
 uniform sampler2D u_weave_warp;
-uniform float u_weave_yarns;             // across the texture square
-uniform vec3 u_weave_shape;              // crimp, bulge, gap
-uniform vec2 u_weave_twist;  // (cos, sin) of the angle from a yarn to its fibers
+uniform float u_weave_yarns;  // across the texture square
+uniform vec3 u_weave_shape;   // crimp, bulge, gap
+uniform vec2 u_weave_twist;   // (cos, sin) of the angle from a yarn to its fibers
 uniform vec3 u_weave_colors[2];
 uniform float u_weave_filter;  // 0: the mean over cells is never used
 

@@ -9,11 +9,11 @@ uniform vec4 u_weave_wide_lobes[2];
 
 // One family within a pixel.
 struct ClothFamily {
-    int family;     // 0 weft, 1 warp
-    Shading m;  // with the color of the family
+    int family;   // 0 weft, 1 warp
+    Shading m;    // with the color of the family
     float share;  // fraction of the pixel's area
-    Frame a;         // x along the yarn
-    vec3 wo;  // direction to the eye in the axes `a`
+    Frame a;      // x along the yarn
+    vec3 wo;      // direction to the eye in the axes `a`
 };
 
 ClothFamily cloth_family(int family, vec4 seen, Shading m, Frame a, vec3 to_eye) {

@@ -4,8 +4,8 @@
 #if IMAGE_LIGHT == 1
 
 uniform int u_image_samples;
-uniform uint u_frame;  // index of the sub-pixel sample in progress
-uniform float u_total_samples; // image samples of all frames
+uniform uint u_frame;           // index of the sub-pixel sample in progress
+uniform float u_total_samples;  // image samples of all frames
 uniform uint u_seed;
 
 // Integral of f F cos L over wi by specular_draw. The points of frame k are k N .. (k+1) N - 1 of

@@ -15,9 +15,9 @@ uniform int u_light_count;
 #endif
 
 uniform vec4 u_light_place[LIGHTS];      // xyz: position, or towards a directional light; w: 0 or 1
-uniform vec4 u_light_radiance[LIGHTS];   // rgb: colour times intensity; w: 1 / range^2, 0 unbounded
+uniform vec4 u_light_radiance[LIGHTS];   // rgb: color times intensity; w: 1 / range^2, 0 unbounded
 uniform vec4 u_light_direction[LIGHTS];  // xyz: the direction of a spot
-uniform vec2 u_light_cone[LIGHTS];  // parameters of spot_cone
+uniform vec2 u_light_cone[LIGHTS];       // parameters of spot_cone
 
 // Direction towards light i from a position, and its irradiance on a surface facing it.
 vec3 light_direction(int i, vec3 position, out vec3 irradiance) {

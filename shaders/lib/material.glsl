@@ -51,10 +51,10 @@ struct Shading {
     float metallic;
     bool grooves_along_x;
     vec2 direction;  // of the stretch, relative to the tangent: unit
-    vec3 n;  // perturbed normal in the axes of tangent, bitangent and geometric normal
+    vec3 n;          // perturbed normal in the axes of tangent, bitangent and geometric normal
 #ifdef TABULATED
     TableBlock table;  // tabulated.glsl
-    int tap;  // index of the texel among those in the pixel; taps: their number
+    int tap;           // index of the texel among those in the pixel; taps: their number
     int taps;
 #endif
 };

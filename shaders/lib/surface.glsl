@@ -4,7 +4,7 @@ struct Surface {
     vec3 position;    // world space
     vec3 to_eye;      // unit
     vec3 normal;      // interpolated, not unit
-    vec4 tangent;  // interpolated; w: sign of the bitangent, including mirrored transforms
+    vec4 tangent;     // interpolated; w: sign of the bitangent, including mirrored transforms
     vec4 uv;          // set 0 in xy, set 1 in zw; one transformed set in xy unless UV_PER_TEXTURE
     float footprint;  // log2 of the pixel's size on uv.xy (FOOTPRINT_GIVEN only)
 #if defined(FOOTPRINT_GIVEN) && defined(TABULATED)

@@ -6,9 +6,9 @@
 
 uniform highp usampler2D u_tabulated_texels;  // tabulated_maps.hpp
 uniform highp usampler2D u_tabulated_colors;
-uniform int u_tabulated_columns;  // number of blocks in a row
-uniform float u_tabulated_part;  // side of a sample's part of the pixel
-uniform int u_tabulated_one;  // 1 where all texels are equal
+uniform int u_tabulated_columns;    // number of blocks in a row
+uniform float u_tabulated_part;     // side of a sample's part of the pixel
+uniform int u_tabulated_one;        // 1 where all texels are equal
 uniform int u_tabulated_area_rows;  // height of a block of areas
 #if IMAGE_LIGHT != 1
 uniform uint u_frame;

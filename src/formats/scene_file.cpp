@@ -32,7 +32,7 @@ constexpr std::string_view kFormat = "burnish-scene";
 // Ten thousand objects with every key take two megabytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kMostObjects = 10000, kMostLights = 1000;
-constexpr double kFar = 1e6;                        // metres, as in the parameter table
+constexpr double kFar = 1e6;                        // meters, as in the parameter table
 constexpr double kSmallest = 1e-6, kLargest = 1e6;  // scale factors
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 

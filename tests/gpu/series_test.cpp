@@ -15,7 +15,7 @@ namespace {
 
 using gpu::Renderer;
 
-// A window's framebuffer: 8 bits a channel.
+// A window's framebuffer: 8 bits per channel.
 class Window {
   public:
     Window(int width, int height) : width_(width), height_(height) {

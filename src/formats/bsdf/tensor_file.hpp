@@ -7,7 +7,7 @@
 //   fields           u32, then for each: u16 length, name; u16 rank; u8 type; u64 offset from the
 //                    start of the file; rank x u64 size along each dimension, the last one
 //                    contiguous
-//   data             wherever the offsets say
+//   data             at the offsets
 #pragma once
 
 #include <cstddef>

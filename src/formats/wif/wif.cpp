@@ -140,7 +140,7 @@ class Reader {
         if (idle > 0) warn(fmt::format("{} {}", idle, what));
     }
 
-    // --- colours --------------------------------------------------------------------------------
+    // --- colors --------------------------------------------------------------------------------
 
     // Values of the palette are those of a display (sRGB), between the two numbers of Range.
     std::vector<std::optional<glm::vec3>> table() {

@@ -54,7 +54,7 @@ class Painter {
         bool defers = false;
         bool shadows = false;   // of lights
         bool position = false;  // of surfaces, beside their normals
-        bool shape = false;     // position on the texture: tabulated materials read it
+        bool shape = false;     // footprint on the texture: tabulated materials read it
         bool ground = false;
         std::uint64_t frame = 0;     // version of the frame's uniforms
         std::uint64_t settings = 0;  // version of the settings that materials depend on

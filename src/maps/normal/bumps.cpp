@@ -14,7 +14,7 @@ namespace burnish {
 namespace {
 
 struct Bump {
-    double x, y;    // centre on the unit tile
+    double x, y;    // center on the unit tile
     double radius;  // in tiles
     double sign;    // +1 bump, -1 dimple
 };

@@ -19,7 +19,7 @@ struct TexelStroke {
     double tx, ty, nx, ny;  // tangent and left normal there, y down
     double k;               // curvature, 0 for an arc whose sagitta is invisible
     double half_length, half_width;
-    double depth;                        // millimetres
+    double depth;                        // millimeters
     double cap_a, cap_b, cap_c;          // the round profile: b (1 - q^2) / (sqrt(a - b q^2) + c)
     double taper_begin;                  // |s| where the taper begins
     float low_x, high_x, low_y, high_y;  // bounds
@@ -58,7 +58,7 @@ struct BlockBuffers {
     std::vector<float> score;           // |height| of the stroke that set the direction
     std::vector<float> line_x, line_y;  // its left normal, y down, of any length
 
-    void move_to(int x0_, int y0_, int width_, int height_);  // and clears it
+    void move_to(int x0_, int y0_, int width_, int height_);  // clears all buffers
     void clear_layer();  // clears groove and lip; keeps score and direction
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

@@ -1,4 +1,4 @@
-// Built-in meshes: all about a metre across, centred on the origin (the drape hangs below it), with
+// Built-in meshes: all about a meter across, centered on the origin (the drape hangs below it), with
 // texture coordinates, normals and exact tangents. v runs down the surface as rows run down a
 // picture, so that cross(normal, tangent) points up the picture and every tangent.w is +1.
 #include "burnish/builtin_meshes.hpp"
@@ -145,13 +145,13 @@ Mesh make_cylinder(int triangles) {
     add_fillet(profile, flat, -straight, kFillet, 0.5 * std::numbers::pi, kFilletSteps);
     for (int i = kCapSteps - 1; i >= 0; --i)
         profile.push_back({flat * i / kCapSteps, -kHalfHeight, 0.0, -1.0, 0.0});
-    for (std::size_t i = 1; i < profile.size(); ++i)  // v: metres along the profile
+    for (std::size_t i = 1; i < profile.size(); ++i)  // v: meters along the profile
         profile[i].v = profile[i - 1].v + std::hypot(profile[i].radius - profile[i - 1].radius,
                                                      profile[i].y - profile[i - 1].y);
     return revolve(profile, segments, 2.0);
 }
 
-// The ring lies flat; 2 x 1 texture squares come out 1.10 x 0.94 m on the tube's middle line.
+// The ring lies flat; 2 x 1 texture squares measure 1.10 x 0.94 m on the tube's middle line.
 Mesh make_torus(int triangles) {
     constexpr double kRing = 0.35, kTube = 0.15;
     // Segments in the ratio of the circumferences: 2 x steps x (7/3 steps) triangles.

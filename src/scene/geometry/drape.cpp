@@ -11,7 +11,7 @@ namespace burnish {
 
 namespace {
 
-// The cloth is a metre square; the plinth it hangs over is round, its top at y = 0, with a rounded
+// The cloth is a meter square; the plinth it hangs over is round, its top at y = 0, with a rounded
 // rim. The plinth itself is not part of the mesh.
 constexpr float kSide = 1.0f;
 constexpr float kRadius = 0.22f, kRim = 0.14f;

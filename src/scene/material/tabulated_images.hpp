@@ -42,7 +42,7 @@ struct TabulatedImages {
     int columns = 1;    // of blocks
     int area_rows = 0;  // texels of a block of `areas`
     TableBlocks tables, areas;
-    std::vector<std::uint32_t> texels, colors;  // 4 words a texel
+    std::vector<std::uint32_t> texels, colors;  // 4 words per texel
 };
 
 // Throws Error when a picture would be more than `largest_side` texels wide or high.
