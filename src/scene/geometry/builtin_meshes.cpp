@@ -1,5 +1,5 @@
-// Built-in meshes: all about a meter across, centered on the origin (the drape hangs below it), with
-// texture coordinates, normals and exact tangents. v runs down the surface as rows run down a
+// Built-in meshes: all about a meter across, centered on the origin (the drape hangs below it),
+// with texture coordinates, normals and exact tangents. v runs down the surface as rows run down a
 // picture, so that cross(normal, tangent) points up the picture and every tangent.w is +1.
 #include "burnish/builtin_meshes.hpp"
 

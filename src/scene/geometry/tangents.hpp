@@ -34,8 +34,8 @@ glm::vec3 tangent_of_normal(glm::vec3 normal);
 
 // Makes normals and tangents, if any, finite and of unit length, w = +-1. Lengths up to 5 % off, as
 // quantized attributes have, are corrected silently. Zero, infinite and NaN vectors, and tangents
-// parallel to the normal, are replaced. Returns the number of vertices with a replaced or corrected
-// vector beyond the 5 %. Makes missing normals (smooth).
+// parallel to the normal, are replaced. Makes missing normals (smooth). Returns the number of
+// vertices with a normal or tangent that was replaced or more than 5 % off.
 std::size_t repair_frames(Mesh& mesh);
 
 }  // namespace burnish

@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-// How half vectors of one table are drawn. A cell is drawn in proportion to the mean of D over it
-// and its neighbors (values are interpolated between cells) times the cosine, plus a small uniform
-// part. Draws are uniform within a cell.
+// How half vectors of one table are drawn. The density of draws in a cell is proportional to the
+// mean of D over the cell and its neighbors (values are interpolated between cells) times the
+// cosine, plus a small uniform part. Draws are uniform within a cell.
 struct TabulatedDraws {
     std::vector<float> cells;    // per cell: cumulative share of its ring
     std::vector<float> density;  // per cell: density of draws, per steradian
