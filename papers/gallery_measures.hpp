@@ -1,7 +1,6 @@
 // Measurements of lobes and pictures for the gallery. Private to papers/gallery*.
 #pragma once
 
-
 #include "burnish/image.hpp"
 #include "burnish/plot/mdf_plot.hpp"
 #include "core/constants.hpp"

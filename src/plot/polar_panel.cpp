@@ -112,8 +112,8 @@ Panel polar_panel(const PolarPlot& plot, std::string title, double width) {
                        ", to " + number_text(top, 2);
     }
     // The light lies in the cut, on the one side or on the other.
-    const double across = std::sin((plot.azimuth_deg - cut) * kDegree) *
-                          std::sin(plot.incidence_deg * kDegree);
+    const double across =
+        std::sin((plot.azimuth_deg - cut) * kDegree) * std::sin(plot.incidence_deg * kDegree);
     const bool in_plane = std::abs(across) < 1e-6;
     const double side = std::cos((plot.azimuth_deg - cut) * kDegree) < 0 ? -1 : 1;
     Panel panel{

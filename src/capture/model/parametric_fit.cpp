@@ -90,7 +90,8 @@ class Problem {
         out.resize(static_cast<Eigen::Index>(samples_.size()));
         for (std::size_t q = 0; q < samples_.size(); ++q)
             out[static_cast<Eigen::Index>(q)] = static_cast<double>(
-                samples_.value[q] - samples_.received[q] * (diffuse / std::numbers::pi_v<float> + specular * shape_[q]));
+                samples_.value[q] - samples_.received[q] * (diffuse / std::numbers::pi_v<float> +
+                                                            specular * shape_[q]));
     }
 
     // Finds d, s >= 0 that minimize sum (value - received (d/pi + s b))^2, b from the last
@@ -213,7 +214,8 @@ ParametricFit fit_parametric(ParametricModel model, const PointSamples& samples,
         model == ParametricModel::ward_isotropic ? Parameters{round, round, start.groove}
                                                  : Parameters{along, across, start.groove},
         Parameters{std::log(0.25f), std::log(0.3f), start.groove},
-        Parameters{std::log(0.25f), std::log(0.3f), start.groove + 0.5f * std::numbers::pi_v<float>}};
+        Parameters{std::log(0.25f), std::log(0.3f),
+                   start.groove + 0.5f * std::numbers::pi_v<float>}};
     Parameters best{};
     double least = 0.0;
     const std::size_t tried = !effort.elsewhere                          ? 1

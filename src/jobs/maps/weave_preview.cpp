@@ -28,7 +28,8 @@ Image window(const WeaveMaps& maps, const WeaveMapSettings& settings, double sid
     const double y_scale = maps.height / settings.height_mm() * side_mm / (kClothSide * kSamples);
     Image image(kClothSide, kClothSide, 3);
     for (int y = 0; y < kClothSide * kSamples; ++y) {
-        const int up = static_cast<int>((kClothSide * kSamples - 1 - y + 0.5) * y_scale) % maps.height;
+        const int up =
+            static_cast<int>((kClothSide * kSamples - 1 - y + 0.5) * y_scale) % maps.height;
         for (int x = 0; x < kClothSide * kSamples; ++x) {
             const int right = static_cast<int>((x + 0.5) * x_scale) % maps.width;
             const glm::vec3 value = sample(right, maps.height - 1 - up);
