@@ -23,7 +23,7 @@ ordered_json json_of(const Estimated& e, double scale = 1.0) {
         {"median", scale * e->median}, {"spread", scale * e->spread}, {"error", scale * e->error}};
 }
 
-// By all three clocks.
+// The estimates by each of the three clocks.
 template <typename Estimator>
 ordered_json by_clock(const Estimator& estimator, double scale = 1.0) {
     return {{"wall", json_of(estimator(Clock::wall), scale)},
