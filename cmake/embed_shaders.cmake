@@ -42,8 +42,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
             COMMENT "Embedding shaders" VERBATIM)
     endfunction()
 
-    # `target` is then built only from shaders that glslang accepts. The stages are assembled by the
-    # code that assembles them at run time.
+    # Building everything then fails where glslang refuses a shader; `target` alone does not wait for
+    # the check. The stages are assembled by the code that assembles them at run time.
     function(burnish_check_shaders target assembler)
         set(folder ${CMAKE_CURRENT_BINARY_DIR}/checked_shaders)
         add_custom_command(OUTPUT ${folder}.stamp

@@ -64,8 +64,8 @@ class Renderer {
 
     // Meshes and textures that equal those on the device stay there.
     void set_scene(const Scene& scene, const Progress& progress = {});
-    // Null: none. The first prepares the environment; the second uploads what was prepared before,
-    // by a thread of its own for one.
+    // Null: no environment. The first function prepares the environment and uploads it; the second
+    // uploads one that another thread, say, has prepared.
     void set_environment(const Environment* environment, const Progress& progress = {});
     void set_environment(std::shared_ptr<const PreparedEnvironment> prepared);
     void set_lights(std::span<const Light> lights);  // at most 16

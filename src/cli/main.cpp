@@ -1,4 +1,4 @@
-// burnish: the command line. Parses, calls app/, prints. Every failure is one line on standard
+// burnish: the command line. Parses, calls jobs/, prints. Every failure is one line on standard
 // error.
 #include <signal.h>
 

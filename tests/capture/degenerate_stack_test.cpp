@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "burnish/capture_fit.hpp"
 #include "core/constants.hpp"
@@ -58,6 +59,11 @@ TabulatedMaterial fit(const Rig& rig, const std::vector<Image>& pictures, bool n
     settings.normals = normals;
     TabulatedMaterial m = fit_capture(rig, pictures, {}, settings);
     expect_finite(m);
+    // Every one of these stacks shows some light.
+    const auto sum = [](const Image& image) {
+        return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0);
+    };
+    EXPECT_GT(sum(m.diffuse) + sum(m.specular), 0.0);
     return m;
 }
 

@@ -40,8 +40,8 @@ std::vector<std::uint8_t> read_mask(const Rig& rig, int width, int height);
 // does not state at which value its sensor clips. The maximum must also be that of the whole stack.
 // Samples of an unclipped sensor hardly ever agree in all bits.
 inline constexpr int kRepeatsOfClipping = 8;
-// The same for the largest share of a picture's samples: a picture of one value shows an even card
-// rather than the end of its sensor.
+// Share of a picture's samples, within the mask, up to which those at its largest value are taken as
+// clipped. More of them show an even card rather than the end of a sensor.
 inline constexpr double kMostOfClipping = 0.5;
 
 struct StackCensus {

@@ -19,15 +19,14 @@ Reads the columns
                   ward-gmd                   ks       alpha_x  alpha_y
                   cook-torrance              ks       m        F0
                   lafortune                  ks       Cx       Cy       Cz    n
-                  phong                      ks       alpha
+                  phong                      ks       n
                   he (1991)                  sigma    tau      F0
                   ggx, ggx-separable         alpha_x  alpha_y  F0
                   beckmann                   alpha_x  alpha_y  F0
                   microfacet                 those of its mdf, F0
-  p0 .. p4      its parameters: e, n and the alpha of phong from 0 to 1000000, other alphas and
-                m from 0.001 to 1.5, F0, Rd, Rs and ks from 0 to 1 (ks of lafortune and phong to
-                1000000), C from -10 to 10, sigma from 0 to 5 and tau from 0.1 to 1000
-                wavelengths; what a model does not use may be empty, and a column that none
+  p0 .. p4      its parameters: e and n from 0 to 1000000, alphas and m from 0.001 to 1.5,
+                F0, Rd, Rs and ks from 0 to 1 (ks of lafortune and phong to 1000000), C from
+                -10 to 10, sigma from 0 to 5 and tau from 0.1 to 1000 wavelengths; what a model does not use may be empty, and a column that none
                 uses absent
   ix, iy, iz    towards the light
   ox, oy, oz    towards the eye

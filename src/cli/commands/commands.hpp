@@ -1,5 +1,5 @@
 // The commands of the program. Each cmd_<verb>.cpp defines one function, which adds a subcommand to
-// `parent` with flags, help and a callback that calls app/ and prints.
+// `parent` with flags, help and a callback that calls jobs/ and prints.
 #pragma once
 
 namespace CLI {

@@ -1,5 +1,5 @@
 // The text of a WIF file: sections of "key=value" lines, checked during parsing.
-// Private to the reader of drafts (scene/wif.hpp).
+// Private to the reader of drafts (burnish/wif.hpp).
 #pragma once
 
 #include <cstddef>
