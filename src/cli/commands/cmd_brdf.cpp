@@ -26,8 +26,8 @@ Reads the columns
                   microfacet                 those of its mdf, F0
   p0 .. p4      its parameters: e and n from 0 to 1000000, alphas and m from 0.001 to 1.5,
                 F0, Rd, Rs and ks from 0 to 1 (ks of lafortune and phong to 1000000), C from
-                -10 to 10, sigma from 0 to 5 and tau from 0.1 to 1000 wavelengths; what a model does not use may be empty, and a column that none
-                uses absent
+                -10 to 10, sigma from 0 to 5 and tau from 0.1 to 1000 wavelengths;
+                what a model does not use may be empty, and a column that none uses absent
   ix, iy, iz    towards the light
   ox, oy, oz    towards the eye
   mdf           for microfacet only: ashikhmin-shirley, ward, beckmann or ggx
