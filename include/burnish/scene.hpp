@@ -158,6 +158,8 @@ std::vector<Material> drawn_materials(std::vector<Material> materials);
 // the isotropic D(n~.h), which is the rotated lobe: `gram-schmidt` there, as every rotation is the
 // same.
 Method drawn_method(const Material& material);
+// drawn_method of the material without its anisotropy texture.
+Method untextured_method(const Material& material);
 
 // An instance whose mesh is negative is an erased one: nothing is drawn.
 struct Instance {

@@ -38,10 +38,11 @@ class SurfacePoint {
         double pdf = 0.0;        // per steradian, of the direction
         glm::dvec3 weight{0.0};  // eval times the cosine over the density
     };
-    // A direction drawn by three uniform numbers of [0, 1); none: the draw is thrown away, which
-    // keeps the mean of the weights right.
+    // A direction drawn by three uniform numbers of [0, 1); none: the draw is discarded, and counts
+    // as a weight of 0 in a mean.
     std::optional<Sample> sample(glm::dvec3 to_eye, const std::array<double, 3>& uniform) const;
-    // The density with which `sample` draws a direction.
+    // The density with which `sample` returns a direction, per steradian; 0 below the perturbed horizon.
+    // Its integral over the sphere is the probability that `sample` returns one.
     double pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const;
 
   private:

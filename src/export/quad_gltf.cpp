@@ -20,7 +20,7 @@ constexpr std::array<std::uint16_t, 6> kIndices = {0, 1, 2, 0, 2, 3};
 constexpr std::size_t kVertexBytes = kVertexFloats * sizeof(float);
 constexpr int kFloat = 5126, kUnsignedShort = 5123, kArrayBuffer = 34962, kElementBuffer = 34963;
 
-float half_metres(double mm) {
+float half_meters(double mm) {
     return static_cast<float>(mm * 0.5e-3);
 }
 
@@ -33,7 +33,7 @@ ordered_json accessor(std::size_t offset, const char* type) {
 }
 
 ordered_json accessors_of(const SampleQuad& quad) {
-    const float x = half_metres(quad.width_mm), y = half_metres(quad.height_mm);
+    const float x = half_meters(quad.width_mm), y = half_meters(quad.height_mm);
     ordered_json position = accessor(0, "VEC3");
     position["min"] = {-x, -y, 0.0f};
     position["max"] = {x, y, 0.0f};
@@ -100,7 +100,7 @@ std::string quad_gltf(const SampleQuad& quad, const std::string& buffer) {
 }
 
 std::vector<std::byte> quad_bytes(const SampleQuad& quad) {
-    const float x = half_metres(quad.width_mm), y = half_metres(quad.height_mm);
+    const float x = half_meters(quad.width_mm), y = half_meters(quad.height_mm);
     std::vector<float> vertices;
     // Counter-clockwise from the lower left; v runs down the picture.
     const std::array<std::array<float, 4>, kVertices> corners = {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<std::string_view, 7> kNames = {"gold",  "silver", "copper",  "aluminium",
                                                     "steel", "brass",  "titanium"};
 
-// n and k at 650, 550 and 450 nm, linear between the neighbouring samples of the measurement. The
+// n and k at 650, 550 and 450 nm, linear between the neighboring samples of the measurement. The
 // tables were read in the refractiveindex.info database (public domain, CC0).
 const std::array<Conductor, kNames.size()>& conductors() {
     static const std::array<Conductor, kNames.size()> table = {{

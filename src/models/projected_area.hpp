@@ -1,6 +1,6 @@
 // The area that facets of the Ashikhmin-Shirley distribution show towards a direction, which is the
 // shadowing of Ashikhmin, Premoze & Shirley 2000: g(k) = Int over h.k > 0, h_z > 0 of (h.k) D(h)
-// dh, D normalised to Int D (n.h) dh = 1. g(k) >= k_z, and k_z/g(k) is Smith's masking.
+// dh, D normalized to Int D (n.h) dh = 1. g(k) >= k_z, and k_z/g(k) is Smith's masking.
 #pragma once
 
 #include <cstddef>

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include "burnish/image_io.hpp"
+#include "core/constants.hpp"
 
 namespace burnish::plot {
 namespace {
@@ -33,7 +33,7 @@ constexpr std::array<LightnessChromaHue, 3> kTideOrange = {
     {{0.965, 0.0, 60}, {0.68, 0.125, 60}, {0.38, 0.080, 55}}};
 
 Oklab oklab_of(const LightnessChromaHue& c) {
-    const double hue = c.hue_deg * std::numbers::pi / 180;
+    const double hue = c.hue_deg * kDegree;
     return {c.L, c.C * std::cos(hue), c.C * std::sin(hue)};
 }
 

@@ -54,13 +54,17 @@ std::vector<Material> drawn_materials(std::vector<Material> materials) {
     return materials;
 }
 
-Method drawn_method(const Material& m) {
+Method untextured_method(const Material& m) {
     const GltfLobe* lobe = gltf_lobe_of(m);
     const glm::vec2 alpha = stated_alpha(m).value_or(glm::vec2(0.0f));
     const bool isotropic = tabulated_of(m) == nullptr &&
-                           (!m.anisotropy_texture || cloth_of(m) != nullptr) &&
                            (lobe ? lobe->anisotropy_strength == 0.0f : alpha.x == alpha.y);
     return m.method == Method::normal_map && isotropic ? Method::gram_schmidt : m.method;
+}
+
+Method drawn_method(const Material& m) {
+    const bool textured = m.anisotropy_texture && cloth_of(m) == nullptr;
+    return textured ? m.method : untextured_method(m);
 }
 
 Bounds bounds_of(const Scene& scene) {

@@ -177,8 +177,8 @@ TEST(SurfacePoint, IsTheSameUnderEveryMethodWhereTheNormalIsTheGeometricOne) {
     }
 }
 
-// The mean of the weights is the directional albedo, and as many samples are accepted as the density
-// has mass above the horizon of the normal.
+// The mean of the weights is the directional albedo, and the integral of the density over the whole
+// sphere is the share of the samples that are accepted.
 TEST(SurfacePoint, SamplesEstimateTheIntegral) {
     std::mt19937 generator(2);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -191,8 +191,7 @@ TEST(SurfacePoint, SamplesEstimateTheIntegral) {
         const double albedo = integral([&](vec3 wi) {
             return point.eval(of(wi), of(kView)).y * std::max(cosine(c, wi), 0.0);
         });
-        const double mass = integral(
-            [&](vec3 wi) { return cosine(c, wi) > 0 ? point.pdf(of(wi), of(kView)) : 0.0; });
+        const double mass = integral([&](vec3 wi) { return point.pdf(of(wi), of(kView)); });
         double sum = 0, squares = 0;
         int accepted = 0;
         for (int i = 0; i < kSamples; ++i) {
@@ -245,6 +244,19 @@ TEST(SurfacePoint, ANormalThatFacesAwayIsTurnedToTheEye) {
     const double wanted = f64::surface_eval(surface, turned, wi, wo).x;
     EXPECT_GT(wanted, 0.01);
     EXPECT_NEAR(SurfacePoint(m, of(n)).eval(of(wi), of(wo)).x, wanted, 1e-12);
+}
+
+// Under normal-map an isotropic lobe is a rotated one and an anisotropic lobe is not: a texture that
+// would make it anisotropic does not count.
+TEST(SurfacePoint, AnAnisotropyTextureDoesNotChangeTheMethod) {
+    Material m = base_material(Brdf::microfacet, Mdf::ggx, GltfLobe{0.75f, 0.0f});
+    m.method = Method::normal_map;
+    const SurfacePoint plain(m, of(kTilted));
+    m.anisotropy_texture.texture = 0;
+    const SurfacePoint textured(m, of(kTilted));
+    const glm::dvec3 wi = of(f64::reflect_about(kView, kTilted));
+    EXPECT_GT(plain.eval(wi, of(kView)).x, 0.05);
+    EXPECT_EQ(textured.eval(wi, of(kView)), plain.eval(wi, of(kView)));
 }
 
 TEST(SurfacePoint, RefusesWhatHasNoMeaningAtAPoint) {

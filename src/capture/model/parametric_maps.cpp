@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "burnish/f64.hpp"
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
@@ -26,7 +27,7 @@ ParametricFit ParametricMaps::lobe(std::size_t texel) const {
     ParametricFit fit;
     fit.alpha_along = (*along)[texel];
     fit.alpha_across = (*across)[texel];
-    fit.groove = (*groove_deg)[texel] * std::numbers::pi_v<float> / 180.0f;
+    fit.groove = (*groove_deg)[texel] * static_cast<float>(kDegree);
     return fit;
 }
 

@@ -153,7 +153,7 @@ constexpr std::array<Entry, 9> kEntries = {{
 }};
 
 Vec3d waving_normal(double u, double v, double tilt_deg) {
-    const double most = std::tan(tilt_deg * kPi / 180.0);
+    const double most = std::tan(tilt_deg * kDegree);
     const double x = most * std::sin(11.0 * u + 3.0 * v) * std::sqrt(0.5);
     const double y = most * std::cos(5.0 * u - 9.0 * v) * std::sqrt(0.5);
     const double length = std::sqrt(x * x + y * y + 1.0);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "burnish/f64.hpp"
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
@@ -42,7 +43,7 @@ double normal_at(std::uint64_t counter) {  // Box & Muller 1958
 }
 
 RigPlace tilted_camera(const VirtualRigSettings& settings) {
-    const double tilt = settings.camera_tilt_deg * std::numbers::pi / 180.0;
+    const double tilt = settings.camera_tilt_deg * kDegree;
     RigPlace place;
     place.at = {0.0, -std::sin(tilt), std::cos(tilt)};
     if (settings.camera_distance_mm > 0.0) {
@@ -135,7 +136,7 @@ Rig make_bar_rig(const VirtualSample& sample, int leds, int steps,
                  const VirtualRigSettings& settings) {
     constexpr double kHeight = 40.0;  // W08: about 4 cm above the sample
     // Lights extend to 75 degrees from the normal at the middle of the sample.
-    const double reach = kHeight * std::tan(75.0 * std::numbers::pi / 180.0);
+    const double reach = kHeight * std::tan(75.0 * kDegree);
     Rig rig = empty_rig(sample, settings);
     const auto place = [](int k, int count, double half) {
         return count > 1 ? half * (2.0 * k / (count - 1) - 1.0) : 0.0;
@@ -154,7 +155,7 @@ Rig make_bar_rig(const VirtualSample& sample, int leds, int steps,
 
 Rig make_dome_rig(const VirtualSample& sample, int lights, const VirtualRigSettings& settings) {
     Rig rig = empty_rig(sample, settings);
-    const double lowest = std::cos(75.0 * std::numbers::pi / 180.0);
+    const double lowest = std::cos(75.0 * kDegree);
     const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
     for (int k = 0; k < lights; ++k) {
         const double z = 1.0 - (1.0 - lowest) * (k + 0.5) / lights;

@@ -4,13 +4,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include "burnish/coverage.hpp"
 #include "burnish/error.hpp"
 #include "capture/solve/texel_fit.hpp"
 #include "capture/solve/training_points.hpp"
 #include "capture/stack/stage_file.hpp"
+#include "core/constants.hpp"
 
 namespace burnish {
 
@@ -102,7 +102,7 @@ void CaptureFit::start() {
     context_.grid = settings_.grid;
     report_.census = stack_->census();
     report_.spacing_deg = point_coverage(rig_, {0.0, 0.0, 0.0}).spacing;
-    context_.spacing_rad = static_cast<float>(report_.spacing_deg * std::numbers::pi / 180.0);
+    context_.spacing_rad = static_cast<float>(report_.spacing_deg * kDegree);
 }
 
 CaptureFit::~CaptureFit() = default;

@@ -69,7 +69,7 @@ class SharedDisplay {
         const std::lock_guard lock(mutex());
         if (users()[display] == 0 && !eglInitialize(display, nullptr, nullptr)) {
             users().erase(display);
-            throw Error("EGL cannot initialise it");
+            throw Error("EGL cannot initialize it");
         }
         ++users()[display];
     }
@@ -112,18 +112,25 @@ struct Context::Handles {
         if (eglGetCurrentContext() == context) {
             eglMakeCurrent(display.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         }
-        eglDestroyContext(display.get(), context);
-        if (surface != EGL_NO_SURFACE) eglDestroySurface(display.get(), surface);
+        release();
     }
     Handles(const Handles&) = delete;
     Handles& operator=(const Handles&) = delete;
 
     bool try_api(bool es);
+    void release();
 
     SharedDisplay display;
     EGLContext context = EGL_NO_CONTEXT;
     EGLSurface surface = EGL_NO_SURFACE;
 };
+
+void Context::Handles::release() {
+    eglDestroyContext(display.get(), context);
+    if (surface != EGL_NO_SURFACE) eglDestroySurface(display.get(), surface);
+    context = EGL_NO_CONTEXT;
+    surface = EGL_NO_SURFACE;
+}
 
 // Makes a context of one API and makes it current; false when the display has none.
 bool Context::Handles::try_api(bool es) {
@@ -149,8 +156,7 @@ bool Context::Handles::try_api(bool es) {
         surface = eglCreatePbufferSurface(d, config, one_pixel.data());
     }
     if (eglMakeCurrent(d, surface, surface, context)) return true;
-    eglDestroyContext(d, context);
-    context = EGL_NO_CONTEXT;
+    release();
     return false;
 }
 

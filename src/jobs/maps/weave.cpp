@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "burnish/error.hpp"
@@ -16,6 +15,7 @@
 #include "burnish/version.hpp"
 #include "burnish/weave_maps.hpp"
 #include "burnish/wif.hpp"
+#include "core/constants.hpp"
 #include "core/files.hpp"
 #include "core/memory.hpp"
 #include "jobs/map_folder.hpp"
@@ -75,7 +75,7 @@ WeaveMapSettings settings_of(const WeaveRequest& request, std::vector<std::strin
     settings.yarn_mm = request.yarn_mm;
     const ParameterValues& values = request.values;
     const auto real = [&](std::string_view name) { return static_cast<float>(values.real(name)); };
-    const float twist = real("weave_twist") * std::numbers::pi_v<float> / 180.0f;
+    const float twist = real("weave_twist") * static_cast<float>(kDegree);
     settings.shape.crimp = real("weave_crimp");
     settings.shape.bulge = real("weave_bulge");
     settings.shape.gap = real("weave_gap");

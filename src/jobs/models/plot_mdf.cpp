@@ -178,7 +178,7 @@ plot::Metadata parameters_of(const MdfPlotRequest& request) {
         {"burnish:mdf", lobes_text(request)},
         {"burnish:method", fmt::format("{}", fmt::join(methods, ","))},
         {"burnish:normal", fmt::format("{}", fmt::join(normals, " "))},
-        {"burnish:normalisation",
+        {"burnish:normalization",
          std::string(plot::normalization_names()[static_cast<std::size_t>(request.normalization)])},
         {"burnish:scale",
          std::string(plot::scale_names()[static_cast<std::size_t>(request.scale)])}};

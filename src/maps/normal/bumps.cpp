@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
@@ -148,7 +148,7 @@ void for_each_texel(int size, const Texel& texel) {
 }
 
 double steepest_of(const BumpOptions& options) {
-    return std::tan(options.max_tilt_deg * std::numbers::pi / 180.0);
+    return std::tan(options.max_tilt_deg * kDegree);
 }
 
 }  // namespace

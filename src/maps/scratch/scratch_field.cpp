@@ -57,7 +57,7 @@ double sample_tile(const Image& image, int channel, TilePoint p) {
 }
 
 GrainField::GrainField(const ScratchLayer& layer, const ScratchInputs& inputs)
-    : kind_(layer.field), turn_(layer.angle_deg * kPi / 180.0) {
+    : kind_(layer.field), turn_(layer.angle_deg * kDegree) {
     if (kind_ == ScratchField::image)
         image_ = double_angle_of(inputs.direction, inputs.direction_is_double_angle);
 }

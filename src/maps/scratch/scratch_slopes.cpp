@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
+#include "core/constants.hpp"
 #include "core/large_pages.hpp"
 #include "core/parallel.hpp"
 #include "image/large_image.hpp"
@@ -184,7 +184,7 @@ void stretch_rows(const ScratchMaps& maps, const ScratchLayer& ground, int begin
                   float* to) {
     const bool from_middle =
         ground.field == ScratchField::circular || ground.field == ScratchField::radial;
-    const double across = (ground.angle_deg + 90.0) * std::numbers::pi / 180.0;
+    const double across = (ground.angle_deg + 90.0) * kDegree;
     const auto rx = static_cast<float>(std::cos(across));
     const auto ry = static_cast<float>(std::sin(across));
     const float middle = 0.5f * static_cast<float>(maps.size - 1);

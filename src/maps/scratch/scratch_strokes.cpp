@@ -65,7 +65,7 @@ class LayerStrokes {
     TilePoint place(StrokeRandom& random, std::size_t index) const {
         TilePoint at{random.unit(), random.unit()};
         if (layer_.placement != ScratchPlacement::even) return at;
-        const double angle = layer_.angle_deg * kPi / 180.0;
+        const double angle = layer_.angle_deg * kDegree;
         const bool upright = std::abs(std::sin(angle)) > std::abs(std::cos(angle));
         double& across = upright ? at.x : at.y;
         double& along = upright ? at.y : at.x;
@@ -101,7 +101,7 @@ class LayerStrokes {
         stroke.curvature = (alike ? 1.0 : side) * draw(layer_.curvature_per_mm);
         const double turn = 2.0 * random.unit() - 1.0;
         if (const DoubleAngle line = field_.at(at)) {
-            stroke.angle = line.angle() + turn * layer_.range_deg * kPi / 180.0;
+            stroke.angle = line.angle() + turn * layer_.range_deg * kDegree;
             stroke.curvature += field_.curvature_at(at) / settings_.tile_mm;
         } else {
             stroke.angle = 0.5 * kPi * turn;

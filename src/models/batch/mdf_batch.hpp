@@ -36,7 +36,7 @@ void mdf_values(Mdf mdf, Method method, const MdfRows<float>& rows,
 void mdf_values(Mdf mdf, Method method, const MdfRows<double>& rows,
                 const MdfResults<double>& results);
 
-// One lobe for all rows, for tables: D with the unperturbed lobe normalised to Int D (n.h) dw = 1,
+// One lobe for all rows, for tables: D with the unperturbed lobe normalized to Int D (n.h) dw = 1,
 // in the energy-conserving form where `conserving`. One thread; a caller may divide the columns.
 void mdf_table(Mdf mdf, float p0, float p1, Method method, bool conserving,
                const DirectionColumns<float>& n, const DirectionColumns<float>& h,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 
 namespace burnish {
@@ -16,7 +17,7 @@ namespace {
 constexpr int kWidth = 1024, kHeight = 512;
 
 float radians_of(float degrees) {
-    return degrees * std::numbers::pi_v<float> / 180.0f;
+    return degrees * static_cast<float>(kDegree);
 }
 
 float smooth_step(float low, float high, float x) {

@@ -44,7 +44,7 @@ SurfacePoint::SurfacePoint(const Material& material, glm::dvec3 normal) : normal
     material_ = values.surface;
     stretch_ = values.stretch;
     const bool bent = normal.x != 0.0 || normal.y != 0.0;
-    method_ = static_cast<int>(bent ? values.method : Method::none);
+    method_ = static_cast<int>(bent ? untextured_method(material) : Method::none);
     grooves_along_x_ = values.grooves_along_x;
     conserve_ = values.conserve;
 }
@@ -65,7 +65,11 @@ glm::dvec3 SurfacePoint::eval(glm::dvec3 to_light, glm::dvec3 to_eye) const {
 
 double SurfacePoint::pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const {
     const f64::vec3 wo = local(to_eye);
-    return f64::surface_pdf(material_, seen_from(wo), local(to_light), wo);
+    const f64::vec3 wi = local(to_light);
+    const f64::Perturbation p = seen_from(wo);
+    // `sample` discards these directions.
+    if (!(f64::dot(p.n, wi) > 0.0)) return 0.0;
+    return f64::surface_pdf(material_, p, wi, wo);
 }
 
 std::optional<SurfacePoint::Sample> SurfacePoint::sample(
