@@ -19,7 +19,9 @@ struct ClothPlace {
 
 ClothPlace cloth_place(Surface s) {
     ClothPlace place;
-    place.at = s.uv.xy * u_weave_yarns;
+    // v runs down the texture square. The first pick lies at its bottom, and picks follow one another
+    // along the bitangent, which points up.
+    place.at = vec2(s.uv.x, 1.0 - s.uv.y) * u_weave_yarns;
 #ifdef FOOTPRINT_GIVEN
     place.size = s.footprint + log2(u_weave_yarns) + u_lod_bias;
 #else

@@ -55,7 +55,7 @@ inline Mesh unit_plane() {
         mesh.positions.emplace_back(2 * u - 1, 2 * v - 1, 0.0f);
         mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
         mesh.tangents.emplace_back(1.0f, 0.0f, 0.0f, 1.0f);
-        mesh.texcoord0.emplace_back(u, v);
+        mesh.texcoord0.emplace_back(u, 1 - v);
     }
     mesh.indices = {0, 1, 3, 0, 3, 2};
     return mesh;
