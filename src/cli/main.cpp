@@ -53,6 +53,7 @@ void add_commands(CLI::App& app, Session& session) {
     add_scratch_command(app, session);
     add_weave_command(app, session);
     add_capture_command(app, session);
+    add_export_command(app, session);
     add_info_command(app, session);
     add_mdf_command(app, session);
     add_brdf_command(app, session);

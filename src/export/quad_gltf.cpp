@@ -18,6 +18,7 @@ constexpr std::size_t kVertexFloats = 3 + 3 + 4 + 2;
 constexpr std::size_t kVertices = 4;
 constexpr std::array<std::uint16_t, 6> kIndices = {0, 1, 2, 0, 2, 3};
 constexpr std::size_t kVertexBytes = kVertexFloats * sizeof(float);
+constexpr int kRepeat = 10497, kClampToEdge = 33071;
 constexpr int kFloat = 5126, kUnsignedShort = 5123, kArrayBuffer = 34962, kElementBuffer = 34963;
 
 float half_meters(double mm) {
@@ -47,26 +48,14 @@ ordered_json accessors_of(const SampleQuad& quad) {
              {"type", "SCALAR"}}};
 }
 
-ordered_json material_of(const SampleQuad& quad) {
-    ordered_json out = {
-        {"name", quad.name},
-        {"pbrMetallicRoughness",
-         {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 1}}}}},
-        {"normalTexture", {{"index", 2}}},
-        {"extensions",
-         {{"KHR_materials_anisotropy",
-           {{"anisotropyStrength", 1.0}, {"anisotropyTexture", {{"index", 3}}}}}}}};
-    if (quad.masked) out["alphaMode"] = "MASK";
-    return out;
-}
-
 }  // namespace
 
-std::string quad_gltf(const SampleQuad& quad, const std::string& buffer) {
+std::string quad_gltf(const SampleQuad& quad, const QuadMaterial& material,
+                      const std::string& buffer) {
     constexpr std::size_t kBytes = kVertices * kVertexBytes;
     ordered_json root;
     root["asset"] = {{"version", "2.0"}, {"generator", "Burnish " + std::string(version())}};
-    root["extensionsUsed"] = {"KHR_materials_anisotropy"};
+    root["extensionsUsed"] = material.extensions;
     root["scene"] = 0;
     root["scenes"] = {{{"nodes", {0}}}};
     root["nodes"] = {{{"mesh", 0}, {"name", quad.name}}};
@@ -75,17 +64,17 @@ std::string quad_gltf(const SampleQuad& quad, const std::string& buffer) {
           {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TANGENT", 2}, {"TEXCOORD_0", 3}}},
             {"indices", 4},
             {"material", 0}}}}}};
-    root["materials"] = ordered_json::array({material_of(quad)});
+    root["materials"] = ordered_json::array({material.json});
     root["textures"] = ordered_json::array();
     root["images"] = ordered_json::array();
-    for (const char* image :
-         {"base_color.png", "metallic_roughness.png", "normal.png", "anisotropy.png"}) {
+    for (const std::string& image : material.images) {
         root["textures"].push_back({{"sampler", 0}, {"source", root["images"].size()}});
         root["images"].push_back({{"uri", image}});
     }
-    // Linear with mip maps, clamped to the edge, because the sample does not repeat.
+    // Linear with mip maps.
+    const int wrap = material.repeats ? kRepeat : kClampToEdge;
     root["samplers"] = {
-        {{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}};
+        {{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", wrap}, {"wrapT", wrap}}};
     root["accessors"] = accessors_of(quad);
     root["bufferViews"] = {{{"buffer", 0},
                             {"byteLength", kBytes},

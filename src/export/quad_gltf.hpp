@@ -1,7 +1,8 @@
-// The flat quad of a sample with four textures as glTF. Private to capture_export.cpp.
+// A flat quad with one textured material as glTF.
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,20 @@ namespace burnish {
 struct SampleQuad {
     std::string name;
     double width_mm = 0.0, height_mm = 0.0;
-    bool masked = false;  // base_color.png has alpha: 0 outside the mask
+};
+
+struct QuadMaterial {
+    nlohmann::ordered_json json;          // an element of glTF's "materials"
+    std::vector<std::string> images;      // files beside the glTF, by the index of the texture
+    std::vector<std::string> extensions;  // of the material
+    bool repeats = false;                 // the textures repeat; else they end at their edges
 };
 
 // The quad lies in z = 0 about the origin, in meters, its x and y those of the sample, its texture
 // upright; tangents along x, bitangents along y. Vertices and indices are those of quad_bytes, in
-// the file `buffer`. Textures in the same folder: base_color.png, metallic_roughness.png,
-// normal.png, anisotropy.png.
-std::string quad_gltf(const SampleQuad& quad, const std::string& buffer);
+// the file `buffer` beside the glTF.
+std::string quad_gltf(const SampleQuad& quad, const QuadMaterial& material,
+                      const std::string& buffer);
 std::vector<std::byte> quad_bytes(const SampleQuad& quad);
 
 }  // namespace burnish

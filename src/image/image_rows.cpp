@@ -48,6 +48,7 @@ OIIO::TypeDesc type_of(DataFormat format) {
     switch (format) {
         case DataFormat::png16:
             return OIIO::TypeUInt16;
+        case DataFormat::png8:
         case DataFormat::png8_srgb:
             return OIIO::TypeUInt8;
         case DataFormat::exr:
@@ -60,6 +61,10 @@ OIIO::ImageSpec spec_of(const DataPicture& picture, const DataLevel& level) {
     OIIO::ImageSpec spec(level.width, level.height, static_cast<int>(picture.channels.size()),
                          type_of(picture.format));
     spec.channelnames = picture.channels;
+    if (picture.channels.size() == 4) {
+        spec.alpha_channel = 3;
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+    }
     spec.attribute("oiio:ColorSpace", picture.format == DataFormat::png8_srgb ? "sRGB" : "Linear");
     if (picture.format != DataFormat::exr) {
         // Noise hardly compresses: the fastest level takes a fifth of the time of level 6.

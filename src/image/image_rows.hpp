@@ -12,7 +12,8 @@ namespace burnish {
 
 enum class DataFormat {
     png16,      // values 0..1 as 16-bit codes, marked as linear data; 1 or 3 channels
-    png8_srgb,  // display values 0..1 as 8-bit codes: colours; 3 channels
+    png8,       // the same as 8-bit codes
+    png8_srgb,  // display values 0..1 as 8-bit codes: colors; 3 channels, or 4 with alpha
     exr         // 32-bit float, zip
 };
 

@@ -84,6 +84,22 @@ std::vector<NamedPicture> pictures_of(const TabulatedMaterial& m, const std::vec
     return all;
 }
 
+QuadMaterial material_of(const std::string& name, bool masked) {
+    QuadMaterial out;
+    out.json = {
+        {"name", name},
+        {"pbrMetallicRoughness",
+         {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 1}}}}},
+        {"normalTexture", {{"index", 2}}},
+        {"extensions",
+         {{"KHR_materials_anisotropy",
+           {{"anisotropyStrength", 1.0}, {"anisotropyTexture", {{"index", 3}}}}}}}};
+    if (masked) out.json["alphaMode"] = "MASK";
+    out.images = {"base_color.png", "metallic_roughness.png", "normal.png", "anisotropy.png"};
+    out.extensions = {"KHR_materials_anisotropy"};
+    return out;
+}
+
 SampleQuad quad_of(const TabulatedMaterial& m, const fs::path& material,
                    std::vector<std::string>& warnings) {
     SampleQuad quad;
@@ -96,7 +112,6 @@ SampleQuad quad_of(const TabulatedMaterial& m, const fs::path& material,
         warnings.push_back(fmt::format(
             "{}: does not say how large the sample is; taken as 1 mm a texel", material.string()));
     }
-    for (std::size_t t = 0; t < m.texels() && !quad.masked; ++t) quad.masked = is_outside(m, t);
     return quad;
 }
 
@@ -135,6 +150,9 @@ CaptureExportResult capture_export(const CaptureExportRequest& request, const Pr
     progress.step("fit lobes", 0.0);
     const std::vector<LobeFit> lobes = fit_lobes(m, Mdf::ggx);
     const SampleQuad quad = quad_of(m, request.material, report.warnings);
+    // Base color has alpha: 0 outside the mask.
+    const bool masked = std::find(m.exemplar.begin(), m.exemplar.end(),
+                                  TabulatedMaterial::kNoExemplar) != m.exemplar.end();
     warn_of_losses(m, lobes, request.material, report.warnings);
     const Textures textures = {metallic_roughness_texture(m, lobes), normal_texture(m),
                                anisotropy_texture(m, lobes)};
@@ -142,13 +160,14 @@ CaptureExportResult capture_export(const CaptureExportRequest& request, const Pr
         {"burnish:version", std::string(version())}, {"burnish:command", request.command}};
 
     std::vector<FileToWrite> others;
-    others.push_back({request.output / "material.gltf", [&](const fs::path& path) {
-                          write_text_file(path, quad_gltf(quad, "material.bin"));
-                      }});
+    others.push_back(
+        {request.output / "material.gltf", [&](const fs::path& path) {
+             write_text_file(path, quad_gltf(quad, material_of(quad.name, masked), "material.bin"));
+         }});
     others.push_back({request.output / "material.bin",
                       [&](const fs::path& path) { write_bytes(path, quad_bytes(quad)); }});
     others.push_back({request.output / "base_color.png", [&](const fs::path& path) {
-                          write_image(path, base_color_texture(m, quad.masked), metadata);
+                          write_image(path, base_color_texture(m, masked), metadata);
                       }});
     report.written = write_map_folder(request.output, std::move(others),
                                       pictures_of(m, lobes, textures), metadata, progress);

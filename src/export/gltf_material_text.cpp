@@ -1,0 +1,106 @@
+#include "export/gltf_material_text.hpp"
+
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "burnish/shading_names.hpp"
+
+namespace burnish {
+namespace {
+
+using nlohmann::ordered_json;
+
+// tile = translation * scale: what bake_gltf_material returns for weaves, scratches and flags. A
+// rotation comes from a glTF's own transform.
+ordered_json transform_of(const glm::mat3& m) {
+    const float rotation = std::atan2(-m[0][1], m[0][0]);
+    const float scale_u = std::hypot(m[0][0], m[0][1]);
+    // The determinant's sign is that of the scale along v.
+    const float scale_v = (m[0][0] * m[1][1] - m[0][1] * m[1][0]) / scale_u;
+    ordered_json out = {{"offset", {m[2][0], m[2][1]}}, {"scale", {scale_u, scale_v}}};
+    if (rotation != 0.0f) out["rotation"] = rotation;
+    return out;
+}
+
+ordered_json texture(const TextureUse& use) {
+    ordered_json out = {{"index", use.texture}};
+    if (use.transform != glm::mat3(1.0f))
+        out["extensions"]["KHR_texture_transform"] = transform_of(use.transform);
+    return out;
+}
+
+ordered_json triple(glm::vec3 v) {
+    return {v.x, v.y, v.z};
+}
+
+ordered_json extras_of(const Material& m, const std::string& table) {
+    ordered_json out = {{"mdf", name_of(m.mdf)},
+                        {"brdf", name_of(m.brdf)},
+                        {"method", name_of(m.method)},
+                        {"conserve", m.conserve}};
+    if (m.ks) out["ks"] = *m.ks;
+    if (m.brdf == Brdf::lafortune) out["lafortune_c"] = triple(m.lafortune_c);
+    if (m.conductor)
+        out["conductor"] = {{"eta", triple(m.conductor->eta)}, {"k", triple(m.conductor->k)}};
+    if (!table.empty()) out["tabulated"] = table;
+    return out;
+}
+
+// The refractive index whose reflectance at normal incidence is f0.
+float ior_of(float f0) {
+    const float root = std::sqrt(glm::clamp(f0, 0.0f, 1.0f));
+    return root < 1.0f ? (1.0f + root) / (1.0f - root) : 0.0f;  // 0 stands for infinity
+}
+
+}  // namespace
+
+std::vector<std::string> gltf_map_names(const GltfMaterial& baked) {
+    std::vector<std::string> names;
+    for (const Texture& texture : baked.textures) names.push_back(texture.name + ".png");
+    return names;
+}
+
+QuadMaterial gltf_material_text(const GltfMaterial& baked, const Material& source,
+                                const std::string& name, const std::string& table) {
+    const Material& m = baked.material;
+    QuadMaterial out;
+    out.images = gltf_map_names(baked);
+    out.repeats = tabulated_of(source) == nullptr;
+    out.extensions = {"KHR_materials_anisotropy"};
+    if (baked.tile != glm::mat3(1.0f)) out.extensions.emplace_back("KHR_texture_transform");
+    ordered_json& json = out.json;
+    json["name"] = name;
+    json["pbrMetallicRoughness"] = {
+        {"baseColorTexture", texture(m.base_color_texture)},
+        {"metallicRoughnessTexture", texture(m.metallic_roughness_texture)}};
+    json["normalTexture"] = texture(m.normal_texture);
+    json["occlusionTexture"] = texture(m.occlusion_texture);
+    if (m.alpha_mode == AlphaMode::mask) {
+        json["alphaMode"] = "MASK";
+        json["alphaCutoff"] = m.alpha_cutoff;
+    }
+    if (m.alpha_mode == AlphaMode::blend) json["alphaMode"] = "BLEND";
+    if (m.double_sided) json["doubleSided"] = true;
+    ordered_json& extensions = json["extensions"];
+    extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", 1.0},
+                                              {"anisotropyTexture", texture(m.anisotropy_texture)}};
+    // 0.04 is glTF's own.
+    if (m.dielectric_f0 != 0.04f) {
+        extensions["KHR_materials_ior"] = {{"ior", ior_of(m.dielectric_f0)}};
+        out.extensions.emplace_back("KHR_materials_ior");
+    }
+    if (m.emissive_texture) {
+        const float brightest = m.emissive.x;
+        const float factor = std::min(brightest, 1.0f);
+        json["emissiveFactor"] = {factor, factor, factor};
+        json["emissiveTexture"] = texture(m.emissive_texture);
+        if (brightest > 1.0f) {
+            extensions["KHR_materials_emissive_strength"] = {{"emissiveStrength", brightest}};
+            out.extensions.emplace_back("KHR_materials_emissive_strength");
+        }
+    }
+    json["extras"]["burnish"] = extras_of(source, table);
+    return out;
+}
+
+}  // namespace burnish
