@@ -15,6 +15,16 @@
 
 namespace BURNISH_API burnish {
 
+// The textures of a set of maps (the parameters maps, base_color_map and their like); -1: none.
+struct MapTextures {
+    int base_color = -1, metallic_roughness = -1, normal = -1, occlusion = -1, anisotropy = -1,
+        emissive = -1;  // indices into the textures of the scene
+    bool has_roughness = false, has_metallic = false, has_opacity = false;
+    bool directx = false;            // the normal map has +y down
+    bool whole = false;              // of a folder: metal that it does not show is not there
+    std::vector<std::string> notes;  // what was taken for what
+};
+
 // Loads each thing once, and keeps it, so that parameters can be applied any number of times. A
 // thing is known by the text that names it.
 class MaterialAssets {
@@ -36,6 +46,7 @@ class MaterialAssets {
     int normal_map(const std::string& name) const;
     ScratchMaps scratch(const std::string& name) const;
     std::shared_ptr<const Draft> draft(const std::string& name) const;
+    MapTextures maps(const ParameterValues& values) const;
     std::shared_ptr<const TabulatedMaterial> tabulated(const std::string& name) const;
 
   private:
@@ -43,6 +54,7 @@ class MaterialAssets {
 
     std::map<std::string, int> normal_maps_;
     std::map<std::string, ScratchMaps> scratch_;
+    std::map<std::string, MapTextures> maps_;  // by the texts that name them
     std::map<std::string, std::shared_ptr<const Draft>> drafts_;
     std::map<std::string, std::shared_ptr<const TabulatedMaterial>> tabulated_;
 };

@@ -62,7 +62,7 @@ bool is_among(std::span<const std::string_view> names, std::string_view name) {
 bool names_file(std::string_view key, std::string_view name) {
     if (key == "scratch") return !is_among(scratch_preset_names(), name);
     if (key == "weave") return !is_among(draft_names(), name);
-    return key == "normal_map" || key == "tabulated";
+    return key.ends_with("_map") || key == "maps" || key == "tabulated";
 }
 
 // --- parameters -------------------------------------------------------------------------------

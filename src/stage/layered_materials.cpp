@@ -16,9 +16,48 @@ void erase_all(ParameterValues& values, std::initializer_list<std::string_view> 
     for (const std::string_view name : names) values.erase(name);
 }
 
+// Whether a folder of maps says what the parameter says: all of a material but the model, and how its
+// maps lie.
+bool is_replaced_by_maps(const Parameter& p) {
+    if (p.group != ParameterGroup::material) return false;
+    static constexpr std::string_view kKept[] = {
+        "mdf", "brdf", "method", "conserve", "normal_filter", "double_sided", "maps"};
+    return std::find(std::begin(kKept), std::end(kKept), p.name) == std::end(kKept);
+}
+
+// Values of the lower layer that a set of maps in the upper layer replaces: the maps hold absolute
+// values, so that the factors of the lower layer do not count.
+void erase_mapped(ParameterValues& lower, const ParameterValues& upper) {
+    struct Row {
+        std::string_view map;
+        std::vector<std::string_view> replaced;
+    };
+    static const std::vector<std::string_view> kRoughness = {
+        "alpha_x", "alpha_y", "e_x", "e_y", "cosine_exponent", "roughness", "orm_map"};
+    static const Row kRows[] = {{"base_color_map", {"base_color", "metal"}},
+                                {"metallic_map", {"metallic", "metal", "orm_map"}},
+                                {"anisotropy_map", {"anisotropy", "anisotropy_rotation"}},
+                                {"height_map", {"normal_scale", "flip_green"}},
+                                {"ao_map", {"orm_map"}}};
+    for (const Row& row : kRows)
+        if (names_one(upper, row.map))
+            for (const std::string_view name : row.replaced) lower.erase(name);
+    for (const std::string_view map : {"roughness_map", "glossiness_map", "orm_map"})
+        if (names_one(upper, map))
+            for (const std::string_view name : kRoughness)
+                if (name != map) lower.erase(name);
+    if (names_one(upper, "roughness_map")) lower.erase("glossiness_map");
+    if (names_one(upper, "glossiness_map")) lower.erase("roughness_map");
+    if (!names_one(upper, "maps")) return;
+    // A folder is a whole material.
+    for (const Parameter& parameter : parameter_table())
+        if (is_replaced_by_maps(parameter)) lower.erase(parameter.name);
+}
+
 // Erases the values of the lower layer that the upper layer replaces.
 void erase_replaced(ParameterValues& lower, const ParameterValues& upper,
                     const std::optional<glm::vec2>& lower_alpha) {
+    erase_mapped(lower, upper);
     if (upper.is_set("normal_map") || upper.is_set("scratch"))
         erase_all(lower, {"normal_scale", "flip_green", "uv_scale"});
     if (upper.is_set("scratch") && static_cast<ScratchDirection>(upper.choice(

@@ -15,6 +15,7 @@
 #include "burnish/load_tabulated.hpp"
 #include "burnish/wif.hpp"
 #include "maps/normal/bumps.hpp"
+#include "stage/map_textures.hpp"
 #include "stage/scratch_material.hpp"
 
 namespace burnish {
@@ -97,6 +98,12 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
         if (!normal_maps_.contains(name))
             normal_maps_[name] = append(textures, load_normal_map(name));
     }
+    if (const std::string names = map_names(values); names_maps(values) && !maps_.contains(names)) {
+        MapTextures maps =
+            load_map_textures(values, [&](Texture t) { return append(textures, std::move(t)); });
+        warnings.insert(warnings.end(), maps.notes.begin(), maps.notes.end());
+        maps_[names] = std::move(maps);
+    }
     if (values.is_set("scratch")) {
         const bool follow = static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
                             ScratchDirection::follow;
@@ -122,6 +129,10 @@ MaterialAssets::ScratchMaps MaterialAssets::scratch(const std::string& name) con
 
 std::shared_ptr<const Draft> MaterialAssets::draft(const std::string& name) const {
     return find_or(drafts_, name, std::shared_ptr<const Draft>());
+}
+
+MapTextures MaterialAssets::maps(const ParameterValues& values) const {
+    return find_or(maps_, map_names(values), MapTextures{});
 }
 
 std::shared_ptr<const TabulatedMaterial> MaterialAssets::tabulated(const std::string& name) const {

@@ -11,6 +11,7 @@
 #include "burnish/error.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/f64.hpp"
+#include "stage/map_textures.hpp"
 
 namespace burnish {
 namespace {
@@ -34,6 +35,8 @@ void require_consistent(const ParameterValues& values) {
     if (values.is_set("scratch") && values.is_set("normal_map"))
         throw UsageError("scratch", "", "a scratch map or a normal_map, not both", "both");
     const bool weave = names_one(values, "weave"), scratch = values.is_set("scratch");
+    if (names_one(values, "height_map") && (weave || scratch || names_one(values, "normal_map")))
+        throw UsageError("height_map", "", "no normal_map, scratch map or weave beside it", "both");
     if (weave && (scratch || names_one(values, "normal_map")))
         throw UsageError("weave", "", "a weave, a normal_map or a scratch map", "two of them");
     if (names_one(values, "tabulated") && (weave || scratch))
@@ -62,6 +65,65 @@ void apply_color(Material& material, const ParameterValues& values) {
     if (!names_one(values, "metal")) return;
     material.conductor = conductor_preset(values.text("metal"));
     if (!values.is_set("metallic")) material.metallic = 1.0f;
+}
+
+// --- sets of maps -------------------------------------------------------------------------------
+
+TextureUse use_of(int texture) {
+    TextureUse use;
+    use.texture = texture;
+    return use;
+}
+
+// Maps hold absolute values, so that their factors become 1; parameters set beside them multiply.
+void apply_map_colors(Material& material, const MapTextures& maps) {
+    if (maps.base_color >= 0) {
+        material.base_color = glm::vec4(1.0f);
+        material.base_color_texture = use_of(maps.base_color);
+        material.conductor.reset();
+        if (maps.has_opacity && material.alpha_mode == AlphaMode::opaque)
+            material.alpha_mode = AlphaMode::mask;
+    }
+    if (maps.occlusion >= 0) {
+        material.occlusion_texture = use_of(maps.occlusion);
+        material.occlusion_strength = 1.0f;
+    }
+    if (maps.emissive >= 0) {
+        material.emissive_texture = use_of(maps.emissive);
+        material.emissive = glm::vec3(1.0f);
+    }
+}
+
+void apply_map_lobe(Material& material, const MapTextures& maps) {
+    if (maps.metallic_roughness < 0 && maps.anisotropy < 0 && !maps.whole) return;
+    const GltfLobe* stated = gltf_lobe_of(material);
+    GltfLobe lobe = stated ? *stated : GltfLobe{};
+    if (maps.whole) {
+        material.anisotropy_texture = material.metallic_roughness_texture = TextureUse{};
+        lobe = GltfLobe{};
+        if (!maps.has_metallic) material.metallic = 0.0f;
+    }
+    if (maps.metallic_roughness >= 0)
+        material.metallic_roughness_texture = use_of(maps.metallic_roughness);
+    if (maps.has_roughness) lobe.roughness = 1.0f;
+    if (maps.has_metallic) material.metallic = 1.0f;
+    if (maps.anisotropy >= 0) {
+        material.anisotropy_texture = use_of(maps.anisotropy);
+        material.anisotropy_rotation = 0.0f;
+        lobe.anisotropy_strength = 1.0f;
+    }
+    material.lobe = lobe;
+}
+
+void apply_maps(Material& material, const ParameterValues& values, const MaterialAssets& assets) {
+    if (!names_maps(values)) return;
+    const MapTextures maps = assets.maps(values);
+    apply_map_colors(material, maps);
+    apply_map_lobe(material, maps);
+    if (maps.normal < 0 && !maps.whole) return;
+    material.normal_texture = use_of(maps.normal);
+    material.normal_scale = 1.0f;
+    material.flip_green = maps.directx;
 }
 
 // --- the lobe -----------------------------------------------------------------------------------
@@ -176,6 +238,16 @@ void apply_detail(Material& material, const ParameterValues& values, const Mater
     material.normal_texture.transform = scale * material.normal_texture.transform;
     if (follows_scratches(values))
         material.anisotropy_texture.transform = material.normal_texture.transform;
+    if (!names_maps(values)) return;
+    // A set of maps is scaled as a whole.
+    const MapTextures maps = assets.maps(values);
+    for (TextureUse* use :
+         {&material.base_color_texture, &material.metallic_roughness_texture,
+          &material.occlusion_texture, &material.anisotropy_texture, &material.emissive_texture})
+        for (const int index : {maps.base_color, maps.metallic_roughness, maps.occlusion,
+                                maps.anisotropy, maps.emissive})
+            if (*use && use->texture == index && use->transform == glm::mat3(1.0f))
+                use->transform = scale;
 }
 
 }  // namespace
@@ -216,6 +288,7 @@ Material apply_parameters(const Material& base, const ParameterValues& values,
     require_consistent(values);
     Material material = base;
     material.lobe = kept_lobe(base, values);
+    apply_maps(material, values, assets);
     apply_model(material, values);
     apply_color(material, values);
     apply_roughness(material, values);

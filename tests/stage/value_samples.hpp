@@ -43,6 +43,8 @@ class ValueSamples {
             std::filesystem::create_directory(folder_ / ("scratch" + n));
             for (const char* map : {"/normal.png", "/anisotropy.png"})
                 write_image(folder_ / ("scratch" + n + map), Image(4, 4, 3, 0.5f), {});
+            std::filesystem::create_directory(folder_ / ("maps" + n));
+            write_image(folder_ / ("maps" + n + "/color.png"), Image(4, 4, 3, 0.5f), {});
             write_tabulated_material(folder_ / ("table" + n + ".exr"), even_table());
         }
     }
@@ -78,7 +80,8 @@ class ValueSamples {
     std::string text(std::string_view name, int which) const {
         const std::string n = which == 0 ? "0" : "1";
         if (name == "weave") return which == 0 ? "plain" : "satin-5";
-        if (name == "normal_map") return (folder_ / ("flat" + n + ".png")).string();
+        if (name.ends_with("_map")) return (folder_ / ("flat" + n + ".png")).string();
+        if (name == "maps") return (folder_ / ("maps" + n)).string();
         if (name == "scratch") return (folder_ / ("scratch" + n)).string();
         return (folder_ / ("table" + n + ".exr")).string();
     }

@@ -130,6 +130,22 @@ void add_material(Table& t) {
     t.choice("normal_filter", normal_filter_names(), choice_of(standard.normal_filter),
              "normal maps from afar: moments widens the lobe by the bumps too small to see, mips "
              "averages normals");
+    t.text("maps",
+           "folder of maps of one surface, told by their names (ambientCG, Poly Haven, cgbookcase, "
+           "Substance, burnish export), or none");
+    t.text("base_color_map", "color, sRGB; its alpha is the coverage");
+    t.text("roughness_map", "perceptual roughness of glTF, linear");
+    t.text("glossiness_map", "1 - roughness, linear, in place of roughness_map");
+    t.text("metallic_map", "0 dielectric, 1 metal, linear");
+    t.text("orm_map", "red occlusion, green roughness, blue metallic: three maps in one");
+    t.text("ao_map", "ambient occlusion, linear");
+    t.text("anisotropy_map", "red and green direction, blue strength of KHR_materials_anisotropy");
+    t.text("emissive_map", "emitted radiance, sRGB");
+    t.text("height_map", "height in place of a normal map, linear: white is up");
+    t.belongs_to = "height_map";
+    t.real("height_scale", 0, 10, 0.02, "",
+           "height of white over black in height_map, in sides of the texture square");
+    t.belongs_to = "";
     t.text("scratch",
            "scratch map in place of a normal map: a folder made by burnish scratch, or brushed, "
            "fine-random, deep-gouges, circular-brushed, swirl-marks, tool-marks");

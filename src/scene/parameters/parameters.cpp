@@ -56,10 +56,11 @@ Names with_its_own(std::string_view name) {
 
 // Groups of parameters that exclude each other: setting one group unsets the others.
 const std::vector<std::vector<Names>>& alternatives() {
-    static const Names scratch = with_its_own("scratch"), weave = with_its_own("weave");
+    static const Names scratch = with_its_own("scratch"), weave = with_its_own("weave"),
+                       height = with_its_own("height_map");
     static const std::vector<std::vector<Names>> all = {
         {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
-        {{"normal_map"}, scratch, weave},
+        {{"normal_map"}, height, scratch, weave},
         {{"tabulated"}, scratch, weave}};
     return all;
 }

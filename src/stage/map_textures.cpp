@@ -1,0 +1,286 @@
+#include "stage/map_textures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+#include "burnish/error.hpp"
+#include "burnish/f32.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/material_assets.hpp"
+#include "core/parallel.hpp"
+#include "image/texel_value.hpp"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Row {
+    MapRole role;
+    std::string_view parameter;
+};
+constexpr std::array<Row, 9> kRows = {{{MapRole::base_color, "base_color_map"},
+                                       {MapRole::roughness, "roughness_map"},
+                                       {MapRole::glossiness, "glossiness_map"},
+                                       {MapRole::metallic, "metallic_map"},
+                                       {MapRole::occlusion, "ao_map"},
+                                       {MapRole::orm, "orm_map"},
+                                       {MapRole::anisotropy, "anisotropy_map"},
+                                       {MapRole::height, "height_map"},
+                                       {MapRole::emissive, "emissive_map"}}};
+
+// What takes the place of what when both are named: a flag over the folder.
+void replace_others(MapSet& set, MapRole role) {
+    const auto drop = [&](std::initializer_list<MapRole> others) {
+        for (const MapRole other : others) set.files.erase(other);
+    };
+    switch (role) {
+        case MapRole::roughness:
+            return drop({MapRole::glossiness});
+        case MapRole::glossiness:
+            return drop({MapRole::roughness});
+        case MapRole::height:
+            return drop({MapRole::normal, MapRole::normal_directx});
+        case MapRole::orm:
+            return drop(
+                {MapRole::roughness, MapRole::glossiness, MapRole::metallic, MapRole::occlusion});
+        default:
+            return;
+    }
+}
+
+MapSet files_of(const ParameterValues& values) {
+    MapSet set;
+    if (names_one(values, "maps")) set = find_map_set(values.text("maps"));
+    for (const auto& [role, parameter] : kRows) {
+        if (!values.is_set(parameter)) continue;
+        set.files.erase(role);
+        if (!names_one(values, parameter)) continue;
+        replace_others(set, role);
+        set.files[role] = values.text(parameter);
+    }
+    return set;
+}
+
+// One number a texel in [0, 1], between texels by bilinear interpolation; the map repeats.
+class NumberMap {
+  public:
+    explicit NumberMap(const fs::path& file, int channel = 0)
+        : texture_(read_texture(file, ColorSpace::linear)),
+          channel_(std::min(channel, texture_.channels - 1)) {}
+
+    int width() const { return texture_.width; }
+    int height() const { return texture_.height; }
+
+    float texel(int x, int y) const {
+        const auto wrapped = [](int i, int n) { return ((i % n) + n) % n; };
+        const std::size_t at = static_cast<std::size_t>(wrapped(y, texture_.height)) *
+                                   static_cast<std::size_t>(texture_.width) +
+                               static_cast<std::size_t>(wrapped(x, texture_.width));
+        return stored_value(texture_, at * static_cast<std::size_t>(texture_.channels) +
+                                          static_cast<std::size_t>(channel_));
+    }
+
+    // At the middle of a texel of a map of another size.
+    float at(int x, int y, int width, int height) const {
+        if (width == texture_.width && height == texture_.height) return texel(x, y);
+        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(width) *
+                            static_cast<float>(texture_.width) -
+                        0.5f;
+        const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(height) *
+                            static_cast<float>(texture_.height) -
+                        0.5f;
+        const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
+        const float fx = u - std::floor(u), fy = v - std::floor(v);
+        return std::lerp(std::lerp(texel(left, top), texel(left + 1, top), fx),
+                         std::lerp(texel(left, top + 1), texel(left + 1, top + 1), fx), fy);
+    }
+
+  private:
+    Texture texture_;
+    int channel_;
+};
+
+Texture codes(std::string name, int width, int height, int channels, ColorSpace space) {
+    Texture t{std::move(name), width, height, channels, TexelType::u16, space, {}};
+    t.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                    static_cast<std::size_t>(channels) * sizeof(std::uint16_t));
+    return t;
+}
+
+// 16 bits: with 8, the highlight of a smooth metal would show steps.
+void put_code(Texture& t, std::size_t index, float value) {
+    const auto code = static_cast<std::uint16_t>(
+        std::lround(std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f) * 65535.0f));
+    std::memcpy(t.texels.data() + index * sizeof code, &code, sizeof code);
+}
+
+template <typename Put>
+void for_texels(int width, int height, const Put& put) {
+    parallel_for(static_cast<std::size_t>(height), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y)
+            for (int x = 0; x < width; ++x)
+                put(x, static_cast<int>(y),
+                    y * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    });
+}
+
+// Green roughness, blue metallic, as large as the larger of the two.
+Texture metallic_roughness(const std::optional<NumberMap>& rough, bool glossy,
+                           const std::optional<NumberMap>& metal) {
+    const int width = std::max(rough ? rough->width() : 1, metal ? metal->width() : 1);
+    const int height = std::max(rough ? rough->height() : 1, metal ? metal->height() : 1);
+    Texture t = codes("roughness and metallic maps", width, height, 3, ColorSpace::linear);
+    for_texels(width, height, [&](int x, int y, std::size_t i) {
+        const float r = rough ? rough->at(x, y, width, height) : 1.0f;
+        put_code(t, 3 * i, 1.0f);
+        put_code(t, 3 * i + 1, glossy ? 1.0f - r : r);
+        put_code(t, 3 * i + 2, metal ? metal->at(x, y, width, height) : 1.0f);
+    });
+    return t;
+}
+
+// The normals of the slopes of a height, by central differences over two texels. The height's unit is
+// a side of the texture square, along which both axes run from 0 to 1.
+Texture normals_of_height(const NumberMap& height, float scale, const std::string& name) {
+    Texture t = codes(name + ": normals", height.width(), height.height(), 3, ColorSpace::linear);
+    const float per_u = 0.5f * scale * static_cast<float>(height.width());
+    const float per_v = 0.5f * scale * static_cast<float>(height.height());
+    for_texels(height.width(), height.height(), [&](int x, int y, std::size_t i) {
+        const float sx = (height.texel(x - 1, y) - height.texel(x + 1, y)) * per_u;
+        const float sy = (height.texel(x, y + 1) - height.texel(x, y - 1)) * per_v;
+        const f32::vec3 n = f32::normal_of_slopes(sx, sy);
+        put_code(t, 3 * i, 0.5f + 0.5f * n.x);
+        put_code(t, 3 * i + 1, 0.5f + 0.5f * n.y);
+        put_code(t, 3 * i + 2, 0.5f + 0.5f * n.z);
+    });
+    return t;
+}
+
+// The base color with an alpha.
+Texture with_opacity(const Texture& base, const NumberMap& opacity) {
+    Texture t = codes(base.name, base.width, base.height, 4, base.color_space);
+    const auto channels = static_cast<std::size_t>(base.channels);
+    for_texels(base.width, base.height, [&](int x, int y, std::size_t i) {
+        for (std::size_t c = 0; c < 3; ++c)
+            put_code(t, 4 * i + c, stored_value(base, channels * i + (base.channels >= 3 ? c : 0)));
+        put_code(t, 4 * i + 3, opacity.at(x, y, base.width, base.height));
+    });
+    return t;
+}
+
+class Loader {
+  public:
+    Loader(const ParameterValues& values, const std::function<int(Texture)>& append)
+        : values_(values), append_(append), set_(files_of(values)) {}
+
+    MapTextures load() {
+        out_.notes = set_.notes;
+        out_.whole = names_one(values_, "maps");
+        load_base_color();
+        load_surface();
+        load_normal();
+        out_.occlusion = load(MapRole::occlusion, ColorSpace::linear, out_.occlusion);
+        out_.anisotropy = load(MapRole::anisotropy, ColorSpace::linear, -1);
+        out_.emissive = load(MapRole::emissive, ColorSpace::srgb, -1);
+        return std::move(out_);
+    }
+
+  private:
+    const fs::path* file(MapRole role) const {
+        const auto found = set_.files.find(role);
+        return found == set_.files.end() ? nullptr : &found->second;
+    }
+
+    int load(MapRole role, ColorSpace space, int otherwise) const {
+        const fs::path* path = file(role);
+        return path ? append_(read_texture(*path, space)) : otherwise;
+    }
+
+    void load_base_color() {
+        const fs::path* path = file(MapRole::base_color);
+        if (!path) return;
+        Texture base = read_texture(*path, ColorSpace::srgb);
+        const fs::path* opacity = file(MapRole::opacity);
+        out_.has_opacity = opacity || base.channels == 4 || base.channels == 2;
+        if (opacity) base = with_opacity(base, NumberMap(*opacity));
+        out_.base_color = append_(std::move(base));
+    }
+
+    void load_surface() {
+        if (const fs::path* orm = file(MapRole::orm)) {
+            out_.metallic_roughness = out_.occlusion =
+                append_(read_texture(*orm, ColorSpace::linear));
+            out_.has_roughness = out_.has_metallic = true;
+            return;
+        }
+        const fs::path* gloss = file(MapRole::glossiness);
+        const fs::path* rough = gloss ? gloss : file(MapRole::roughness);
+        const fs::path* metal = file(MapRole::metallic);
+        if (!rough && !metal) return;
+        std::optional<NumberMap> rough_map, metal_map;
+        if (rough) rough_map.emplace(*rough);
+        if (metal) metal_map.emplace(*metal);
+        out_.metallic_roughness =
+            append_(metallic_roughness(rough_map, gloss != nullptr, metal_map));
+        out_.has_roughness = rough != nullptr;
+        out_.has_metallic = metal != nullptr;
+    }
+
+    void load_normal() {
+        if (const fs::path* height = file(MapRole::height)) {
+            out_.normal = append_(normals_of_height(
+                NumberMap(*height), static_cast<float>(values_.real("height_scale")),
+                height->string()));
+            return;
+        }
+        out_.normal = load(MapRole::normal, ColorSpace::linear, -1);
+        if (out_.normal >= 0) return;
+        out_.normal = load(MapRole::normal_directx, ColorSpace::linear, -1);
+        out_.directx = out_.normal >= 0;
+    }
+
+    const ParameterValues& values_;
+    const std::function<int(Texture)>& append_;
+    MapSet set_;
+    MapTextures out_;
+};
+
+}  // namespace
+
+std::string_view map_parameter(MapRole role) {
+    for (const Row& row : kRows)
+        if (row.role == role) return row.parameter;
+    return "";
+}
+
+bool names_maps(const ParameterValues& values) {
+    if (names_one(values, "maps")) return true;
+    return std::any_of(kRows.begin(), kRows.end(),
+                       [&](const Row& row) { return names_one(values, row.parameter); });
+}
+
+std::string map_names(const ParameterValues& values) {
+    std::string names;
+    const auto add = [&](std::string_view parameter) {
+        if (values.is_set(parameter))
+            names += fmt::format("{}={}\n", parameter, values.text(parameter));
+    };
+    add("maps");
+    for (const Row& row : kRows) add(row.parameter);
+    add("height_scale");
+    return names;
+}
+
+MapTextures load_map_textures(const ParameterValues& values,
+                              const std::function<int(Texture)>& append) {
+    return Loader(values, append).load();
+}
+
+}  // namespace burnish

@@ -1,0 +1,175 @@
+// Roles of maps by the names that libraries of materials give them.
+#include "stage/map_set.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+#include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/layered_materials.hpp"
+#include "burnish/load_model.hpp"
+#include "support/test_folder.hpp"
+
+namespace burnish {
+namespace {
+
+using namespace test;
+
+TEST(MapSets, NamesOfLibrariesStateRoles) {
+    struct Named {
+        const char* file;
+        std::optional<MapRole> role;
+    };
+    const Named all[] = {
+        // ambientCG
+        {"Metal032_2K-JPG_Color.jpg", MapRole::base_color},
+        {"Metal032_2K_NormalGL.jpg", MapRole::normal},
+        {"Metal032_2K_NormalDX.jpg", MapRole::normal_directx},
+        {"Metal032_2K_Metalness.png", MapRole::metallic},
+        {"Metal032_2K_Roughness.png", MapRole::roughness},
+        {"Metal032_2K_Displacement.png", MapRole::height},
+        {"Fabric004_4K_AmbientOcclusion.png", MapRole::occlusion},
+        {"Metal032_2K.png", std::nullopt},
+        // Poly Haven
+        {"rusty_metal_02_diff_2k.jpg", MapRole::base_color},
+        {"rusty_metal_02_nor_gl_2k.exr", MapRole::normal},
+        {"rusty_metal_02_nor_dx_2k.exr", MapRole::normal_directx},
+        {"rusty_metal_02_rough_2k.exr", MapRole::roughness},
+        {"rusty_metal_02_arm_2k.jpg", MapRole::orm},
+        {"rusty_metal_02_ao_2k.jpg", MapRole::occlusion},
+        {"rusty_metal_02_metal_2k.exr", MapRole::metallic},
+        {"rusty_metal_02_disp_2k.png", MapRole::height},
+        // cgbookcase
+        {"Fabric01_2K_BaseColor.png", MapRole::base_color},
+        {"Fabric01_2K_Height.png", MapRole::height},
+        {"Fabric01_2K_AO.png", MapRole::occlusion},
+        // Substance
+        {"Door_Base_Color.tga", MapRole::base_color},
+        {"Door_OcclusionRoughnessMetallic.png", MapRole::orm},
+        {"Door_Normal_OpenGL.png", MapRole::normal},
+        {"Door_Normal_DirectX.png", MapRole::normal_directx},
+        {"Door_Glossiness.png", MapRole::glossiness},
+        {"DefaultMaterial_Emissive.1001.png", MapRole::emissive},
+        {"Door_ambient_occlusion.png", MapRole::occlusion},
+        // burnish
+        {"base_color.png", MapRole::base_color},
+        {"orm.png", MapRole::orm},
+        {"anisotropy.png", MapRole::anisotropy},
+        {"preview.png", std::nullopt},
+    };
+    for (const Named& named : all) EXPECT_EQ(map_role_of(named.file), named.role) << named.file;
+}
+
+// A picture of one value.
+void flat(const std::filesystem::path& path, float r, float g, float b) {
+    Image image(4, 4, 3);
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+        image.pixels[i] = r;
+        image.pixels[i + 1] = g;
+        image.pixels[i + 2] = b;
+    }
+    write_image(path, image, {});
+}
+
+TEST(MapSets, TwoCandidatesAreNamedAndNoneIsGuessed) {
+    const ScratchFolder folder;
+    flat(folder / "a_Roughness.png", 0.5f, 0.5f, 0.5f);
+    flat(folder / "b_Roughness.png", 0.5f, 0.5f, 0.5f);
+    const std::string line = error_line([&] { find_map_set(folder / ""); });
+    EXPECT_NE(line.find("roughness"), line.npos) << line;
+    EXPECT_NE(line.find("a_Roughness.png"), line.npos) << line;
+    EXPECT_NE(line.find("b_Roughness.png"), line.npos) << line;
+}
+
+TEST(MapSets, OpenGlComesBeforeDirectX) {
+    const ScratchFolder folder;
+    flat(folder / "x_NormalGL.png", 0.5f, 0.5f, 1.0f);
+    flat(folder / "x_NormalDX.png", 0.5f, 0.5f, 1.0f);
+    const MapSet set = find_map_set(folder / "");
+    EXPECT_TRUE(set.files.contains(MapRole::normal));
+    EXPECT_FALSE(set.files.contains(MapRole::normal_directx));
+}
+
+ParameterValues maps_of(const ScratchFolder& folder) {
+    ParameterValues values;
+    values.set("maps", (folder / "").string(), "--maps");
+    return values;
+}
+
+Scene plane_with(const ParameterValues& values) {
+    Scene scene = load_model("builtin:plane", 0);
+    apply_material_parameters(scene, values);
+    return scene;
+}
+
+TEST(MapSets, AFolderIsAWholeMaterial) {
+    const ScratchFolder folder;
+    flat(folder / "x_Color.png", 0.5f, 0.5f, 0.5f);
+    flat(folder / "x_Gloss.png", 0.25f, 0.25f, 0.25f);
+    flat(folder / "x_NormalDX.png", 0.5f, 0.5f, 1.0f);
+    const Scene scene = plane_with(maps_of(folder));
+    const Material& m = scene.materials.front();
+    EXPECT_TRUE(m.base_color_texture);
+    EXPECT_TRUE(m.flip_green);
+    EXPECT_EQ(m.metallic, 0.0f) << "no map of metal: a dielectric";
+    ASSERT_NE(gltf_lobe_of(m), nullptr);
+    EXPECT_EQ(gltf_lobe_of(m)->roughness, 1.0f) << "the factor; the map has the value";
+    const Texture& surface =
+        scene.textures[static_cast<std::size_t>(m.metallic_roughness_texture.texture)];
+    std::uint16_t green = 0;
+    std::memcpy(&green, surface.texels.data() + 2, 2);
+    // 8 bits of the picture.
+    EXPECT_NEAR(green / 65535.0, 0.75, 0.003);
+}
+
+TEST(MapSets, FlagsMultiplyAndReplace) {
+    const ScratchFolder folder;
+    flat(folder / "x_Color.png", 0.5f, 0.5f, 0.5f);
+    flat(folder / "x_Roughness.png", 0.5f, 0.5f, 0.5f);
+    flat(folder / "other.png", 1.0f, 1.0f, 1.0f);
+    ParameterValues values = maps_of(folder);
+    values.set("roughness", "0.5", "--roughness");
+    values.set("metallic_map", (folder / "other.png").string(), "--metallic-map");
+    values.set("uv_scale", "3", "--uv-scale");
+    values.set("base_color_map", "none", "--base-color-map");
+    const Material m = plane_with(values).materials.front();
+    EXPECT_EQ(gltf_lobe_of(m)->roughness, 0.5f);
+    EXPECT_EQ(m.metallic, 1.0f);
+    EXPECT_FALSE(m.base_color_texture);
+    EXPECT_EQ(m.metallic_roughness_texture.transform[0][0], 3.0f);
+}
+
+// A ramp that rises by 1 over the texture square, `height_scale` high, has slope height_scale along u.
+TEST(MapSets, AHeightMapHasTheNormalsOfItsSlopes) {
+    const ScratchFolder folder;
+    constexpr int kSize = 64;
+    Image ramp(kSize, kSize, 3);
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x)
+            for (int c = 0; c < 3; ++c) ramp.at(x, y)[c] = (static_cast<float>(x) + 0.5f) / kSize;
+    write_image(folder / "h.exr", ramp, {});
+    ParameterValues values;
+    values.set("height_map", (folder / "h.exr").string(), "--height-map");
+    values.set("height_scale", "0.5", "--height-scale");
+    const Scene scene = plane_with(values);
+    const Texture& normals =
+        scene.textures[static_cast<std::size_t>(scene.materials.front().normal_texture.texture)];
+    std::uint16_t rgb[3];
+    std::memcpy(rgb, normals.texels.data() + 6 * (32 * kSize + 32), sizeof rgb);
+    const double z = 1 / std::hypot(0.5, 1.0);
+    // n leans against the rise.
+    EXPECT_NEAR(rgb[0] / 65535.0, 0.5 - 0.5 * 0.5 * z, 1e-4);
+    EXPECT_NEAR(rgb[1] / 65535.0, 0.5, 1e-4);
+}
+
+TEST(MapSets, WhatIsMissingIsSaid) {
+    ParameterValues values;
+    values.set("maps", "/no/such/folder", "--maps");
+    EXPECT_THROW(plane_with(values), UsageError);
+    const ScratchFolder folder;
+    EXPECT_THROW(plane_with(maps_of(folder)), UsageError);
+}
+
+}  // namespace
+}  // namespace burnish
