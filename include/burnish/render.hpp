@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "burnish/api.hpp"
+#include "burnish/error.hpp"
 #include "burnish/progress.hpp"
 #include "burnish/shading_names.hpp"
 #include "burnish/stage.hpp"

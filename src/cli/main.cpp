@@ -65,6 +65,7 @@ void run(int argc, const char* const* argv) {
     CLI::App app("Renders anisotropic surfaces under fine detail, and evaluates the maths behind.",
                  "burnish");
     app.fallthrough();  // --progress may follow the command
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.set_version_flag("--version", "burnish " + std::string(version()));
     session.add_options(app);
     require_command(app);
@@ -72,6 +73,8 @@ void run(int argc, const char* const* argv) {
 
     try {
         app.parse(argc, argv);
+        for (const std::string& line : repeated_flags(app))
+            std::fprintf(stderr, "burnish: warning: %s\n", line.c_str());
     } catch (const CLI::Success& request) {  // --help, --version
         std::ostringstream text;
         app.exit(request, text, text);

@@ -80,11 +80,7 @@ std::string in_our_words(const CLI::ParseError& error) {
     const std::string flag = text.substr(0, text.find(": "));
     if (error.get_name() == "RequiredError")
         return text.substr(0, text.find(' ')) + ": expected a value, found none";
-    if (error.get_name() == "ArgumentMismatch") {
-        if (text.find("At Most 1 ") == std::string::npos)
-            return flag + ": expected a value, found none";
-        return flag + ": expected once, found " + text.substr(text.rfind(' ') + 1) + " times";
-    }
+    if (error.get_name() == "ArgumentMismatch") return flag + ": expected a value, found none";
     const std::size_t equals = text.find(" = ");
     if (error.get_name() == "ConversionError" && equals != std::string::npos)
         return text.substr(text.find(": ") + 2, equals - text.find(": ") - 2) +
@@ -99,6 +95,22 @@ UsageError usage_error(const CLI::App& root, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = root.remaining(true);
     if (!unknown.empty()) return UsageError(unknown_word(chain, unknown.front()));
     return UsageError(prefix_of(chain) + in_our_words(error));
+}
+
+std::vector<std::string> repeated_flags(const CLI::App& root) {
+    std::vector<std::string> lines;
+    for (const CLI::App* app : recognized(root)) {
+        for (const CLI::Option* option : app->get_options()) {
+            const bool last_wins =
+                option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast;
+            if (!last_wins || option->get_lnames().empty() || option->count() < 2) continue;
+            if (option->get_type_size() == 0) continue;  // a switch
+            lines.push_back("--" + option->get_lnames().front() + ": given " +
+                            std::to_string(option->count()) + " times: the last one, " +
+                            shown(option->results().back()) + ", holds");
+        }
+    }
+    return lines;
 }
 
 void require_command(CLI::App& app) {

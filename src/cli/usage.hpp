@@ -17,4 +17,7 @@ UsageError usage_error(const CLI::App& root, const CLI::ParseError& error);
 // Makes `app` throw UsageError when it is called without a subcommand.
 void require_command(CLI::App& app);
 
+// A line for each flag that was given more than once, after parsing; the last one holds.
+std::vector<std::string> repeated_flags(const CLI::App& root);
+
 }  // namespace burnish::cli

@@ -62,6 +62,14 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
     for (const std::string_view map : {"roughness_map", "glossiness_map"})
         warn_if_idle(map, "the pair set beside it holds",
                      [](const Material&, Values v) { return !roughness_pair(v, std::nullopt); });
+    const auto has_normals = [](const Material& m, Values) {
+        return static_cast<bool>(m.normal_texture) && cloth_of(m) == nullptr;
+    };
+    for (const std::string_view name : {"normal_scale", "flip_green", "normal_filter"})
+        warn_if_idle(name, "there is no normal map", has_normals);
+    warn_if_idle(
+        "metallic", "a measured metal (--metal) is metallic",
+        [](const Material& m, Values v) { return !m.conductor || v.real("metallic") == 1.0; });
     warn_if_idle("height_scale", "there is no height_map",
                  [](const Material&, Values v) { return names_one(v, "height_map"); });
     warn_if_idle("scratch_direction", "there is no scratch map",

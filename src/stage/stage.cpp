@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <iterator>
+#include <span>
 
 #include "burnish/builtin_meshes.hpp"
 #include "burnish/environments.hpp"
@@ -70,10 +71,21 @@ bool any_set(const ParameterValues& values, std::initializer_list<std::string_vi
                        [&](std::string_view name) { return values.is_set(name); });
 }
 
-// The least distance from `target` towards `away` (unit) at which every vertex lies within the
-// view, with a small margin.
-double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, double yfov,
-                        double aspect) {
+// Corners of the part of the ground that a view of the model shows with it: half the model's height
+// beyond its sides, where the shadow of a light at 60 degrees ends.
+std::vector<glm::vec3> ground_corners(const Bounds& bounds) {
+    const float margin = 0.5f * (bounds.high.y - bounds.low.y);
+    std::vector<glm::vec3> corners;
+    for (const float x : {bounds.low.x - margin, bounds.high.x + margin})
+        for (const float z : {bounds.low.z - margin, bounds.high.z + margin})
+            corners.emplace_back(x, bounds.low.y, z);
+    return corners;
+}
+
+// The least distance from `target` towards `away` (unit) at which every vertex and every point of
+// `more` lies within the view, with a small margin.
+double framing_distance(const Scene& scene, std::span<const glm::vec3> more, glm::vec3 target,
+                        glm::vec3 away, double yfov, double aspect) {
     const glm::vec3 up_hint = std::abs(away.y) < 0.999f ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
     const glm::vec3 right = glm::normalize(glm::cross(up_hint, away));
     const glm::vec3 up = glm::cross(away, right);
@@ -81,16 +93,19 @@ double framing_distance(const Scene& scene, glm::vec3 target, glm::vec3 away, do
     const double tan_y = std::tan(yfov / 2) / kAir;
     const double tan_x = tan_y * aspect;
     double distance = 0;
+    const auto include = [&](glm::vec3 p) {
+        const glm::vec3 v = p - target;
+        const double depth = glm::dot(v, away);
+        const double reach =
+            std::max(std::abs(glm::dot(v, right)) / tan_x, std::abs(glm::dot(v, up)) / tan_y);
+        distance = std::max(distance, depth + reach);
+    };
     for (const Instance& instance : scene.instances) {
         if (instance.mesh < 0) continue;
-        for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
-            const glm::vec3 v = glm::vec3(instance.transform * glm::vec4(p, 1.0f)) - target;
-            const double depth = glm::dot(v, away);
-            const double reach =
-                std::max(std::abs(glm::dot(v, right)) / tan_x, std::abs(glm::dot(v, up)) / tan_y);
-            distance = std::max(distance, depth + reach);
-        }
+        for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions)
+            include(glm::vec3(instance.transform * glm::vec4(p, 1.0f)));
     }
+    std::for_each(more.begin(), more.end(), include);
     // The camera must differ from the target for a single point too.
     return std::max(distance, 1e-6);
 }
@@ -105,6 +120,12 @@ void warn_of_idle_values(const ParameterValues& values, const Environment& envir
         warnings.push_back(
             "background_color: the environment stands before it: nothing changes "
             "(--background color)");
+    if (values.is_set("camera_zoom") &&
+        any_set(values, {"camera_position", "camera_distance", "camera_index"}))
+        warnings.push_back(
+            "camera_zoom: the camera's distance is stated: nothing changes (it scales the view "
+            "that "
+            "frames the scene)");
     if (values.is_set("camera_position") &&
         any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
         warnings.push_back(
@@ -177,8 +198,9 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
                              std::to_string(index));
         return scene.cameras[static_cast<std::size_t>(index)];
     }
-    const bool asked = any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance",
-                                        "camera_fov", "camera_position", "camera_target"});
+    const bool asked =
+        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance", "camera_fov",
+                         "camera_position", "camera_target", "camera_zoom"});
     if (!asked && !scene.cameras.empty()) return scene.cameras.front();
 
     Camera camera;
@@ -196,11 +218,14 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
             distance = values.real("camera_distance");
         } else {
             const int views = all_around ? 24 : 1;
+            const std::vector<glm::vec3> ground =
+                values.boolean("ground") ? ground_corners(bounds) : std::vector<glm::vec3>{};
             for (int i = 0; i < views; ++i) {
                 const glm::vec3 from = direction_at(azimuth + 360.0 * i / views, elevation);
-                distance = std::max(
-                    distance, framing_distance(scene, camera.target, from, camera.yfov, aspect));
+                distance = std::max(distance, framing_distance(scene, ground, camera.target, from,
+                                                               camera.yfov, aspect));
             }
+            distance /= values.real("camera_zoom");
         }
         camera.position = camera.target + static_cast<float>(distance) * away;
     }

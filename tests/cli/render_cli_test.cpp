@@ -175,9 +175,38 @@ TEST(RenderCommand, WhatSaysTheSameTwiceIsRefused) {
         2, {"--compare: expected no --method"});
     expect_complaint(run_burnish(render({"builtin:sphere", "--compare", "none,none"}, out)), 2,
                      {"--compare: expected each method once, found none again"});
-    expect_complaint(run_burnish(render({"builtin:sphere", "--samples", "4"}, out)), 2,
-                     {"render: --samples: expected once, found 2 times"});
     EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RenderCommand, TheLastOfTwoFlagsHoldsAndIsNamed) {
+    const Folder folder;
+    const Outcome outcome = run_burnish(
+        render({"builtin:plane", "--size", "24x20", "--size", "16x12"}, folder.path("a.png")));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.complaint;
+    EXPECT_NE(outcome.complaint.find("--size: given 3 times: the last one, \"16x12\", holds"),
+              std::string::npos)
+        << outcome.complaint;
+    EXPECT_EQ(read_image(folder.path("a.png")).width, 16);
+}
+
+TEST(RenderCommand, SaysWhichFlagsChangeNothing) {
+    const Folder folder;
+    const auto complaint = [&](std::vector<std::string> flags) {
+        flags.insert(flags.begin(), "builtin:plane");
+        const Outcome outcome = run_burnish(render(flags, folder.path("a.png")));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
+        return outcome.complaint;
+    };
+    EXPECT_NE(complaint({"--normal-scale", "2"}).find("normal_scale: there is no normal map"),
+              std::string::npos);
+    EXPECT_NE(complaint({"--normal-filter", "mips"}).find("normal_filter: there is no normal map"),
+              std::string::npos);
+    EXPECT_NE(complaint({"--metal", "gold", "--metallic", "0"}).find("metallic: a measured metal"),
+              std::string::npos);
+    EXPECT_NE(complaint({"--camera-zoom", "2", "--camera-distance", "3"}).find("camera_zoom:"),
+              std::string::npos);
+    EXPECT_EQ(complaint({"--metal", "gold", "--metallic", "1"}), "");
+    EXPECT_EQ(complaint({"--normal-scale", "2", "--normal-map", "builtin:bumps"}), "");
 }
 
 TEST(RenderCommand, WarnsOfTransparencyThatTheOutputCannotKeep) {

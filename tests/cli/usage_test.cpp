@@ -69,8 +69,6 @@ TEST(Usage, MissingValuesAreNamed) {
                      {"mdf eval: --out: expected a value, found none"});
     expect_complaint(run_burnish({"mdf", "eval", "--out", "b", "--in"}), 2,
                      {"mdf eval: --in: expected a value, found none"});
-    expect_complaint(run_burnish({"mdf", "eval", "--in", "a", "--in", "b", "--out", "c"}), 2,
-                     {"mdf eval: --in: expected once, found 2 times"});
     expect_complaint(run_burnish({"render", "builtin:plane", "-o", "a.png", "--conserve=maybe"}), 2,
                      {"--conserve: expected", "maybe"});
     expect_complaint(run_burnish({"render", "-o", "a.png"}), 2, {"render: input: expected"});

@@ -28,6 +28,8 @@ using Group = ParameterGroup;
 // Largest position or distance, in meters. At a thousand kilometers float coordinates are 6 cm
 // apart, which is enough for any scene that can be drawn.
 constexpr double kFar = 1e6;
+// Degrees. Angles wrap; beyond a hundred turns single precision would show its steps.
+constexpr double kTurned = 36000;
 constexpr double kMaxSeed = 2147483647.0;
 
 // The decimal number that a float default of a struct stands for: 0.7, not 0.699999988. Every float
@@ -111,7 +113,7 @@ void add_material(Table& t) {
     t.real("roughness", 0, 1, {}, "", "perceptual roughness of glTF, alpha = roughness^2");
     t.real("anisotropy", 0, 1, {}, "",
            "strength of KHR_materials_anisotropy: stretch along the tangent");
-    t.real("anisotropy_rotation", -360, 360, {}, "deg",
+    t.real("anisotropy_rotation", -kTurned, kTurned, {}, "deg",
            "turn of the lobe, counter-clockwise from the tangent");
     t.real("ks", 0, 1e6, {}, "",
            "scale of the phong and lafortune lobes (left out: as much as keeps their energy)");
@@ -217,11 +219,13 @@ void add_render(Table& t) {
 
 void add_camera(Table& t) {
     t.group = Group::camera;
-    t.real("camera_azimuth", -360, 360, 30.0, "deg",
+    t.real("camera_azimuth", -kTurned, kTurned, 30.0, "deg",
            "around the model: 0 looks along -z, 90 from +x");
     t.real("camera_elevation", -90, 90, 20.0, "deg", "above the horizon");
     t.real("camera_distance", 1e-4, kFar, {}, "m",
            "from the target (default: the scene fills the view)");
+    t.real("camera_zoom", 0.01, 100, 1.0, "",
+           "nearer by this factor than where the scene fills the view");
     t.real("camera_fov", 1, 170, 30.0, "deg", "vertical field of view");
     t.position("camera_position", "x,y,z of the eye instead of azimuth, elevation and distance");
     t.position("camera_target", "x,y,z looked at (default: the middle of the scene)");
@@ -231,8 +235,9 @@ void add_camera(Table& t) {
 void add_environment_and_mesh(Table& t) {
     t.group = Group::environment;
     const RenderSettings standard;
-    t.real("environment_rotation", -360, 360, decimal(glm::degrees(standard.environment_rotation)),
-           "deg", "turn of the environment about +y");
+    t.real("environment_rotation", -kTurned, kTurned,
+           decimal(glm::degrees(standard.environment_rotation)), "deg",
+           "turn of the environment about +y");
     t.real("environment_intensity", 0, 1e6, decimal(standard.environment_intensity), "",
            "factor on the environment's radiance");
     t.group = Group::mesh;
