@@ -1,5 +1,11 @@
 // From pictures of one flat sample, by one camera under many lights, to a tabulated material.
 //
+// Where the rig states no intensities (Rig::intensity_stated) and the pictures, taken as they are,
+// would make the sample whiter than white or nearly black, the fit chooses the unit: it multiplies
+// all intensities by one factor, so that the brightest parts of the sample reflect as white paper
+// does. The material's metadata hold the factor ("burnish:chosen_intensity"). Where the rig states
+// intensities with which a material could not be written, Error names them before the fit.
+//
 // Threads: functions may be called from any thread, and run in parallel themselves; results do not
 // depend on the number of threads. Lifetime: nothing that is passed in is referred to afterwards.
 #pragma once

@@ -50,12 +50,18 @@ enum class RigResponse { linear, srgb };
 struct Rig {
     std::filesystem::path file;
     RigResponse response = RigResponse::linear;
+    // Are the intensities in the units of the pictures, so that a pixel over them is a reflectance?
+    // Else only their ratios hold, and a fit may choose the unit (capture_fit.hpp).
+    bool intensity_stated = false;
     double width_mm = 0.0, height_mm = 0.0;  // of the sample; 0 where the file cannot know (.lp)
     RigPlace camera;
     std::optional<std::filesystem::path> mask;   // white: measured
     std::optional<std::filesystem::path> white;  // flat field: pictures are divided by it
     std::vector<RigLight> lights;
     std::vector<std::string> warnings;
+    // Which pictures are missing, in a line, and the flags that help; empty: none. Of a rig that
+    // needs no pictures: a stack is refused.
+    std::string missing;
 };
 
 // What the command line may say in place of the file.
@@ -65,11 +71,18 @@ struct RigOverrides {
     // Height follows from the pictures; without them from the proportions of the file, else square.
     std::optional<double> width_mm;
     bool flip_y = false;  // the file's y points down the image: all of its y change sign
+    // Positive: multiplies the intensities of all lights, which count as stated then.
+    std::optional<double> intensity = std::nullopt;
+    // The pictures beside the file are those of its lights, by order (docs/reference/rig-file.md),
+    // whatever names the file has.
+    bool by_order = false;
+    bool skip_missing = false;  // lights whose pictures are missing are left out, with a warning
 };
 
 // `needs_images`: every light must name pictures that exist (a stack); else they may be left out (a
-// rig to render under). A `.dome` names none: the pictures beside it are taken in the order of
-// their names. Throws Error naming file, place in it, expected and found. What was read holds: at
+// rig to render under). A picture that is not where its name says is looked for in other letter
+// case, in the folder of the file and with other endings; a warning says so. A `.dome` names none:
+// the pictures beside it are taken by order. Throws Error naming file, place in it, expected and found. What was read holds: at
 // least one light, all directions unit, everything above the sample (z > 0), every number finite.
 Rig read_rig(const std::filesystem::path& path, bool needs_images,
              const RigOverrides& overrides = {});
@@ -77,8 +90,10 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images,
 // Told by extension (.lp, .dome) or, for JSON, by its "format".
 bool is_rig_file(const std::filesystem::path& path);
 
-// What the numbers in a picture of this name usually are: linear for .exr, .hdr, .tif and .tiff.
+// What the numbers in a picture of this name usually are: linear for .exr, .hdr, .tif, .tiff and
+// the endings of cameras' raw files; sRGB for others.
 RigResponse usual_response(const std::filesystem::path& picture);
+bool is_raw_picture(const std::filesystem::path& picture);  // by its ending
 
 // Our JSON, file names relative to the folder that `path` is in; written whole or not at all.
 // Throws Error when the rig has no size, as one from an .lp file: set it first.

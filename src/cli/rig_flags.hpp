@@ -12,6 +12,9 @@ class App;
 
 namespace burnish::cli {
 
+// "linear" or "srgb"; throws UsageError naming the flag.
+RigResponse parse_response(const std::string& text, const char* flag);
+
 // Must outlive the command.
 class RigFlags {
   public:
@@ -21,8 +24,8 @@ class RigFlags {
 
   private:
     std::string response_, camera_;
-    double width_mm_ = 0.0;
-    bool flip_y_ = false;
+    double width_mm_ = 0.0, intensity_ = 0.0;
+    bool flip_y_ = false, by_order_ = false, skip_missing_ = false;
 };
 
 }  // namespace burnish::cli

@@ -74,13 +74,23 @@ std::string unknown_word(const Apps& chain, const std::string& word) {
     return line + "; there are: " + listed(known);
 }
 
+// A missing value: what to give for it, as the help says.
+std::string missing_value(const CLI::App& app, const std::string& name) {
+    std::string line = name + ": expected a value, found none";
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (option == nullptr || option->get_description().empty()) return line;
+    const bool flag = name.starts_with('-');
+    return line + " (" + (flag ? name + " " : "") + option->get_type_name() + ": " +
+           option->get_description() + ")";
+}
+
 // Rewords errors of CLI11, which start with the flag, in the form of our other errors.
-std::string in_our_words(const CLI::ParseError& error) {
+std::string in_our_words(const CLI::App& app, const CLI::ParseError& error) {
     std::string text = one_line(error.what());
     const std::string flag = text.substr(0, text.find(": "));
     if (error.get_name() == "RequiredError")
-        return text.substr(0, text.find(' ')) + ": expected a value, found none";
-    if (error.get_name() == "ArgumentMismatch") return flag + ": expected a value, found none";
+        return missing_value(app, text.substr(0, text.find(' ')));
+    if (error.get_name() == "ArgumentMismatch") return missing_value(app, flag);
     const std::size_t equals = text.find(" = ");
     if (error.get_name() == "ConversionError" && equals != std::string::npos)
         return text.substr(text.find(": ") + 2, equals - text.find(": ") - 2) +
@@ -94,7 +104,7 @@ UsageError usage_error(const CLI::App& root, const CLI::ParseError& error) {
     const Apps chain = recognized(root);
     const std::vector<std::string> unknown = root.remaining(true);
     if (!unknown.empty()) return UsageError(unknown_word(chain, unknown.front()));
-    return UsageError(prefix_of(chain) + in_our_words(error));
+    return UsageError(prefix_of(chain) + in_our_words(*chain.back(), error));
 }
 
 std::vector<std::string> repeated_flags(const CLI::App& root) {

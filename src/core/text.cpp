@@ -24,6 +24,24 @@ std::string folded(std::string_view name) {
     return out;
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+char small_letter(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// Removes a number from the front of `text` and returns its digits without leading zeros.
+std::string_view take_number(std::string_view& text) {
+    std::size_t end = 0;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    std::string_view digits = text.substr(0, end);
+    text.remove_prefix(end);
+    while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+    return digits;
+}
+
 // Edit distance with insertions, deletions, replacements and swaps of neighbours, each costing 1.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -43,6 +61,25 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+bool natural_less(std::string_view a, std::string_view b) {
+    std::string_view left = a, right = b;
+    while (!left.empty() && !right.empty()) {
+        if (is_digit(left.front()) && is_digit(right.front())) {
+            const std::string_view one = take_number(left), other = take_number(right);
+            if (one.size() != other.size()) return one.size() < other.size();
+            if (one != other) return one < other;
+            continue;
+        }
+        const auto one = static_cast<unsigned char>(small_letter(left.front()));
+        const auto other = static_cast<unsigned char>(small_letter(right.front()));
+        if (one != other) return one < other;
+        left.remove_prefix(1);
+        right.remove_prefix(1);
+    }
+    if (left.empty() != right.empty()) return left.empty();
+    return a < b;
+}
 
 std::string plural(std::size_t count, std::string_view word) {
     const bool es = word.ends_with("sh");

@@ -1,4 +1,4 @@
-// Words for people: plurals, and names that a person has mistyped.
+// Words for people: plurals, the order of names, and names that a person has mistyped.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,10 @@ std::string plural(std::size_t count, std::string_view word);
 // when it is not there.
 int index_of_name(std::span<const std::string_view> names, std::string_view name,
                   std::string_view kind, std::string_view where);
+
+// The order in which people number files: digits within names are compared as numbers ("p2" before
+// "p10"), letters without case (of ASCII). Names that are alike so far are ordered by bytes.
+bool natural_less(std::string_view a, std::string_view b);
 
 // The known name nearest to `name` by edit distance; empty when none is near.
 std::string_view nearest_name(std::span<const std::string_view> names, std::string_view name);

@@ -226,6 +226,18 @@ TEST(RelightComparison, ClippedAndMaskedSamplesDoNotCount) {
     EXPECT_NEAR(error.peak, 1.5, 0.002);
 }
 
+// A card of one value is not clipped, though all of its samples are the largest.
+TEST(RelightComparison, AnEvenCardIsCompared) {
+    KnownStack stack;
+    for (std::size_t k = 0; k < 3; ++k) {
+        stack.write(k, Image(24, 16, 3, 0.5f));
+        stack.rendered[k] = Image(24, 16, 3, 0.45f);
+    }
+    const StackError error = stack.error();
+    EXPECT_EQ(error.samples, 3u * 24 * 16 * 3);
+    EXPECT_NEAR(error.rmse, 0.05, 1e-6);
+}
+
 TEST(RelightComparison, RefusesWhatCannotBeCompared) {
     KnownStack stack;
     for (std::size_t k = 0; k < 3; ++k) stack.write(k, stack.rendered[k]);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 
 #include "burnish/image_io.hpp"
@@ -241,6 +242,111 @@ TEST(CaptureDirections, NamesThePictureAtFault) {
           {"small.png", "320 x 260", "20 x 20"}, kBall);
     std::filesystem::copy_file(good, folder.path(" blank.png"));
     wrong({folder.path(" blank.png")}, {"rig.lp", "blanks"}, kBall);
+}
+
+// Puts an Exif block with the orientation behind the start of a JPEG file.
+void set_orientation(const std::string& path, char orientation) {
+    std::string bytes = contents_of(path);
+    // APP1 of 34 bytes: "Exif", a big-endian TIFF header, one entry (0x0112, a short), no next.
+    std::string block = std::string("\xff\xe1\x00\x22", 4) + std::string("Exif\0\0", 6) +
+                        std::string("MM\0\x2a\0\0\0\x08", 8) +
+                        std::string("\0\x01\x01\x12\0\x03\0\0\0\x01", 10);
+    block += '\0';  // the value, then two bytes of padding and the place of the next directory
+    block += orientation;
+    bytes.insert(2, block + std::string(6, '\0'));
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// The ball at (163.3, 127.8) of 320 x 260 stored pixels; where a viewer shows it follows from what
+// the orientations mean: 6 is shown turned clockwise, 8 counter-clockwise, 3 by half a turn.
+TEST(CaptureDirections, SaysHowAnExifOrientationMovesTheBall) {
+    const struct {
+        char orientation;
+        const char* shown;
+    } kCases[] = {{6, "132.2,163.3,110"}, {8, "127.8,156.7,110"}, {3, "156.7,132.2,110"}};
+    for (const auto& [orientation, shown] : kCases) {
+        const Folder folder;
+        const std::string picture = ball_picture(folder, "a.jpg", kLights[0]);
+        set_orientation(picture, orientation);
+        const Outcome outcome =
+            directions({picture}, {"--ball", shown, "-o", folder.path("rig.lp")});
+        expect_parts(outcome.complaint, {"Exif orientation", "taken as stored, 320 x 260",
+                                         std::string("--ball ") + shown +
+                                             " of a viewer is --ball 163.3,127.8,110 here"});
+        EXPECT_EQ(directions({picture}, {kBallFlag, "-o", folder.path("rig.lp")}).exit_code, 0);
+        EXPECT_LT(angle_deg(read_rig(folder.path("rig.lp"), true).lights[0].place.at, kLights[0]),
+                  kNear);
+    }
+    // No highlight where the flag says: the message names the orientation.
+    const Folder folder;
+    const std::string dark = write_picture(folder, "dark.jpg", picture_of_balls({{kBall, {}}}));
+    set_orientation(dark, 6);
+    expect_parts(refusal_of([&] {
+                     CaptureDirectionsRequest request;
+                     request.balls = {dark};
+                     request.circles = {kBall};
+                     request.output = folder.path("rig.lp");
+                     capture_directions(request, {});
+                 }),
+                 {"dark.jpg", "highlight", "Exif orientation 6", "clockwise"});
+}
+
+TEST(CaptureDirections, SaysWhatToGiveForAMissingBall) {
+    const Folder folder;
+    const std::string picture = ball_picture(folder, "a.png", kLights[0]);
+    expect_complaint(directions({picture}, {"-o", folder.path("rig.lp")}), 2,
+                     {"--ball X,Y,R", "outline of a mirror ball in pixels"});
+}
+
+// Linear PNG files, as a raw converter writes them: read as sRGB, the rim of the highlight would
+// weigh too little.
+TEST(CaptureDirections, HonoursTheResponseOfTheBalls) {
+    const Folder folder;
+    const Vec3d light = direction(50, 100);
+    const std::string linear = folder.path("linear.png");
+    write_image(linear, picture_of_balls({{kBall, {{light, 4.0, 0.9}}}}), {});
+    const std::string sample = write_picture(folder, "s.png", Image(30, 20, 3, 0.5f));
+    const auto found = [&](const std::vector<std::string>& more, const std::string& out) {
+        std::vector<std::string> all = {kBallFlag, "-o", folder.path(out)};
+        all.insert(all.end(), more.begin(), more.end());
+        EXPECT_EQ(directions({linear}, all).exit_code, 0);
+        return read_rig(folder.path(out), true).lights[0].place.at;
+    };
+    const Vec3d truth = found({"--response", "linear"}, "a.json");
+    EXPECT_LT(angle_deg(truth, light), 0.06);
+    EXPECT_EQ(found({"--response", "linear"}, "a.lp"),
+              found({"--ball-response", "linear"}, "b.lp"));
+    EXPECT_LT(angle_deg(found({"--response", "linear", "--pictures", sample}, "c.json"), truth),
+              1e-6);
+    EXPECT_LT(
+        angle_deg(found({"--ball-response", "linear", "--response", "srgb", "--pictures", sample},
+                        "d.json"),
+                  truth),
+        1e-6);
+    EXPECT_EQ(read_rig(folder.path("d.json"), true).response, RigResponse::srgb);
+    EXPECT_GT(angle_deg(found({}, "e.json"), truth), 1e-4);
+}
+
+TEST(CaptureDirections, FindsPicturesOfOtherCaseAndEnding) {
+    const Folder folder;
+    ball_picture(folder, "B0.PNG", kLights[0]);
+    ball_picture(folder, "b1.png", kLights[1]);
+    const Outcome outcome = directions({folder.path("b0.jpg"), folder.path("b1.jpg")},
+                                       {kBallFlag, "-o", folder.path("rig.lp")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
+    expect_parts(outcome.complaint, {"b0.jpg", "\"B0.PNG\" is taken for it", "1 more"});
+    EXPECT_NE(contents_of(folder.path("rig.lp")).find("B0.PNG"), std::string::npos);
+}
+
+TEST(CaptureDirections, WarnsOfListsInTwoOrders) {
+    const Folder folder;
+    std::vector<std::string> balls;
+    std::vector<std::string> more = {kBallFlag, "-o", folder.path("rig.lp"), "--pictures"};
+    for (const char* name : {"b1.png", "b10.png", "b2.png"})
+        balls.push_back(ball_picture(folder, name, kLights[0]));
+    for (const char* name : {"s01.png", "s02.png", "s10.png"})
+        more.push_back(write_picture(folder, name, Image(30, 20, 3, 0.5f)));
+    expect_parts(directions(balls, more).complaint, {"\"b10.png\" is given before \"b2.png\""});
 }
 
 TEST(CaptureDirections, AFullDiskLeavesTheOldRig) {

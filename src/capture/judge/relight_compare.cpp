@@ -64,8 +64,11 @@ StackError StackComparison::result() const {
     StackError out;
     SquaredError total;
     for (const Sums& sums : sums_) {
-        const bool clips =
-            sums.top > 0.0 && sums.top == brightest && sums.at_top.count >= kRepeatsOfClipping;
+        // As a stack is read: more samples at the top show an even card (image_stack.hpp).
+        const bool clips = sums.top > 0.0 && sums.top == brightest &&
+                           sums.at_top.count >= kRepeatsOfClipping &&
+                           static_cast<double>(sums.at_top.count) <=
+                               kMostOfClipping * static_cast<double>(sums.all.count);
         out.peak = std::max(out.peak, clips ? sums.next : sums.top);
         SquaredError kept = sums.all;
         if (clips)

@@ -10,6 +10,10 @@ struct Strengths {
     double diffuse = 0.0, specular = 0.0;
 };
 
+// Largest specular strength. A larger one means that no sample sees more than the far tail of the
+// lobe, which says nothing of its strength: a half float, as which files hold it, ends here.
+inline constexpr double kMostStrength = 65504.0;
+
 // Finds d, s >= 0 that minimize |y - d u - s v|^2, from the inner products of u, v and y.
 inline Strengths solve_strengths(double uu, double uv, double vv, double uy, double vy) {
     const double determinant = uu * vv - uv * uv;
@@ -20,8 +24,12 @@ inline Strengths solve_strengths(double uu, double uv, double vv, double uy, dou
         d = (uy * vv - vy * uv) / determinant;
         s = (vy * uu - uy * uv) / determinant;
     }
-    if (s < 0.0) return {uu > 0.0 ? std::max(uy / uu, 0.0) : 0.0, 0.0};
-    if (d < 0.0) return {0.0, vv > 0.0 ? std::max(vy / vv, 0.0) : 0.0};
+    if (s < 0.0 || s > kMostStrength) return {uu > 0.0 ? std::max(uy / uu, 0.0) : 0.0, 0.0};
+    if (d < 0.0) {
+        const double alone = vv > 0.0 ? std::max(vy / vv, 0.0) : 0.0;
+        return alone <= kMostStrength ? Strengths{0.0, alone}
+                                      : Strengths{uu > 0.0 ? std::max(uy / uu, 0.0) : 0.0, 0.0};
+    }
     return {d, s};
 }
 

@@ -52,9 +52,15 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
+std::filesystem::path Request::picture(const std::string& where, const std::string& name) const {
+    require_name(path.string(), where, name);
+    return by_order ? path.parent_path() / name : pictures.find(where, name);
+}
+
 namespace {
 
-Reading read_any(const std::filesystem::path& path, bool needs_images, bool has_camera) {
+Reading read_any(const std::filesystem::path& path, bool needs_images,
+                 const RigOverrides& overrides, PictureFinder& pictures) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
         const std::filesystem::path inside = path / "rig.json";
@@ -63,7 +69,8 @@ Reading read_any(const std::filesystem::path& path, bool needs_images, bool has_
                                      : "a folder");
     }
     const std::string text = read_text_file(path, kMostBytes);
-    const Request request{path, text, needs_images, has_camera};
+    const Request request{
+        path, text, needs_images, overrides.camera.has_value(), overrides.by_order, pictures};
     const std::string extension = lower_extension(path);
     if (extension == ".lp") return read_lp(request);
     if (extension == ".dome") return read_dome(request);
@@ -84,6 +91,21 @@ RigResponse common_response(Rig& rig) {
                             light.where, *usual == RigResponse::linear ? "linear" : "sRGB"));
         }
     return usual.value_or(RigResponse::linear);
+}
+
+// Of pictures with another ending, for which the stated response may be wrong.
+void warn_of_responses(const PictureFinder& finder, Rig& rig) {
+    const auto other = std::find_if(
+        finder.others().begin(), finder.others().end(), [&](const PictureFinder::Named& named) {
+            return named.found.other_ending && usual_response(named.path) != rig.response;
+        });
+    if (other == finder.others().end()) return;
+    const bool linear = rig.response == RigResponse::linear;
+    rig.warnings.push_back(
+        fmt::format("{}: {} is read as {}, the response that is stated for {}; pictures of its "
+                    "ending are usually {} (--response)",
+                    other->where, shown(other->path.filename().string()),
+                    linear ? "linear" : "sRGB", shown(other->name), linear ? "sRGB" : "linear"));
 }
 
 void flip_y(Rig& rig) {
@@ -163,23 +185,41 @@ void check_duplicates(Rig& rig) {
 // converters.
 RigResponse usual_response(const std::filesystem::path& picture) {
     const std::string extension = rig_reading::lower_extension(picture);
-    const bool linear =
-        extension == ".exr" || extension == ".hdr" || extension == ".tif" || extension == ".tiff";
+    const bool linear = extension == ".exr" || extension == ".hdr" || extension == ".tif" ||
+                        extension == ".tiff" || is_raw_picture(picture);
     return linear ? RigResponse::linear : RigResponse::srgb;
+}
+
+bool is_raw_picture(const std::filesystem::path& picture) {
+    const auto raw = rig_reading::raw_endings();
+    return std::find(raw.begin(), raw.end(), rig_reading::lower_extension(picture)) != raw.end();
 }
 
 Rig read_rig(const std::filesystem::path& path, bool needs_images, const RigOverrides& overrides) {
     using namespace rig_reading;
-    Reading reading = read_any(path, needs_images, overrides.camera.has_value());
+    PictureFinder pictures(path.parent_path());
+    Reading reading = read_any(path, needs_images, overrides, pictures);
     Rig rig = std::move(reading.rig);
     rig.file = path;
+    warn_of_others(pictures, rig.warnings);
+    if (overrides.by_order || lower_extension(path) == ".dome") {
+        take_by_order(needs_images, rig);
+    } else {
+        settle_missing(pictures, needs_images, overrides.skip_missing, rig);
+    }
     rig.response = overrides.response ? *overrides.response
                    : reading.response ? *reading.response
                                       : common_response(rig);
+    if (overrides.response || reading.response) warn_of_responses(pictures, rig);
     if (overrides.flip_y) flip_y(rig);
     if (overrides.camera) {
         rig.camera = *overrides.camera;
         if (!rig.camera.near) rig.camera.at = normalized(rig.camera.at);
+    }
+    if (overrides.intensity) {
+        for (RigLight& light : rig.lights)
+            for (double& channel : light.intensity) channel *= *overrides.intensity;
+        rig.intensity_stated = true;
     }
     check_places(rig);
     check_duplicates(rig);

@@ -17,8 +17,6 @@ namespace burnish::rig_reading {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::array<std::string_view, 3> kKinds = {"directional", "spherical", "lights3d"};
 // All keys without a warning: those that are read and those that do not describe the light.
 constexpr std::array<std::string_view, 13> kKeys = {
@@ -36,31 +34,10 @@ Vec3d triple(const JsonPlace& place, const std::array<const char*, 3>& names, do
     return v;
 }
 
-// Pictures beside the file, by name: relight matches lights and pictures by their order.
-std::vector<fs::path> pictures_beside(const fs::path& path) {
-    constexpr std::array<std::string_view, 7> kExtensions = {".png",  ".jpg", ".jpeg", ".tif",
-                                                             ".tiff", ".exr", ".hdr"};
-    std::vector<fs::path> pictures;
-    std::error_code error;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        std::string extension = entry->path().extension().string();
-        for (char& c : extension)
-            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        const bool known =
-            std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-        if (known && is_there(entry->path()))
-            pictures.push_back(path.parent_path() / entry->path().filename());
-    }
-    std::sort(pictures.begin(), pictures.end());
-    return pictures;
-}
-
 class Reader {
   public:
     Reader(const Request& request, const nlohmann::json& document)
-        : request_(request), file_(request.path.string()), root_(file_, document) {}
+        : file_(request.path.string()), root_(file_, document) {}
 
     Reading read() {
         root_.require_object();
@@ -69,7 +46,6 @@ class Reader {
         if (rig_.width_mm < kSmallest) rig_.width_mm = 0.0;  // unknown: relight writes 0
         read_lights();
         read_colors();
-        if (request_.needs_images) take_pictures();
         return {std::move(rig_), {}};
     }
 
@@ -188,17 +164,6 @@ class Reader {
         }
     }
 
-    void take_pictures() {
-        const std::vector<fs::path> pictures = pictures_beside(request_.path);
-        if (pictures.size() != rig_.lights.size())
-            throw Error(file_, "",
-                        fmt::format("{} pictures beside the file, one a light", rig_.lights.size()),
-                        fmt::format("{}", pictures.size()));
-        for (std::size_t i = 0; i < pictures.size(); ++i)
-            rig_.lights[i].images.push_back({pictures[i], 1.0});
-    }
-
-    const Request& request_;
     std::string file_;
     JsonPlace root_;
     Rig rig_;

@@ -74,9 +74,13 @@ class Reader {
     std::filesystem::path read_file(const JsonPlace& place) const {
         const std::string name = place.text();
         require_name(file_, place.path(), name);
-        std::filesystem::path path = request_.path.parent_path() / name;
+        const std::filesystem::path path = request_.pictures.find_aside(place.path(), name);
         if (request_.needs_images && !is_there(path)) fail_missing(file_, place.path(), name);
         return path;
+    }
+
+    std::filesystem::path read_picture(const JsonPlace& place) const {
+        return request_.picture(place.path(), place.text());
     }
 
     Vec3d read_direction(const JsonPlace& place) {
@@ -99,8 +103,8 @@ class Reader {
     }
 
     static Vec3d read_intensity(const JsonPlace& place) {
-        if (place.value().is_array()) return place.double_triple(kFaintest, kBrightest);
-        const double all = place.number(kFaintest, kBrightest);
+        if (place.value().is_array()) return place.double_triple(kFaintestLight, kBrightestLight);
+        const double all = place.number(kFaintestLight, kBrightestLight);
         return {all, all, all};
     }
 
@@ -126,9 +130,10 @@ class Reader {
     std::vector<RigExposure> read_images(const JsonPlace& place) const {
         const bool one = place.has("image"), bracket = place.has("exposures");
         if (one && bracket) throw Error(file_, place.path(), "\"image\" or \"exposures\"", "both");
-        if (one) return {{read_file(place.at("image")), 1.0}};
+        if (one) return {{read_picture(place.at("image")), 1.0}};
         if (!bracket) {
-            if (request_.needs_images) place.at("image");  // throws: the key is missing
+            if (request_.needs_images && !request_.by_order)
+                place.at("image");  // throws: the key is missing
             return {};
         }
         constexpr std::array<std::string_view, 2> kKeys = {"image", "exposure"};
@@ -139,8 +144,8 @@ class Reader {
         for (std::size_t i = 0; i < list.size(); ++i) {
             const JsonPlace entry = list.at(i);
             entry.require_object(kKeys);
-            exposures.push_back(
-                {read_file(entry.at("image")), entry.at("exposure").number(kFaintest, kBrightest)});
+            exposures.push_back({read_picture(entry.at("image")),
+                                 entry.at("exposure").number(kFaintest, kBrightest)});
         }
         return exposures;
     }
@@ -158,7 +163,10 @@ class Reader {
             light.where = entry.path();
             light.images = read_images(entry);
             light.place = read_place(entry);
-            if (entry.has("intensity")) light.intensity = read_intensity(entry.at("intensity"));
+            if (entry.has("intensity")) {
+                light.intensity = read_intensity(entry.at("intensity"));
+                rig_.intensity_stated = true;
+            }
             read_emission(entry, light);
             if (entry.has("camera")) light.camera = read_camera(entry.at("camera"));
             rig_.lights.push_back(std::move(light));

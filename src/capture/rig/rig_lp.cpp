@@ -50,8 +50,7 @@ bool has_decimal_comma(std::string_view word) {
 
 class Reader {
   public:
-    explicit Reader(const Request& request)
-        : request_(request), file_(request.path.string()), folder_(request.path.parent_path()) {}
+    explicit Reader(const Request& request) : request_(request), file_(request.path.string()) {}
 
     Rig read() {
         std::string_view text = request_.text;
@@ -120,27 +119,8 @@ class Reader {
             worst_at_ = where_;
         }
         light.place.at = normalized(light.place.at);
-        require_name(file_, where_, name);
-        light.images.push_back({find_image(name), 1.0});
+        light.images.push_back({request_.picture(where_, name), 1.0});
         return light;
-    }
-
-    // The name may contain folders of another machine. Tries the whole path first, then drops
-    // leading folders one by one until a file exists.
-    std::filesystem::path find_image(std::string name) const {
-        std::filesystem::path given = folder_ / name;
-        if (is_there(given)) return given;
-        for (char& c : name)
-            if (c == '\\') c = '/';
-        for (std::size_t start = 0; start < name.size();) {
-            std::filesystem::path here = folder_ / name.substr(start);
-            if (is_there(here)) return here;
-            const std::size_t slash = name.find('/', start);
-            if (slash == name.npos) break;
-            start = name.find_first_not_of('/', slash);
-        }
-        if (request_.needs_images) fail_missing(file_, where_, name);
-        return given;
     }
 
     void warn_of_lengths() {
@@ -153,7 +133,6 @@ class Reader {
 
     const Request& request_;
     std::string file_;
-    std::filesystem::path folder_;
     std::string where_, counted_at_, worst_at_;
     double worst_off_ = 0.0;
     Rig rig_;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "burnish/rig.hpp"
+#include "capture/rig/rig_pictures.hpp"
 
 namespace burnish::rig_reading {
 
@@ -14,9 +15,11 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kMostLights = 10000;
 constexpr double kFarthest = 1e6;                     // mm; a light a kilometer away is at infinity
 constexpr double kSmallest = 1e-3, kLargest = 1e5;    // mm, sides of a sample
-constexpr double kFaintest = 1e-9, kBrightest = 1e9;  // intensities, exposures
-constexpr double kShortest = 1e-12;                   // length of the shortest valid direction
-constexpr double kNearlyUnit = 0.02;                  // error of a length with two digits
+constexpr double kFaintest = 1e-9, kBrightest = 1e9;  // exposures, corrections of lights
+// Intensities: in mm they are a hundred thousand times the values of pictures (light_level.hpp).
+constexpr double kFaintestLight = 1e-24, kBrightestLight = 1e24;
+constexpr double kShortest = 1e-12;   // length of the shortest valid direction
+constexpr double kNearlyUnit = 0.02;  // error of a length with two digits
 
 double length(const Vec3d& v);
 Vec3d normalized(const Vec3d& v);  // a unit vector stays bit for bit
@@ -34,6 +37,11 @@ struct Request {
     std::string_view text;
     bool needs_images;
     bool has_camera;  // the caller gives one
+    bool by_order;    // pictures are taken by order afterwards: names are not looked for
+    PictureFinder& pictures;
+
+    // A picture of a light, as `where` names it. Throws for a name that no file can have.
+    std::filesystem::path picture(const std::string& where, const std::string& name) const;
 };
 struct Reading {
     Rig rig;

@@ -27,7 +27,7 @@ ordered_json place_of(const RigPlace& place) {
     return {{place.near ? "position" : "direction", place.at}};
 }
 
-ordered_json light_of(const RigLight& light, const fs::path& folder) {
+ordered_json light_of(const RigLight& light, bool intensity_stated, const fs::path& folder) {
     ordered_json out = ordered_json::object();
     if (light.images.size() == 1 && light.images[0].exposure == 1.0) {
         out["image"] = relative_to(folder, light.images[0].image);
@@ -40,7 +40,7 @@ ordered_json light_of(const RigLight& light, const fs::path& folder) {
     const Vec3d& rgb = light.intensity;
     if (rgb[0] != rgb[1] || rgb[0] != rgb[2]) {
         out["intensity"] = rgb;
-    } else if (rgb[0] != 1.0) {
+    } else if (intensity_stated || rgb[0] != 1.0) {
         out["intensity"] = rgb[0];
     }
     if (light.place.near && light.emission_exponent > 0.0) {
@@ -67,8 +67,9 @@ std::string text_of(const fs::path& path, const Rig& rig) {
         text += fmt::format("  \"{}\": {},\n", key, value.dump());
     text += "  \"lights\": [\n";
     for (std::size_t i = 0; i < rig.lights.size(); ++i)
-        text += fmt::format("    {}{}\n", light_of(rig.lights[i], folder).dump(),
-                            i + 1 < rig.lights.size() ? "," : "");
+        text +=
+            fmt::format("    {}{}\n", light_of(rig.lights[i], rig.intensity_stated, folder).dump(),
+                        i + 1 < rig.lights.size() ? "," : "");
     return text + "  ]\n}\n";
 }
 

@@ -58,6 +58,7 @@ Rig empty_rig(const VirtualSample& sample, const VirtualRigSettings& settings) {
     rig.width_mm = sample.width_mm;
     rig.height_mm = sample.height_mm;
     rig.camera = tilted_camera(settings);
+    rig.intensity_stated = true;
     return rig;
 }
 

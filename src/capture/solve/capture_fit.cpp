@@ -11,6 +11,7 @@
 #include "capture/solve/training_points.hpp"
 #include "capture/stack/stage_file.hpp"
 #include "core/constants.hpp"
+#include "formats/tabulated/tabulated_parts.hpp"
 
 namespace burnish {
 
@@ -18,7 +19,7 @@ namespace {
 
 // Version of the method. Raise it if the same settings give other numbers or if the layout of a
 // stage changes: stages of other versions are computed again.
-constexpr int kMethodVersion = 4;
+constexpr int kMethodVersion = 5;
 // Interval between writes of finished bands: an interruption loses at most this time and one band.
 constexpr std::chrono::seconds kSaveEvery{20};
 
@@ -96,9 +97,11 @@ CaptureFit::CaptureFit(const Rig& rig, std::span<const Image> pictures, const Im
 void CaptureFit::start() {
     if (rig_.width_mm > 0.0 && rig_.height_mm <= 0.0)
         rig_.height_mm = rig_.width_mm * stack_->height() / stack_->width();
+    context_.keep = fitted_lights(stack_->lights(), settings_.hold_out);
+    report_.level = light_level(*stack_, rig_, context_.keep);
+    multiply_intensities(rig_, report_.level.intensity);
     geometry_ = std::make_unique<LightGeometry>(rig_, stack_->width(), stack_->height());
     context_.geometry = geometry_.get();
-    context_.keep = fitted_lights(stack_->lights(), settings_.hold_out);
     context_.grid = settings_.grid;
     report_.census = stack_->census();
     report_.spacing_deg = point_coverage(rig_, {0.0, 0.0, 0.0}).spacing;
@@ -197,11 +200,18 @@ TabulatedMaterial CaptureFit::material() const {
         out.pixels = values;
         return out;
     };
-    m.diffuse = image(texels_->diffuse);
-    m.specular = image(texels_->specular);
+    // Single pixels may be brighter than the file's colors by any factor: broken ones of a sensor.
+    const auto colors = [&](const std::vector<float>& values) {
+        Image out = image(values);
+        for (float& value : out.pixels) value = std::min(value, kMostColor);
+        return out;
+    };
+    m.diffuse = colors(texels_->diffuse);
+    m.specular = colors(texels_->specular);
     m.normal = image(texels_->normal);
     m.maps["fit.error"] = texels_->error;
     if (texels_->has_models()) add_model_maps(*texels_, m);
+    record_level(report_.level, rig_, m.metadata);
     return m;
 }
 

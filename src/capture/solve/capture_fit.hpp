@@ -21,6 +21,7 @@
 #include "capture/solve/exemplar_search.hpp"
 #include "capture/solve/texels.hpp"
 #include "capture/stack/image_stack.hpp"
+#include "capture/stack/light_level.hpp"
 
 namespace burnish {
 
@@ -28,6 +29,7 @@ class TexelFitter;
 
 struct CaptureFitReport {
     StackCensus census;
+    LightLevel level;
     double spacing_deg =
         0.0;  // median distance of neighboring half vectors, at the center of the sample
     int training_points = 0;
@@ -71,7 +73,8 @@ class CaptureFit {
     // Requires all texels.
     TabulatedMaterial material() const;
 
-    const Rig& rig() const { return rig_; }  // with the computed height of the sample
+    // With the computed height of the sample and the chosen intensities.
+    const Rig& rig() const { return rig_; }
     const ImageStack& stack() const { return *stack_; }
     const Exemplars& exemplars() const { return exemplars_; }
     const CaptureFitReport& report() const { return report_; }

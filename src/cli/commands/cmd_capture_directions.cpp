@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* kCaptureDirectionsFooter = R"(
 PICTUREs show one or more mirror balls under one light each, all from the same camera. --ball is a ball's
-outline: its middle and radius in pixels, counted from the top left corner of the picture. Several balls
+outline: its middle and radius in pixels, counted from the top left corner of the picture as it is stored:
+an Exif orientation is not applied. Several balls
 give the mean of their directions. Printed for each light: the direction, its angle theta from the normal
 and phi, counter-clockwise from +x, and how far the highlight spreads about it. RIG is JSON of ours (.json)
 or an .lp file. Balls that lie beside the sample are to be cut off the pictures, or masked, before a fit:
@@ -32,7 +33,7 @@ Examples:
 
 struct CaptureDirectionsFlags {
     std::vector<std::string> balls, circles, pictures;
-    std::string output;
+    std::string output, ball_response;
     RigFlags rig;
 };
 
@@ -65,6 +66,8 @@ void run_capture_directions(const CaptureDirectionsFlags& flags, const Session& 
     request.pictures.assign(flags.pictures.begin(), flags.pictures.end());
     for (const std::string& text : flags.circles) request.circles.push_back(parse_circle(text));
     request.rig = flags.rig.overrides();
+    if (!flags.ball_response.empty())
+        request.ball_response = parse_response(flags.ball_response, "--ball-response");
     request.output = flags.output;
     const CaptureDirectionsResult report = capture_directions(request, session.progress());
     std::string text;
@@ -83,7 +86,11 @@ void add_capture_directions_command(CLI::App& capture, Session& session) {
     command->add_option("balls", flags->balls, "pictures of the balls, one a light, in order")
         ->required()
         ->type_name("PICTURE");
-    command->add_option("--ball", flags->circles, "outline of a ball in pixels; may be given again")
+    command
+        ->add_option(
+            "--ball", flags->circles,
+            "outline of a mirror ball in pixels: its middle, from the top left corner, and "
+            "radius; may be given again")
         ->required()
         ->allow_extra_args(false)
         ->type_name("X,Y,R");
@@ -95,6 +102,11 @@ void add_capture_directions_command(CLI::App& capture, Session& session) {
         ->required()
         ->type_name("RIG");
     flags->rig.add_to_new(*command);
+    command
+        ->add_option("--ball-response", flags->ball_response,
+                     "linear or srgb: what the pictures of the balls hold, where they differ from "
+                     "the sample's")
+        ->type_name("NAME");
     command->footer(kCaptureDirectionsFooter);
     command->callback([flags, &session] { run_capture_directions(*flags, session); });
 }

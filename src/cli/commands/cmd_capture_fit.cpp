@@ -72,10 +72,11 @@ void set_fresnel(CaptureFitFlags& flags) {
 // A summary of the result as text.
 std::string describe(const CaptureFitResult& r, const CaptureFitRequest& request) {
     std::string text = fmt::format(
-        "{} x {} pixels, {} lights, half vectors {:.1f} degrees apart, {:.2g} % clipped, {:.2g} % "
+        "{} x {} pixels, {} lights{}, half vectors {:.1f} degrees apart, {:.2g} % clipped, {:.2g} "
+        "% "
         "black\n",
-        r.width, r.height, r.lights, r.fit.spacing_deg, 100.0 * r.fit.census.clipped_share,
-        100.0 * r.fit.census.black_share);
+        r.width, r.height, r.lights, r.raw ? " of raw files" : "", r.fit.spacing_deg,
+        100.0 * r.fit.census.clipped_share, 100.0 * r.fit.census.black_share);
     if (r.fit.exemplars > 0) {
         text += fmt::format("{} from {} points, eta {:.3g}{}, {:.2g} % of the light unexplained\n",
                             plural(static_cast<std::size_t>(r.fit.exemplars), "exemplar"),

@@ -14,10 +14,12 @@ namespace burnish::cli {
 namespace {
 
 constexpr const char* kCaptureRelightFooter = R"(
-Writes into DIR: 0000.exr, 0001.exr ... (linear, in the units of the rig's intensities), rig.json, which
-names them; with --compare also compare.csv. A light of the rig that has a camera is seen from there.
-PSNR is relative to the brightest sample of the stack that is not clipped. --response, --camera, --flip-y
-and --width-mm as the fit had them, for both rigs. docs/guide/relight-and-export.md says more.
+Writes into DIR: a picture of each light, linear, in the units of the rig's intensities, named after the
+rig's own (p01.jpg: p01.exr), else 0000.exr, 0001.exr ...; rig.json, which names them; with --compare also
+compare.csv. Under a rig that states no intensities pictures are as bright as those that the material was
+fitted to, where the fit chose the intensities. A light of the rig that has a camera is seen from there.
+PSNR is relative to the brightest sample of the stack that is not clipped. The flags of rigs as the fit
+had them, for both rigs. docs/guide/relight-and-export.md says more.
 
 Examples:
   burnish capture relight brass.exr --rig dome.json -o relit

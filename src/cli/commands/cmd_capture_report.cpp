@@ -17,7 +17,7 @@ Writes into DIR: index.html, which opens from disk and needs no scripts and no n
 what the lights cover, the exemplars before and after completion, maps, three pictures of lights beside
 what the material and Ward's models make of them, and renderings. STACK is the rig that the material was
 fitted to. Without --hold-out it is as the material's file says; where that says nothing, lights judge
-that took part, and the page says so. --response, --camera, --flip-y and --width-mm as the fit had them.
+that took part, and the page says so. The flags of rigs as the fit had them.
 docs/guide/capture.md says more.
 
 Examples:

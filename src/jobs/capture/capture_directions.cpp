@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <map>
 #include <set>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
+#include "capture/rig/rig_pictures.hpp"
 #include "core/constants.hpp"
 #include "core/files.hpp"
+#include "core/find_file.hpp"
+#include "core/text.hpp"
 
 namespace burnish {
 
@@ -34,9 +40,8 @@ Format format_of(const fs::path& output) {
 }
 
 void check_request(const CaptureDirectionsRequest& r) {
-    if (format_of(r.output) == Format::lp && (r.rig.response || r.rig.camera || r.rig.width_mm))
-        throw UsageError("-o", "",
-                         "a .json file, where --response, --camera or --width-mm is given",
+    if (format_of(r.output) == Format::lp && (r.rig.camera || r.rig.width_mm))
+        throw UsageError("-o", "", "a .json file, where --camera or --width-mm is given",
                          "an .lp file, which knows directions alone");
     if (!r.pictures.empty() && r.pictures.size() != r.balls.size())
         throw UsageError("--pictures", "",
@@ -141,24 +146,170 @@ Rig rig_without_places(const CaptureDirectionsRequest& request,
     if (!request.rig.width_mm && format_of(request.output) == Format::json)
         warnings.push_back(fmt::format("{}: without --width-mm the sample is taken as 1 mm a pixel",
                                        request.output.string()));
+    if (request.rig.response && format_of(request.output) == Format::lp)
+        warnings.push_back(
+            fmt::format("{}: an .lp file cannot hold --response: give it to capture fit, too",
+                        request.output.string()));
     return rig;
 }
 
-// Is the ball's picture linear? It has the sample's response if it shows the sample too, else the
-// usual response of its file format.
 bool linear_ball(const CaptureDirectionsRequest& request, const fs::path& path) {
-    const bool same = request.pictures.empty();
-    return (same && request.rig.response ? *request.rig.response : usual_response(path)) ==
-           RigResponse::linear;
+    const RigResponse usual = usual_response(path);
+    if (request.ball_response) return *request.ball_response == RigResponse::linear;
+    const bool alike =
+        request.pictures.empty() || usual_response(request.pictures.front()) == usual;
+    return (alike ? request.rig.response.value_or(usual) : usual) == RigResponse::linear;
+}
+
+// Pictures that are not there under other letter case or with another ending.
+class GivenPictures {
+  public:
+    fs::path find(const fs::path& path) {
+        std::error_code error;
+        if (fs::exists(path, error)) return path;
+        const fs::path folder = path.parent_path();
+        auto& finder = finders_.try_emplace(folder, folder, kSearch).first->second;
+        const FoundFile found = finder.find(path.filename().string());
+        if (!found) return path;
+        if (count_++ == 0)
+            first_ = fmt::format("{}: {} is taken for it ({})", path.string(),
+                                 shown(found.path.filename().string()), difference_of(found));
+        return found.path;
+    }
+    void warn(std::vector<std::string>& warnings) const {
+        if (count_ == 0) return;
+        warnings.push_back(first_ +
+                           (count_ > 1 ? fmt::format("; so are {} more", count_ - 1) : ""));
+    }
+
+  private:
+    static inline const FileSearch kSearch{rig_reading::all_endings(), {}, false};
+    std::map<fs::path, FileFinder> finders_;
+    std::string first_;
+    std::size_t count_ = 0;
+};
+
+// Shells sort p10 before p2: two lists in that order may stand for different lights if only one
+// of them pads its numbers.
+void warn_of_orders(const CaptureDirectionsRequest& request, std::vector<std::string>& warnings) {
+    const auto by_bytes = [](const std::vector<fs::path>& list) {
+        return std::is_sorted(list.begin(), list.end());
+    };
+    const auto unnatural = [](const std::vector<fs::path>& list) {
+        return std::adjacent_find(list.begin(), list.end(), [](const auto& a, const auto& b) {
+            return natural_less(b.filename().string(), a.filename().string());
+        });
+    };
+    const auto ball = unnatural(request.balls), picture = unnatural(request.pictures);
+    const bool one = (ball == request.balls.end()) != (picture == request.pictures.end());
+    if (request.pictures.empty() || !one || !by_bytes(request.balls) || !by_bytes(request.pictures))
+        return;
+    const fs::path& first = ball == request.balls.end() ? *picture : *ball;
+    const fs::path& next = ball == request.balls.end() ? *(picture + 1) : *(ball + 1);
+    warnings.push_back(fmt::format(
+        "{} is given before {}, while the {} are in the order of their numbers: the k-th picture "
+        "of the ball is taken with the k-th of the sample all the same",
+        shown(first.filename().string()), shown(next.filename().string()),
+        ball == request.balls.end() ? "pictures of the ball" : "--pictures"));
+}
+
+// The Exif orientation of a picture, 1 to 8; 1: as stored.
+int orientation_of(const ImageInfo& info) {
+    const auto found = info.metadata.find("Orientation");
+    const int value = found == info.metadata.end() ? 1 : std::atoi(found->second.c_str());
+    return value >= 1 && value <= 8 ? value : 1;
+}
+
+constexpr std::array<const char*, 9> kTurns = {"",
+                                               "",
+                                               "mirrored left to right",
+                                               "turned by 180 degrees",
+                                               "mirrored top to bottom",
+                                               "mirrored about the diagonal from the top left",
+                                               "turned by 90 degrees clockwise",
+                                               "mirrored about the diagonal from the top right",
+                                               "turned by 90 degrees counter-clockwise"};
+
+// Where a point that a viewer shows at (x, y) is stored, in a picture of these stored sizes.
+ProbeCircle stored_circle(int orientation, const ProbeCircle& shown, double width, double height) {
+    const auto [x, y, radius] = shown;
+    switch (orientation) {
+        case 2:
+            return {width - x, y, radius};
+        case 3:
+            return {width - x, height - y, radius};
+        case 4:
+            return {x, height - y, radius};
+        case 5:
+            return {y, x, radius};
+        case 6:
+            return {y, height - x, radius};
+        case 7:
+            return {width - y, height - x, radius};
+        case 8:
+            return {width - y, x, radius};
+        default:
+            return shown;
+    }
+}
+
+// What an orientation other than 1 means for the outlines; empty for 1.
+std::string orientation_text(const ImageInfo& info, const std::vector<ProbeCircle>& circles) {
+    const int orientation = orientation_of(info);
+    if (orientation == 1) return {};
+    std::string outlines;
+    for (const ProbeCircle& c : circles) {
+        const ProbeCircle stored = stored_circle(orientation, c, info.width, info.height);
+        outlines += fmt::format("{}--ball {:g},{:g},{:g} of a viewer is --ball {:g},{:g},{:g} here",
+                                outlines.empty() ? "" : ", ", c.x, c.y, c.radius, stored.x,
+                                stored.y, stored.radius);
+    }
+    return fmt::format(
+        "Exif orientation {}: viewers show the picture {}, but its pixels are taken as stored, {} "
+        "x {}: {}",
+        orientation, kTurns[static_cast<std::size_t>(orientation)], info.width, info.height,
+        outlines);
+}
+
+void warn_of_orientation(const CaptureDirectionsRequest& request,
+                         std::vector<std::string>& warnings) {
+    std::size_t count = 0;
+    std::string first;
+    for (const fs::path& path : request.balls) {
+        const std::string text = orientation_text(read_image_info(path), request.circles);
+        if (text.empty()) continue;
+        if (count++ == 0) first = fmt::format("{}: {}", path.string(), text);
+    }
+    if (count == 0) return;
+    warnings.push_back(first + (count > 1 ? fmt::format(" (and {} more)", count - 1) : ""));
+}
+
+// look_at, with the orientation in the message of a ball that shows no highlight.
+Found look_at_stored(const Image& image, const std::vector<ProbeCircle>& circles,
+                     const fs::path& path) {
+    try {
+        return look_at(image, circles, path);
+    } catch (const Error& error) {
+        const std::string text = orientation_text(read_image_info(path), circles);
+        if (text.empty()) throw;
+        throw Error(fmt::format("{}; {}", error.what(), text));
+    }
 }
 
 }  // namespace
 
-CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request,
+CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& given,
                                            const Progress& progress) {
     CaptureDirectionsResult report;
+    CaptureDirectionsRequest request = given;
+    GivenPictures finder;
+    for (auto* list : {&request.balls, &request.pictures})
+        for (fs::path& path : *list) path = finder.find(path);
+    finder.warn(report.warnings);
     check_request(request);
     require_writable(request.output);
+    warn_of_orders(request, report.warnings);
+    warn_of_orientation(request, report.warnings);
     Rig rig = rig_without_places(request, report.warnings);
     int width = 0, height = 0;
     for (std::size_t k = 0; k < request.balls.size(); ++k) {
@@ -168,7 +319,7 @@ CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& reque
         const Image image = read_image(path, {.as_data = linear_ball(request, path)});
         require_size(path, image.width, image.height, width, height);
         if (k == 0) warn_of_outlines(request.circles, path, image, report.warnings);
-        const Found found = look_at(image, request.circles, path);
+        const Found found = look_at_stored(image, request.circles, path);
         RigPlace& place = rig.lights[k].place;
         place = {false, from_picture(found.direction, rig.camera.at)};
         if (!(place.at[2] > 0.0))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct CaptureDirectionsRequest {
     // Pictures of the sample, in the same order; empty: the pictures of the balls show the sample
     // too.
     std::vector<std::filesystem::path> pictures;
+    // Of the pictures of the balls. None: that of the sample's pictures, where those of the balls
+    // show it or are of its kind of file; else the usual one of their ending.
+    std::optional<RigResponse> ball_response;
     // `response`: of the sample's pictures. `camera`: a direction. Defaults: the usual response of
     // the pictures, a camera on the normal, 1 mm per pixel.
     RigOverrides rig;
@@ -37,8 +41,10 @@ struct CaptureDirectionsResult {
     std::vector<std::filesystem::path> written;
 };
 
-// Writes the rig completely or not at all. Throws UsageError for an unknown extension of `output`,
-// for a size, response or camera that an .lp file cannot hold, and for unequal numbers of pictures
+// Pictures that are missing are looked for in other letter case and with other endings, with a
+// warning. Pixels are taken as they are stored: a warning says how an Exif orientation turns them for
+// viewers, and where the balls are then. Writes the rig completely or not at all. Throws UsageError
+// for an unknown extension of `output`, for a size or camera that an .lp file cannot hold, and for unequal numbers of pictures
 // and lights; Error naming the picture if it cannot be read or shows no lamp.
 CaptureDirectionsResult capture_directions(const CaptureDirectionsRequest& request,
                                            const Progress& progress);

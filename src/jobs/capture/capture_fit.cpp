@@ -13,6 +13,9 @@
 #include "burnish/tabulated_file.hpp"
 #include "burnish/version.hpp"
 #include "core/files.hpp"
+#include "core/text.hpp"
+#include "formats/tabulated/tabulated_parts.hpp"
+#include "jobs/capture/capture_relight.hpp"
 #include "jobs/map_folder.hpp"
 
 namespace burnish {
@@ -42,6 +45,18 @@ void judge_stack(const ImageStack& stack, const std::string& name,
                         name, 100.0 * census.clipped_share));
 }
 
+// Says which unit of intensities was chosen, where the rig states none.
+void warn_of_level(const LightLevel& level, const std::string& name,
+                   std::vector<std::string>& warnings) {
+    if (!level.chosen()) return;
+    warnings.push_back(fmt::format(
+        "{}: no intensity of the lights is stated, and with 1 the sample would be {:.3g} times as "
+        "bright as a white diffuser: all are multiplied by {:.4g}, with which its brightest parts "
+        "are as bright as white paper ({:g}); --intensity, or \"intensity\" in a JSON rig, states "
+        "them",
+        name, level.brightness, level.intensity, kChosenBrightness));
+}
+
 // Angular spread in degrees of the rotations of an exemplar's texels about their mean, modulo 180
 // degrees (that of a wrapped normal distribution with the same mean resultant).
 double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels) {
@@ -58,6 +73,31 @@ double spread_deg(const TabulatedMaterial& m, int exemplar, std::size_t& texels)
     return 0.5 * std::sqrt(-2.0 * std::log(std::max(resultant, 1e-12))) * 180.0 / std::numbers::pi;
 }
 
+// Texels with a color at the end of the file's range, where CaptureFit::material cuts it.
+std::size_t texels_beyond_range(const TabulatedMaterial& m) {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < m.texels(); ++t) {
+        float most = 0.0f;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max({most, m.diffuse.pixels[3 * t + c], m.specular.pixels[3 * t + c]});
+        count += most >= kMostColor;
+    }
+    return count;
+}
+
+// Is a texel of the exemplar brighter in its specular color than a thousandth of its diffuse one?
+// Less is noise of the pictures: a card without a highlight still has a best exemplar.
+bool shows_highlight(const TabulatedMaterial& m, int exemplar) {
+    const auto brightest = [](const Image& image, std::size_t t) {
+        const float* rgb = image.pixels.data() + 3 * t;
+        return std::max({rgb[0], rgb[1], rgb[2]});
+    };
+    for (std::size_t t = 0; t < m.texels(); ++t)
+        if (m.exemplar[t] == exemplar && brightest(m.specular, t) > 1e-3f * brightest(m.diffuse, t))
+            return true;
+    return false;
+}
+
 ExemplarJudgement judge_exemplars(const CaptureFit& fit, const TabulatedMaterial& m) {
     ExemplarJudgement out;
     out.narrowest_alpha = narrowest_ggx_alpha(fit.report().spacing_deg);
@@ -68,7 +108,8 @@ ExemplarJudgement judge_exemplars(const CaptureFit& fit, const TabulatedMaterial
         ++out.used;
         const auto first = m.origin.begin() + static_cast<std::ptrdiff_t>(e) * m.grid.cells();
         if (std::all_of(first, first + m.grid.cells(),
-                        [](NdfOrigin o) { return o == NdfOrigin::extrapolated; })) {
+                        [](NdfOrigin o) { return o == NdfOrigin::extrapolated; }) ||
+            !shows_highlight(m, e)) {
             ++out.dark;
             continue;
         }
@@ -94,10 +135,15 @@ void warn_of_fit(const CaptureFitResult& result, const CaptureFitRequest& reques
             "{:.3f}): their peaks are a guess",
             name, e.narrow, e.used, result.fit.spacing_deg, e.narrowest_alpha));
     if (e.dark > 0)
+        warnings.push_back(fmt::format(
+            "{}: {} of {} exemplars show no highlight under any light: there is none, "
+            "or it falls between the lights{}",
+            name, e.dark, e.used, e.dark == e.used ? "; the material is diffuse alone" : ""));
+    if (result.beyond_range > 0)
         warnings.push_back(
-            fmt::format("{}: {} of {} exemplars show no highlight under any light: there is none, "
-                        "or it falls between the lights",
-                        name, e.dark, e.used));
+            fmt::format("{}: {} reflect more than {:g} times as much as a white diffuser and are "
+                        "cut there: broken pixels, or a mask is missing",
+                        name, plural(result.beyond_range, "texel"), kMostColor));
     if (result.unexplained > kMuchUnexplained)
         warnings.push_back(fmt::format(
             "{}: {:.0f} % of the light is unexplained: {}, or shadows and light between "
@@ -123,6 +169,7 @@ void fit_into(const CaptureFitRequest& request, const Rig& rig, const Progress& 
               CaptureFitResult& result) {
     CaptureFit fit(rig, request.settings, result.stages, progress);
     judge_stack(fit.stack(), request.stack.string(), result.warnings);
+    warn_of_level(fit.report().level, request.stack.string(), result.warnings);
     const bool all = !request.until;
     if (all || *request.until != CaptureStage::pictures) fit.find_exemplars();
     if (all || *request.until == CaptureStage::texels) fit.fit_texels();
@@ -138,6 +185,7 @@ void fit_into(const CaptureFitRequest& request, const Rig& rig, const Progress& 
     result.held_out_lights = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
     result.held_out = held_out_errors(fit.stack(), fit.rig(), material, keep, progress);
     result.exemplars = judge_exemplars(fit, material);
+    result.beyond_range = texels_beyond_range(material);
     warn_of_fit(result, request, result.warnings);
     material.metadata["burnish:version"] = version();
     material.metadata["burnish:command"] = request.command;
@@ -159,7 +207,10 @@ CaptureFitResult capture_fit(const CaptureFitRequest& request, const Progress& p
     CaptureFitResult result;
     require_writable(request.output);
     const Rig rig = read_rig(request.stack, true, request.overrides);
-    result.warnings = rig.warnings;
+    result.warnings = warnings_of(rig);
+    for (const RigLight& light : rig.lights)
+        for (const RigExposure& exposure : light.images)
+            result.raw = result.raw || is_raw_picture(exposure.image);
     if (rig.lights.size() < 3)  // before reading many pictures
         throw Error(request.stack.string(), "lights", "at least 3 lights to fit anything",
                     fmt::to_string(rig.lights.size()));

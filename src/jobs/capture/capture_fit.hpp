@@ -38,6 +38,7 @@ inline constexpr double kOneDirectionDeg = 15.0;
 struct CaptureFitResult {
     int width = 0, height = 0;
     std::size_t lights = 0;
+    bool raw = false;          // some of the pictures are cameras' raw files
     CaptureFitReport fit;      // exemplars 0: stopped before them
     double unexplained = 0.0;  // of the light, 0 to 1; requires exemplars
     std::filesystem::path stages;
@@ -46,6 +47,7 @@ struct CaptureFitResult {
     // Errors of the material and its analytic models; empty without held-out lights.
     std::vector<HeldOutError> held_out;
     ExemplarJudgement exemplars;
+    std::size_t beyond_range = 0;  // texels whose colors are cut at the end of the file's range
     std::vector<std::string> warnings;
     std::vector<std::filesystem::path> written;  // empty if the fit stopped after a stage
 };

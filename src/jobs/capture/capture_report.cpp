@@ -116,9 +116,10 @@ CaptureReportResult capture_report(const CaptureReportRequest& request, const Pr
     CaptureReportResult result;
     const auto material = load_tabulated(request.material);
     Rig rig = read_rig(request.stack, true, request.overrides);
-    result.warnings = rig.warnings;
+    result.warnings = warnings_of(rig);
     require_same_size(rig, *material);
     take_size_of(*material, rig, result.warnings);
+    take_level_of(*material, rig, result.warnings);
 
     report::Page page;
     report::Pictures pictures;

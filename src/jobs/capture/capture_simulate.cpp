@@ -33,6 +33,7 @@ Rig rig_of(const CaptureSimulateRequest& request, const VirtualSample& sample) {
         throw UsageError("--rig", "", "bar, dome or a rig file", shown(request.rig));
     Rig rig = read_rig(request.rig, false);
     rig.file.clear();
+    rig.intensity_stated = true;  // the pictures are made with them
     rig.mask.reset();
     rig.white.reset();
     rig.width_mm = sample.width_mm;

@@ -26,10 +26,11 @@ std::string describe_lights(const Rig& rig, const RigCoverage& coverage) {
                                                          : fmt::format("{} of them near", near);
     const std::string lowest = fmt::format("{:.1f}", coverage.lowest_light);
     const std::string highest = fmt::format("{:.1f}", coverage.highest_light);
-    return fmt::format("  {}, {}, {} deg over the sample, {:.0f} deg of azimuth\n",
+    return fmt::format("  {}, {}, {} deg over the sample, {:.0f} deg of azimuth{}\n",
                        plural(rig.lights.size(), "light"), kind,
                        lowest == highest ? lowest : lowest + " to " + highest,
-                       coverage.azimuth_spread);
+                       coverage.azimuth_spread,
+                       rig.intensity_stated ? "" : ", intensities not stated");
 }
 
 std::string describe_camera(const Rig& rig, const RigCoverage& coverage) {
@@ -42,6 +43,13 @@ std::string describe_camera(const Rig& rig, const RigCoverage& coverage) {
                           at[0], at[1], at[2], rig.camera.near ? " mm" : "");
     return fmt::format("  camera {}, {:.1f} deg from the normal\n", place,
                        coverage.center.theta_view);
+}
+
+bool is_raw(const Rig& rig) {
+    return std::any_of(rig.lights.begin(), rig.lights.end(), [](const RigLight& light) {
+        return std::any_of(light.images.begin(), light.images.end(),
+                           [](const RigExposure& e) { return is_raw_picture(e.image); });
+    });
 }
 
 std::string describe_pictures(const Rig& rig) {
@@ -60,7 +68,9 @@ std::string describe_pictures(const Rig& rig) {
     if (all == 0) return "  no pictures\n";
     return fmt::format("  {}{}, {}\n", plural(all, "picture"),
                        there == all ? "" : fmt::format(", {} missing ({})", all - there, missing),
-                       rig.response == RigResponse::linear ? "linear" : "sRGB");
+                       rig.response == RigResponse::srgb ? "sRGB"
+                       : is_raw(rig)                     ? "linear (raw files)"
+                                                         : "linear");
 }
 
 // "12.3", or "12.3 to 14.5" if the points differ.
@@ -95,7 +105,9 @@ std::string describe_rig(const std::string& path, const RigOverrides& overrides)
         "{}: rig, {}\n", path,
         rig.width_mm > 0 ? fmt::format("sample {:g} x {:g} mm", rig.width_mm, rig.height_mm)
                          : std::string("size of the sample not known"));
-    text += describe_pictures(rig) + describe_camera(rig, coverage);
+    text += describe_pictures(rig);
+    if (!rig.missing.empty()) text += "  missing: " + rig.missing + "\n";
+    text += describe_camera(rig, coverage);
     text += describe_lights(rig, coverage);
     text += describe_points("centre", {&coverage.center, 1});
     if (!coverage.corners.empty()) text += describe_points("corners", coverage.corners);
