@@ -292,6 +292,23 @@ TEST(Mtl, LibrariesOfOtherNamesAreFound) {
     EXPECT_TRUE(warns(renamed, "mtllib \"lib.mtl\": "));
 }
 
+TEST(Mtl, ALineOfLibrariesIsReadAsOneNameOrAsSeveral) {
+    const TemporaryFolder folder;
+    const auto color = [&](const std::string& line, const std::string& material) {
+        const std::string text =
+            "mtllib " + line + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl " + material + "\nf 1 2 3\n";
+        return load_obj(folder.write("model.obj", std::string_view(text)))
+            .materials.at(0)
+            .base_color;
+    };
+    folder.write("a.mtl", std::string_view("\xEF\xBB\xBFnewmtl m\nKd 1 0 0\n"));
+    folder.write("b.mtl", std::string_view("newmtl n\nKd 0 1 0\n"));
+    EXPECT_EQ(color("a.mtl b.mtl", "m"), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(color("a.mtl b.mtl", "n"), glm::vec4(0, 1, 0, 1));
+    folder.write("a.mtl b.mtl", std::string_view("newmtl m\nKd 0 0 1\n"));
+    EXPECT_EQ(color("a.mtl b.mtl", "m"), glm::vec4(0, 0, 1, 1));
+}
+
 // A sphere of rings, as a scanner writes it, somewhere on a map.
 std::string sphere_at(glm::dvec3 center, double radius) {
     std::string text;
@@ -340,6 +357,11 @@ TEST(Obj, ModelsFarFromTheOriginKeepTheirShape) {
     EXPECT_LT(glm::length(shift), 10.0f);
     EXPECT_TRUE(warns(there, "(447320, 5411820, 410) is subtracted"));
     EXPECT_FALSE(warns(here, "subtracted"));
+}
+
+TEST(Obj, AMarkOfUtf8AndLinesOfCarriageReturnsAreRead) {
+    EXPECT_EQ(load_shape("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").meshes.size(), 1u);
+    EXPECT_EQ(load_shape("# old\rv 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r").meshes.size(), 1u);
 }
 
 TEST(Obj, ModelsNearTheOriginStayWhereTheyAre) {

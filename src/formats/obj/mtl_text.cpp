@@ -136,6 +136,7 @@ bool says_none(const std::string& key, const std::string& value) {
 
 MtlText read_mtl_text(std::string_view text) {
     MtlText out;
+    text = without_utf8_mark(text);
     out.text.reserve(text.size());
     MtlKeys* material = nullptr;  // keys before the first newmtl belong to none
     while (!text.empty()) {

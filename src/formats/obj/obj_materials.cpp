@@ -70,10 +70,12 @@ class LibraryReader {
     LibraryReader(const std::filesystem::path& folder, ObjMaterials& out)
         : folder_(folder), textures_(folder), libraries_(folder), out_(out) {}
 
-    void read(const std::string& library, const std::string& model);
+    // One line of mtllib: a name, which may have blanks in it, or several names.
+    void read_all(const std::string& line, const std::string& model);
     void finish();
 
   private:
+    void read(const std::string& library, const std::string& model);
     UnreadMaterial convert(const tinyobj::material_t& from, const MtlKeys& keys);
     void convert_surface(const tinyobj::material_t& from, const MtlKeys& keys, Material& to,
                          GltfLobe& lobe);
@@ -234,6 +236,12 @@ std::filesystem::path LibraryReader::find_library(const std::string& library,
     return found.path;
 }
 
+void LibraryReader::read_all(const std::string& line, const std::string& model) {
+    if (line.find_first_of(" \t") == line.npos || libraries_.find(line)) return read(line, model);
+    std::istringstream names(line);
+    for (std::string name; names >> name;) read(name, model);
+}
+
 void LibraryReader::read(const std::string& library, const std::string& model) {
     std::string text;
     try {
@@ -342,7 +350,7 @@ ObjMaterials read_obj_materials(const std::filesystem::path& model,
                                 const std::vector<std::string>& libraries) {
     ObjMaterials out;
     LibraryReader reader(model.parent_path(), out);
-    for (const std::string& library : libraries) reader.read(library, model.stem().string());
+    for (const std::string& library : libraries) reader.read_all(library, model.stem().string());
     reader.finish();
     return out;
 }

@@ -121,21 +121,23 @@ class Reader {
         if (idle(out_.weft) > 0)
             lose(fmt::format("{} at the start or the end move no shaft and are not drawn",
                              plural(static_cast<std::size_t>(idle(out_.weft)), "pick")));
+        std::vector<std::string> parts;
         for (const auto& [yarns, noun] :
-             {std::pair(out_.warp, "end"), std::pair(out_.weft, "pick")}) {
-            const bool repeats = yarns.drawn == yarns.repeat;
-            if (repeats && yarns.used % yarns.repeat != 0)
-                warn(
-                    fmt::format("{} are too many to draw: the repeat of {} is drawn, and the {} "
-                                "after the last whole one are not",
-                                plural(static_cast<std::size_t>(yarns.used), noun), yarns.repeat,
-                                yarns.used % yarns.repeat));
-            if (!repeats && yarns.drawn < yarns.used)
-                warn(
-                    fmt::format("{} are too many to draw and have no repeat: the first {} are "
-                                "drawn, with a seam where they start again",
-                                plural(static_cast<std::size_t>(yarns.used), noun), yarns.drawn));
+             {std::pair(out_.warp, "ends"), std::pair(out_.weft, "picks")}) {
+            const int rest = yarns.used % yarns.repeat;
+            if (yarns.drawn == yarns.used || (yarns.drawn == yarns.repeat && rest == 0)) continue;
+            parts.push_back(
+                yarns.drawn == yarns.repeat
+                    ? fmt::format(
+                          "of {} {} the repeat of {} is drawn, without the {} after the last "
+                          "whole one",
+                          yarns.used, noun, yarns.repeat, rest)
+                    : fmt::format("of {} {} the first {} are drawn, with a seam where they start "
+                                  "again",
+                                  yarns.used, noun, yarns.drawn));
         }
+        if (!parts.empty())
+            warn(fmt::format("too large to draw whole: {}", fmt::join(parts, "; ")));
     }
 
     void weave(const WifShafts& shafts, bool rising) {
