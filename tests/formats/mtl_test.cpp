@@ -225,6 +225,8 @@ TEST(Mtl, AlphaPicturesJoinTheColor) {
     EXPECT_EQ(texel_value(joined, 1), 0.0f);
     EXPECT_EQ(texel_value(joined, 3), 0.0f);
     EXPECT_EQ(texel_value(joined, 4 * 7 + 3), 1.0f);
+    EXPECT_EQ(model.load("d 0.5\nmap_Kd c.png\nmap_d cut.png\n").materials.at(0).alpha_mode,
+              AlphaMode::blend);
     EXPECT_EQ(model.load("map_Kd c.png\nmap_d soft.png\n").materials.at(0).alpha_mode,
               AlphaMode::blend);
     const Scene own = model.load("map_Kd own.png\nmap_d own.png\n");

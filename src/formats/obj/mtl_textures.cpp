@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdint>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
@@ -18,6 +20,9 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 7> kSubfolders = {"textures", "texture",   "tex",   "maps",
                                                          "images",   "materials", "source"};
+
+// As for glTF: sixty RGBA textures of 8192 x 8192, more than a renderer can upload.
+constexpr std::uint64_t kMostTexelBytes = std::uint64_t{16} << 30;
 
 std::size_t cell(int x, int y, int width) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -43,6 +48,12 @@ float nearest(const Texture& from, int channel, int x, int y, const Texture& to)
     return texel_value(from, at + static_cast<std::size_t>(std::min(channel, from.channels - 1)));
 }
 
+// Of the size of the picture with more texels: two narrow ones, across each other, would make a huge
+// one.
+const Texture& larger(const Texture& a, const Texture& b) {
+    return cell(0, a.height, a.width) >= cell(0, b.height, b.width) ? a : b;
+}
+
 TexelType finer(TexelType a, TexelType b) {
     return bytes_of(a) >= bytes_of(b) ? a : b;
 }
@@ -50,9 +61,9 @@ TexelType finer(TexelType a, TexelType b) {
 // Either picture may be empty, not both.
 Texture joined_metallic_roughness(const Texture& roughness, int roughness_channel,
                                   const Texture& metallic, int metallic_channel) {
-    Texture to = blank(std::max(roughness.width, metallic.width),
-                       std::max(roughness.height, metallic.height), 3,
-                       finer(roughness.type, metallic.type), ColorSpace::linear);
+    const Texture& size = larger(roughness, metallic);
+    Texture to =
+        blank(size.width, size.height, 3, finer(roughness.type, metallic.type), ColorSpace::linear);
     to.name = roughness.empty() ? metallic.name : roughness.name;
     for (int y = 0; y < to.height; ++y)
         for (int x = 0; x < to.width; ++x) {
@@ -71,8 +82,8 @@ Texture joined_metallic_roughness(const Texture& roughness, int roughness_channe
 // Alpha is the alpha channel of its picture, else its first channel.
 Texture joined_color_alpha(const Texture& color, const Texture& alpha) {
     const bool has_color = !color.empty();
-    Texture to = blank(std::max(color.width, alpha.width), std::max(color.height, alpha.height), 4,
-                       has_color ? color.type : TexelType::u8,
+    const Texture& size = larger(color, alpha);
+    Texture to = blank(size.width, size.height, 4, has_color ? color.type : TexelType::u8,
                        has_color ? color.color_space : ColorSpace::srgb);
     to.name = has_color ? color.name : alpha.name;
     const bool has_alpha = alpha.channels == 2 || alpha.channels == 4;
@@ -161,8 +172,15 @@ Texture MtlTextures::make(const Request& request, std::vector<std::string>& fail
 std::vector<Texture> MtlTextures::decode() {
     std::vector<Texture> textures(requests_.size());
     std::vector<std::vector<std::string>> failures(requests_.size());
+    std::atomic<std::uint64_t> total = 0;
     parallel_for(requests_.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) textures[i] = make(requests_[i], failures[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+            // Checked before, too: what is read in vain takes time.
+            if (total < kMostTexelBytes) textures[i] = make(requests_[i], failures[i]);
+            if ((total += textures[i].texels.size()) < kMostTexelBytes) continue;
+            textures[i] = Texture();
+            failures[i].push_back("more than 16 GiB of texels");
+        }
     });
     for (const std::vector<std::string>& lines : failures)
         for (const std::string& line : lines) warn(line + ": the texture is not used");

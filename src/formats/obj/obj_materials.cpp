@@ -303,10 +303,12 @@ void LibraryReader::settle(UnreadMaterial& unread) {
     }
     if (!unread.has_alpha_map || !material.base_color_texture) return;
     const Texture& color = texture(material.base_color_texture);
-    if (color.channels == 2 || color.channels == 4)
-        material.alpha_mode = is_cut_out(color) ? AlphaMode::mask : AlphaMode::blend;
-    else
+    if (color.channels == 2 || color.channels == 4) {
+        const bool whole = material.base_color.a == 1.0f;
+        material.alpha_mode = whole && is_cut_out(color) ? AlphaMode::mask : AlphaMode::blend;
+    } else {
         notes_.add("map_d has no alpha: it is drawn opaque", material.name);
+    }
 }
 
 void LibraryReader::finish() {
