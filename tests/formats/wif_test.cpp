@@ -259,6 +259,7 @@ TEST(Wif, BrokenFilesAreRefusedByFileSectionKeyAndLine) {
         {"WEAVING", "Shafts=3\nTreadles=3\nRising Shed=maybe\n", "expected true, on, yes"},
         {"WARP", "Threads=0\n", "from 1 to 65536, found \"0\""},
         {"WARP", "Threads=2000000000\n", "from 1 to 65536"},
+        {"WARP", "Threads= ; none\n", "from 1 to 65536, found no value"},
         {"WARP", "Threads=3\nThreads=4\n", "expected the value of line"},
         {"WEFT", "Color=1\n",
          "[WEFT] Threads: expected a whole number from 1 to 65536, found no such"},

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::uintmax_t kMostDraftBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kHeadBytes = 4096;
-// Programs write up to some thousand. The numbers of this many yarns take less memory than the text.
+// Programs write up to some thousand. A yarn takes a few numbers before it is known to be drawn.
 constexpr int kMostThreads = 65536;
 
 class Reader {
@@ -64,7 +64,9 @@ class Reader {
         const auto value = section.whole("Threads", 1, kMostThreads);
         if (!value)
             section.fail("Threads", fmt::format("a whole number from 1 to {}", kMostThreads),
-                         section.line() == 0 ? "no such section" : "no such key");
+                         section.line() == 0                    ? "no such section"
+                         : section.first("Threads").has_value() ? "no value"
+                                                                : "no such key");
         return static_cast<int>(*value);
     }
 
