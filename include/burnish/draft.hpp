@@ -34,7 +34,7 @@ struct Draft {
 };
 
 inline constexpr int kMostDraftYarns = 4096;              // ends or picks of a repeat
-inline constexpr std::int64_t kMostDraftCells = 1 << 20;  // ends times picks
+inline constexpr std::int64_t kMostDraftCells = 1 << 22;  // ends times picks
 
 // plain, twill-2-1, twill-2-2, twill-3-1, herringbone, satin-5, satin-8, basket: one textbook
 // repeat each (docs/reference/drafts.md), without colours.

@@ -23,11 +23,11 @@ const std::array<float, 256>& linear_of_bytes() {
 
 float channel_at(const Texture& texture, std::size_t index, bool color) {
     const bool encoded = color && texture.color_space == ColorSpace::srgb;
-    if (!encoded) return stored_value(texture, index);
+    if (!encoded) return texel_value(texture, index);
     if (texture.type == TexelType::u8)
         return linear_of_bytes()[std::to_integer<std::size_t>(texture.texels[index])];
-    return texture.type == TexelType::u16 ? linear_from_srgb(stored_value(texture, index))
-                                          : stored_value(texture, index);
+    return texture.type == TexelType::u16 ? linear_from_srgb(texel_value(texture, index))
+                                          : texel_value(texture, index);
 }
 
 int wrapped(int i, int size, Wrap wrap) {

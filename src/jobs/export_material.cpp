@@ -81,7 +81,7 @@ DataPicture picture_of(const Texture& map) {
                 static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.channels);
             for (std::size_t i = row * static_cast<std::size_t>(begin);
                  i < row * static_cast<std::size_t>(end); ++i)
-                *to++ = stored_value(map, i);
+                *to++ = texel_value(map, i);
         });
 }
 

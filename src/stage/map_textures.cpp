@@ -83,7 +83,7 @@ class NumberMap {
         const std::size_t at = static_cast<std::size_t>(wrapped(y, texture_.height)) *
                                    static_cast<std::size_t>(texture_.width) +
                                static_cast<std::size_t>(wrapped(x, texture_.width));
-        return stored_value(texture_, at * static_cast<std::size_t>(texture_.channels) +
+        return texel_value(texture_, at * static_cast<std::size_t>(texture_.channels) +
                                           static_cast<std::size_t>(channel_));
     }
 
@@ -169,7 +169,7 @@ Texture with_opacity(const Texture& base, const NumberMap& opacity) {
     const auto channels = static_cast<std::size_t>(base.channels);
     for_texels(base.width, base.height, [&](int x, int y, std::size_t i) {
         for (std::size_t c = 0; c < 3; ++c)
-            put_code(t, 4 * i + c, stored_value(base, channels * i + (base.channels >= 3 ? c : 0)));
+            put_code(t, 4 * i + c, texel_value(base, channels * i + (base.channels >= 3 ? c : 0)));
         put_code(t, 4 * i + 3, opacity.at(x, y, base.width, base.height));
     });
     return t;

@@ -120,8 +120,8 @@ TEST(WeaveCommand, NamesWhatCannotBe) {
     };
     refused({"herringbon"}, 2, {"weave", "herringbon", "did you mean 'herringbone'"});
     refused({folder.path("none.wif")}, 1, {"none.wif", "no such file"});
-    refused({folder.write("bad.wif", "[WIF]\n[WEAVING]\nShafts=0\n")}, 1,
-            {"bad.wif: [WEAVING] Shafts, line 3", "from 1 to 4096", "\"0\""});
+    refused({folder.write("bad.wif", "[WIF]\n[WARP]\nThreads=0\n")}, 1,
+            {"bad.wif: [WARP] Threads, line 3", "from 1 to 65536", "\"0\""});
     refused({"plain", "--size", "8"}, 2, {"--size", "16 to 16384", "8"});
     refused({"plain", "--size", "64x"}, 2, {"--size"});
     refused({"plain", "--size", "20000"}, 2, {"--size", "16384"});

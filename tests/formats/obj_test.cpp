@@ -161,6 +161,7 @@ TEST(Mtl, MaterialsAndTextures) {
     const TemporaryFolder folder;
     folder.write("maps/a b.png", png_gradient(2, 2));
     folder.write("n.png", png_gradient(2, 2));
+    folder.write("h.png", png_gradient(2, 2));
     folder.write("lib.mtl",
                  std::string_view("newmtl phong one\nKd 0.5 0.25 0.125\nKs 1 1 1\nNs 30\n"
                                   "d 0.5\nmap_Kd maps\\a b.png\nmap_Bump h.png\n"

@@ -17,8 +17,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string text = burnish::wif_text(file.draft);
         const auto again = burnish::fuzz::put(
             "again.wif", Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-        if (burnish::read_wif(again).draft.warp_up != file.draft.warp_up)
-            burnish::fuzz::broken("a draft that changed when it was written");
+        // A long side may come back as one repeat: colors that differ little become one.
+        const burnish::Draft &draft = file.draft, back = burnish::read_wif(again).draft;
+        for (int pick = 0; pick < draft.picks; ++pick)
+            for (int end = 0; end < draft.ends; ++end)
+                if (draft.is_warp_up(end, pick) !=
+                    back.is_warp_up(end % back.ends, pick % back.picks))
+                    burnish::fuzz::broken("a draft that changed when it was written");
     });
     return 0;
 }

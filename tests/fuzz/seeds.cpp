@@ -315,7 +315,15 @@ Words obj_seeds() {
         "\n#mtl\nnewmtl metal\nKd .1 .2 .3\nKs 1 1 1\nNs 20\nPr .3\nPm 1\naniso .5\nanisor .25\n"
         "map_Kd -s 2 2 1 -o .5 0 0 map.png\nnorm -bm .5 map.png\nmap_Ke map.png\n"
         "newmtl cloth of gold\nKd 1 1 0\nd .5\nKe 0 1 2\n";
-    return {cube + library, cube, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 \\\n0\nf 1 2 4 3\n"};
+    const std::string exported =
+        "\n#mtl\nnewmtl metal\nKD 0 0 0\nillum 2\nTf 1 1 1\nmap_Kd C:\\x\\MAP.PNG\n"
+        "map_Bump map.png -bm 1\nmap_Pr -imfchan g map.tga\nmap_Pm \"map.png\"\nmap_d map.png\n"
+        "newmtl cloth of gold\nbump -s 2 -o .5 map.png\nmap_aniso map.png\nPc .5\n";
+    const std::string far =
+        "mtllib other.mtl\nv 447321.5 5411826.25 412\nv 447322.5 5411826.25 412\n"
+        "v 447321.5 5411827.25 412\nvt 0 0\nf 1/1 2/1 3/1\n";
+    return {cube + library, cube + exported, far, cube,
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 \\\n0\nf 1 2 4 3\n"};
 }
 
 Words scene_seeds() {
@@ -405,6 +413,12 @@ Words wif_seeds() {
         "[WEFT THICKNESS]\n2=1.5\n[COLOR PALETTE]\nEntries=1\nRange=-5,5\n[COLOR TABLE]\n"
         "1=0,-5,5\n[THREADING]\n1=1,2\n2=0\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=1,2\n"
         "[LIFTPLAN]\n1=1\n2=1,2\n[PRIVATE X]\nanything\n");
+    // Rows beyond the counts, a repeat, yarns on no shaft, values that are not drawn.
+    seeds.push_back(
+        "[WIF]\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=1\n[WARP]\nThreads=600\nColor=7\n"
+        "Spacing=0,2\n[WEFT]\nThreads=6\n[WARP SPACING]\n3=\n[COLOR PALETTE]\nRange=0,1\n"
+        "[COLOR TABLE]\n1=0,1,0\n[THREADING]\n2=1\n3=2\n4=1\n5=2\n700=1\n[TIEUP]\n1=1\n2=2\n"
+        "3=1,2\n9=x\n[TREADLING]\n2=1\n3=3\n4=1\n5=3\n9=4\n[LIFTPLAN]\n1=0\n2=\n");
     return seeds;
 }
 

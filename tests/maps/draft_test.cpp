@@ -179,7 +179,7 @@ TEST(Draft, BrokenOnesAreNamed) {
     EXPECT_EQ(says([](Draft& d) { d.picks = 5000; }),
               "cloth: picks: expected 1 to 4096, found 5000");
     EXPECT_EQ(says([](Draft& d) { d.ends = d.picks = 4096; }),
-              "cloth: size: expected at most 1048576 crossings, found 4096 ends x 4096 picks");
+              "cloth: size: expected at most 4194304 crossings, found 4096 ends x 4096 picks");
     EXPECT_EQ(says([](Draft& d) { d.warp_up.pop_back(); }),
               "cloth: warp_up: expected 4 cells, found 3");
     EXPECT_EQ(says([](Draft& d) { d.warp_up[1] = 2; }), "cloth: warp_up: expected 0 or 1, found 2");

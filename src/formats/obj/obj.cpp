@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <sstream>
 
 #include "burnish/error.hpp"
@@ -69,8 +71,8 @@ ParsedObj parse(const ObjText& text, const std::string& file) {
 // Throws Error for positions that are not finite or too far from the origin.
 void check_positions(const tinyobj::attrib_t& attributes, const std::string& file) {
     for (std::size_t i = 0; i < attributes.vertices.size(); ++i) {
-        const float x = attributes.vertices[i];
-        if (std::abs(x) <= static_cast<float>(kFarthest)) continue;  // false for NaN
+        const double x = attributes.vertices[i];
+        if (std::abs(x) <= kFarthest) continue;  // false for NaN
         throw Error(file, fmt::format("vertex {}", i / 3 + 1),
                     fmt::format("finite numbers up to {:g}", kFarthest), fmt::format("{}", x));
     }
@@ -92,7 +94,39 @@ void check_index(index_t& index, const tinyobj::attrib_t& attributes, const std:
 
 glm::vec3 position_of(const tinyobj::attrib_t& attributes, index_t index) {
     const auto at = 3 * static_cast<std::size_t>(index.vertex_index);
-    return {attributes.vertices[at], attributes.vertices[at + 1], attributes.vertices[at + 2]};
+    const std::vector<double>& x = attributes.vertices;
+    return glm::vec3(glm::dvec3(x[at], x[at + 1], x[at + 2]));
+}
+
+// Subtracts the center of the vertices that faces use, where the model lies so far from the origin
+// that floats would show: farther than 100 times its diagonal they differ by more than 1/84000 of
+// it. The center is rounded to one digit of the diagonal, so that it can be added again by hand.
+void center_far_positions(tinyobj::attrib_t& attributes,
+                          const std::vector<tinyobj::shape_t>& shapes,
+                          std::vector<std::string>& warnings) {
+    constexpr double kFarInDiagonals = 100.0;
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    std::vector<double>& x = attributes.vertices;
+    for (const tinyobj::shape_t& shape : shapes)
+        for (const index_t& index : shape.mesh.indices) {
+            if (index.vertex_index < 0) continue;
+            const auto at = 3 * static_cast<std::size_t>(index.vertex_index);
+            if (at + 2 >= x.size()) continue;
+            const glm::dvec3 p(x[at], x[at + 1], x[at + 2]);
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    const double diagonal = glm::length(high - low);
+    if (!(diagonal > 0.0) || !std::isfinite(diagonal)) return;
+    const glm::dvec3 far = glm::max(glm::abs(low), glm::abs(high));
+    if (std::max({far.x, far.y, far.z}) <= kFarInDiagonals * diagonal) return;
+    const double unit = std::pow(10.0, std::floor(std::log10(diagonal)));
+    const glm::dvec3 center = glm::round(0.5 * (low + high) / unit) * unit;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= center[static_cast<int>(i % 3)];
+    warnings.push_back(
+        fmt::format("the model lies far from the origin: ({:.12g}, {:.12g}, {:.12g}) is subtracted "
+                    "from its positions, because single precision would show",
+                    center.x, center.y, center.z));
 }
 
 // Collects the triangles of each material.
@@ -157,14 +191,17 @@ class Triangulator {
 glm::vec3 normal_of(const tinyobj::attrib_t& attributes, index_t index) {
     if (index.normal_index < 0) return glm::vec3(0.0f);  // computed later
     const auto at = 3 * static_cast<std::size_t>(index.normal_index);
-    return {attributes.normals[at], attributes.normals[at + 1], attributes.normals[at + 2]};
+    const std::vector<double>& x = attributes.normals;
+    return glm::vec3(glm::dvec3(x[at], x[at + 1], x[at + 2]));
 }
 
 // v runs upwards in OBJ, downwards in Mesh.
 glm::vec2 texcoord_of(const tinyobj::attrib_t& attributes, index_t index) {
     if (index.texcoord_index < 0) return glm::vec2(0.0f);
     const auto at = 2 * static_cast<std::size_t>(index.texcoord_index);
-    const auto sound = [](float x) { return std::abs(x) <= kLargestTexcoord ? x : 0.0f; };
+    const auto sound = [](double x) {
+        return std::abs(x) <= static_cast<double>(kLargestTexcoord) ? static_cast<float>(x) : 0.0f;
+    };
     return {sound(attributes.texcoords[at]), 1.0f - sound(attributes.texcoords[at + 1])};
 }
 
@@ -221,10 +258,12 @@ void drop_textures(Material& material) {
     material.base_color_texture = TextureUse();
     material.emissive_texture = TextureUse();
     material.normal_texture = TextureUse();
+    material.metallic_roughness_texture = TextureUse();
 }
 
 bool has_textures(const Material& material) {
-    return material.base_color_texture || material.emissive_texture || material.normal_texture;
+    return material.base_color_texture || material.emissive_texture || material.normal_texture ||
+           material.metallic_roughness_texture;
 }
 
 // Adds one mesh with its material.
@@ -254,12 +293,13 @@ Scene load_obj(const std::filesystem::path& path) {
     const ObjText text = sort_obj_lines(read_text_file(path), file);
     ParsedObj parsed = parse(text, file);
     check_positions(parsed.attributes, file);
+    Scene scene;
+    scene.warnings = text.warnings;
+    center_far_positions(parsed.attributes, parsed.shapes, scene.warnings);
     Triangulator triangulator(parsed, text, file);
 
-    ObjMaterials library = read_obj_materials(path.parent_path(), text.libraries);
-    Scene scene;
+    ObjMaterials library = read_obj_materials(path, text.libraries);
     scene.name = path.stem().string();
-    scene.warnings = text.warnings;
     scene.warnings.insert(scene.warnings.end(), library.warnings.begin(), library.warnings.end());
     scene.textures = std::move(library.textures);
     const auto& by_material = triangulator.by_material();

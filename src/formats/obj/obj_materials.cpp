@@ -1,103 +1,111 @@
 #include "formats/obj/obj_materials.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <sstream>
+#include <utility>
 
 #include "burnish/error.hpp"
-#include "burnish/image_io.hpp"
 #include "core/constants.hpp"
 #include "core/files.hpp"
-#include "core/parallel.hpp"
+#include "core/find_file.hpp"
 #include "formats/model_limits.hpp"
+#include "formats/obj/mtl_text.hpp"
+#include "formats/obj/mtl_textures.hpp"
 #include "formats/obj/obj_text.hpp"
+#include "maps/normal/normal_map_look.hpp"
 
 namespace burnish {
 namespace {
 
-// The path of a file named inside another one; nothing when it lies outside the folder.
-std::optional<std::filesystem::path> inside(const std::filesystem::path& folder, std::string name) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const auto relative = std::filesystem::path(name).lexically_normal();
-    if (relative.empty() || relative.is_absolute() || *relative.begin() == ".." ||
-        name.find('\0') != std::string::npos)
-        return std::nullopt;
-    return folder / relative;
+float unit(double value, float otherwise) {
+    return std::isfinite(value) ? static_cast<float>(std::clamp(value, 0.0, 1.0)) : otherwise;
 }
 
-// The keywords of each material of a library, because the parser does not distinguish 0 from
-// missing.
-std::map<std::string, std::set<std::string>> keywords_of(std::string_view text) {
-    std::map<std::string, std::set<std::string>> keywords;
-    std::string material;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::size_t blank = line.find_first_of(" \t");
-        if (blank == std::string_view::npos) continue;
-        const std::string_view word = line.substr(0, blank);
-        if (word == "newmtl")
-            material = trimmed(line.substr(blank));
-        else
-            keywords[material].emplace(word);
+// Lines that hold for several materials, said once.
+class MaterialNotes {
+  public:
+    void add(const std::string& text, const std::string& material) {
+        const auto [at, fresh] = places_.try_emplace(text, notes_.size());
+        if (fresh) notes_.push_back({text, {}, 0});
+        Note& note = notes_[at->second];
+        constexpr std::size_t kNamed = 3;
+        if (note.count++ < kNamed) note.names.push_back(shown(material));
     }
-    return keywords;
-}
 
-float unit(float value, float otherwise) {
-    return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
-}
+    void append_to(std::vector<std::string>& lines) const {
+        for (const Note& note : notes_) {
+            const std::size_t more = note.count - note.names.size();
+            lines.push_back(fmt::format("{}{}: {}", fmt::join(note.names, ", "),
+                                        more > 0 ? fmt::format(" and {} more", more) : "",
+                                        note.text));
+        }
+    }
+
+  private:
+    struct Note {
+        std::string text;
+        std::vector<std::string> names;  // the first ones
+        std::size_t count;
+    };
+    std::map<std::string, std::size_t> places_;
+    std::vector<Note> notes_;
+};
+
+// A material before its pictures are read.
+struct UnreadMaterial {
+    Material material;
+    std::string bump_key, bump_name;  // the normal texture comes from this key: may be a height map
+    bool has_black_kd = false;        // Kd 0 0 0 beside map_Kd
+    bool has_alpha_map = false;
+};
 
 class LibraryReader {
   public:
     LibraryReader(const std::filesystem::path& folder, ObjMaterials& out)
-        : folder_(folder), out_(out) {}
+        : folder_(folder), textures_(folder), libraries_(folder), out_(out) {}
 
-    void read(const std::string& library);
-    void decode_textures();
+    // One line of mtllib: a name, which may have blanks in it, or several names.
+    void read_all(const std::string& line, const std::string& model);
+    void finish();
 
   private:
-    using Keywords = std::set<std::string>;
-    Material convert(const tinyobj::material_t& from, const Keywords& keywords);
-    void convert_surface(const tinyobj::material_t& from, const Keywords& keywords, Material& to,
+    void read(const std::string& library, const std::string& model);
+    UnreadMaterial convert(const tinyobj::material_t& from, const MtlKeys& keys);
+    void convert_surface(const tinyobj::material_t& from, const MtlKeys& keys, Material& to,
                          GltfLobe& lobe);
-    TextureUse use(const std::string& name, const tinyobj::texture_option_t& options,
-                   ColorSpace color_space);
-    void warn(std::string line) {
-        if (std::find(out_.warnings.begin(), out_.warnings.end(), line) == out_.warnings.end())
-            out_.warnings.push_back(std::move(line));
+    void use_color(const tinyobj::material_t& from, UnreadMaterial& to);
+    void use_normals(const tinyobj::material_t& from, const MtlKeys& keys, UnreadMaterial& to);
+    void use_metallic_roughness(const tinyobj::material_t& from, Material& to, GltfLobe& lobe);
+    void settle(UnreadMaterial& unread);
+    std::filesystem::path find_library(const std::string& library, const std::string& model);
+
+    std::optional<std::filesystem::path> find(const std::string& name) {
+        if (trimmed(name).empty()) return std::nullopt;
+        return textures_.find(name, library_folder_);
     }
 
-    std::filesystem::path folder_;
+    std::filesystem::path folder_, library_folder_;
+    MtlTextures textures_;
+    FileFinder libraries_;
     ObjMaterials& out_;
-    std::map<std::pair<std::string, ColorSpace>, int> slots_;
-    std::vector<std::pair<std::filesystem::path, ColorSpace>> wanted_;  // one per texture
+    std::vector<UnreadMaterial> unread_;
+    MaterialNotes notes_;
 };
 
-TextureUse LibraryReader::use(const std::string& name, const tinyobj::texture_option_t& options,
-                              ColorSpace color_space) {
+TextureUse use_of(int texture, const tinyobj::texture_option_t& options) {
     TextureUse use;
-    if (name.empty()) return use;
-    const auto path = inside(folder_, name);
-    std::error_code ignored;
-    if (!path || !std::filesystem::is_regular_file(*path, ignored)) {
-        warn(fmt::format("texture {}: not found in the model's folder: not used", shown(name)));
-        return use;
-    }
-    const auto [slot, fresh] =
-        slots_.try_emplace({path->string(), color_space}, static_cast<int>(wanted_.size()));
-    if (fresh) wanted_.emplace_back(*path, color_space);
-    use.texture = slot->second;
+    use.texture = texture;
     if (options.clamp) use.wrap_s = use.wrap_t = Wrap::clamp;
     // uv' = scale uv + origin with v upwards; here v runs downwards, v_down = 1 - v.
-    const auto number = [](float value, float otherwise) {
-        return std::abs(value) <= kLargestTexcoord ? value : otherwise;
+    const auto number = [](double value, float otherwise) {
+        return std::abs(value) <= static_cast<double>(kLargestTexcoord) ? static_cast<float>(value)
+                                                                        : otherwise;
     };
     const float scale_u = number(options.scale[0], 1.0f);
     const float scale_v = number(options.scale[1], 1.0f);
@@ -108,96 +116,225 @@ TextureUse LibraryReader::use(const std::string& name, const tinyobj::texture_op
     return use;
 }
 
+// The channel that -imfchan names; the first one for its other values, which are for color pictures.
+int channel_of(const tinyobj::texture_option_t& options) {
+    return options.imfchan == 'g' ? 1 : options.imfchan == 'b' ? 2 : 0;
+}
+
 // Converts roughness and reflection: from the PBR keys where present, else from Phong's.
-void LibraryReader::convert_surface(const tinyobj::material_t& from, const Keywords& keywords,
+void LibraryReader::convert_surface(const tinyobj::material_t& from, const MtlKeys& keys,
                                     Material& to, GltfLobe& lobe) {
-    to.metallic = keywords.contains("Pm") ? unit(from.metallic, 0.0f) : 0.0f;
-    if (keywords.contains("Pr")) {
+    to.metallic = keys.contains("Pm") ? unit(from.metallic, 0.0f) : 0.0f;
+    if (keys.contains("Pr")) {
         lobe.roughness = unit(from.roughness, 1.0f);
         return;
     }
-    const float strongest = std::max({from.specular[0], from.specular[1], from.specular[2]});
-    if (keywords.contains("Ks") && !(strongest > 0.0f)) to.dielectric_f0 = 0.0f;
+    const double strongest = std::max({from.specular[0], from.specular[1], from.specular[2]});
+    if (keys.contains("Ks") && !(strongest > 0.0)) to.dielectric_f0 = 0.0f;
     // A Blinn-Phong lobe of exponent Ns has about the width of a Beckmann lobe with alpha^2 =
     // 2/(Ns+2).
-    if (keywords.contains("Ns") && from.shininess >= 0.0f && std::isfinite(from.shininess))
-        lobe.roughness = std::pow(2.0f / (from.shininess + 2.0f), 0.25f);
+    if (keys.contains("Ns") && from.shininess >= 0.0 && std::isfinite(from.shininess))
+        lobe.roughness = static_cast<float>(std::pow(2.0 / (from.shininess + 2.0), 0.25));
 }
 
-Material LibraryReader::convert(const tinyobj::material_t& from, const Keywords& keywords) {
-    Material to = default_obj_material();
+void LibraryReader::use_color(const tinyobj::material_t& from, UnreadMaterial& to) {
+    const auto color = find(from.diffuse_texname), alpha = find(from.alpha_texname);
+    Material& material = to.material;
+    const auto& options = color ? from.diffuse_texopt : from.alpha_texopt;
+    if (alpha) {
+        to.has_alpha_map = true;
+        const int texture =
+            textures_.color_with_alpha(color.value_or(std::filesystem::path()), *alpha);
+        material.base_color_texture = use_of(texture, options);
+    } else if (color) {
+        material.base_color_texture = use_of(textures_.plain(*color, ColorSpace::srgb), options);
+    }
+    const glm::vec3 kd(material.base_color);
+    to.has_black_kd = color && kd == glm::vec3(0.0f);
+}
+
+// A map replaces the number of its key: exporters write both, and the number is a default.
+void LibraryReader::use_metallic_roughness(const tinyobj::material_t& from, Material& to,
+                                           GltfLobe& lobe) {
+    const auto roughness = find(from.roughness_texname), metallic = find(from.metallic_texname);
+    if (!roughness && !metallic) return;
+    const auto picture = [](const auto& path, const tinyobj::texture_option_t& options) {
+        return path ? MtlPicture{*path, channel_of(options)} : MtlPicture{};
+    };
+    to.metallic_roughness_texture =
+        use_of(textures_.metallic_roughness(picture(roughness, from.roughness_texopt),
+                                            picture(metallic, from.metallic_texopt)),
+               roughness ? from.roughness_texopt : from.metallic_texopt);
+    if (roughness) lobe.roughness = 1.0f;
+    if (metallic) to.metallic = 1.0f;
+}
+
+void LibraryReader::use_normals(const tinyobj::material_t& from, const MtlKeys& keys,
+                                UnreadMaterial& to) {
+    const auto use = [&](const std::filesystem::path& path,
+                         const tinyobj::texture_option_t& options) {
+        to.material.normal_texture = use_of(textures_.plain(path, ColorSpace::linear), options);
+        if (std::isfinite(options.bump_multiplier))
+            to.material.normal_scale =
+                static_cast<float>(std::clamp(options.bump_multiplier, -100.0, 100.0));
+    };
+    for (const char* key : {"map_Bump", "map_bump", "bump"})
+        if (keys.contains(key)) to.bump_key = key;
+    if (const auto normals = find(from.normal_texname)) {
+        use(*normals, from.normal_texopt);
+        if (!to.bump_key.empty()) notes_.add(to.bump_key + " is not read beside norm", from.name);
+        to.bump_key.clear();
+    } else if (const auto bumps = find(from.bump_texname)) {
+        use(*bumps, from.bump_texopt);
+        to.bump_name = one_line(bumps->filename().string());
+    } else {
+        to.bump_key.clear();
+    }
+}
+
+UnreadMaterial LibraryReader::convert(const tinyobj::material_t& from, const MtlKeys& keys) {
+    UnreadMaterial unread;
+    Material& to = unread.material = default_obj_material();
     to.name = from.name;
     for (int i = 0; i < 3; ++i) {
         to.base_color[i] = unit(from.diffuse[i], 0.0f);
-        to.emissive[i] =
-            std::isfinite(from.emission[i]) ? std::clamp(from.emission[i], 0.0f, 65504.0f) : 0.0f;
+        to.emissive[i] = std::isfinite(from.emission[i])
+                             ? static_cast<float>(std::clamp(from.emission[i], 0.0, 65504.0))
+                             : 0.0f;
     }
-    if (!keywords.contains("Kd"))
-        to.base_color = glm::vec4(keywords.contains("map_Kd") ? 1.0f : 0.8f);
+    if (!keys.contains("Kd")) to.base_color = glm::vec4(keys.contains("map_Kd") ? 1.0f : 0.8f);
     to.base_color.a = unit(from.dissolve, 1.0f);
     if (to.base_color.a < 1.0f) to.alpha_mode = AlphaMode::blend;
     GltfLobe lobe = *gltf_lobe_of(to);
-    convert_surface(from, keywords, to, lobe);
+    convert_surface(from, keys, to, lobe);
     lobe.anisotropy_strength = unit(from.anisotropy, 0.0f);
-    to.lobe = lobe;
     to.anisotropy_rotation = static_cast<float>(kTwoPi) * unit(from.anisotropy_rotation, 0.0f);
-    to.base_color_texture = use(from.diffuse_texname, from.diffuse_texopt, ColorSpace::srgb);
-    to.emissive_texture = use(from.emissive_texname, from.emissive_texopt, ColorSpace::srgb);
-    if (to.emissive_texture && !keywords.contains("Ke")) to.emissive = glm::vec3(1.0f);
-    to.normal_texture = use(from.normal_texname, from.normal_texopt, ColorSpace::linear);
-    if (to.normal_texture && std::isfinite(from.normal_texopt.bump_multiplier))
-        to.normal_scale = std::clamp(from.normal_texopt.bump_multiplier, -100.0f, 100.0f);
-    for (const char* key : {"map_Bump", "map_bump", "bump", "map_Pr", "map_Pm", "map_Ks", "map_Ns",
-                            "map_d", "disp", "refl"}) {
-        if (keywords.contains(key)) warn(fmt::format("{} of {}: not read", key, shown(to.name)));
+    use_color(from, unread);
+    if (const auto emissive = find(from.emissive_texname)) {
+        to.emissive_texture =
+            use_of(textures_.plain(*emissive, ColorSpace::srgb), from.emissive_texopt);
+        if (!keys.contains("Ke")) to.emissive = glm::vec3(1.0f);
     }
-    return to;
+    use_normals(from, keys, unread);
+    use_metallic_roughness(from, to, lobe);
+    to.lobe = lobe;
+    for (const auto& [key, value] : keys)
+        if (is_lost_mtl_key(key, value))
+            notes_.add(one_line(key.substr(0, 40)) + " is not read", to.name);
+    return unread;
 }
 
-void LibraryReader::read(const std::string& library) {
-    const auto path = inside(folder_, library);
+// Looks for the model's own name where the library's is not found.
+std::filesystem::path LibraryReader::find_library(const std::string& library,
+                                                  const std::string& model) {
+    FoundFile found = libraries_.find(library);
+    if (!found) found = libraries_.find(model + ".mtl");
+    if (!found) throw Error("no such file in the model's folder");
+    if (found.path.filename() != std::filesystem::path(library).filename() || !found.is_exact())
+        out_.warnings.push_back(fmt::format("mtllib {}: {} is read in its place", shown(library),
+                                            one_line(found.path.string())));
+    return found.path;
+}
+
+void LibraryReader::read_all(const std::string& line, const std::string& model) {
+    if (line.find_first_of(" \t") == line.npos || libraries_.find(line)) return read(line, model);
+    std::istringstream names(line);
+    for (std::string name; names >> name;) read(name, model);
+}
+
+void LibraryReader::read(const std::string& library, const std::string& model) {
     std::string text;
     try {
-        if (!path) throw Error("it does not lie in the model's folder");
+        const std::filesystem::path path = find_library(library, model);
         constexpr std::uintmax_t kLargestLibrary = std::uintmax_t{64} << 20;
-        text = read_text_file(*path, kLargestLibrary);
+        text = read_text_file(path, kLargestLibrary);
+        library_folder_ = path.parent_path().lexically_relative(folder_);
+        if (library_folder_ == ".") library_folder_.clear();
     } catch (const Error& error) {
-        warn(fmt::format("mtllib {}: {}: default material", shown(library), error.what()));
+        out_.warnings.push_back(
+            fmt::format("mtllib {}: {}: default material", shown(library), error.what()));
         return;
     }
     std::map<std::string, int> names;
     std::vector<tinyobj::material_t> parsed;
     std::string warnings;
     std::string errors;
-    std::istringstream stream(text);
+    const MtlText sorted = read_mtl_text(text);
+    std::istringstream stream(sorted.text);
     tinyobj::LoadMtl(&names, &parsed, &stream, &warnings, &errors);
-    const auto keywords = keywords_of(text);
     for (const tinyobj::material_t& material : parsed) {
         const std::string name(trimmed(material.name));
         if (name.empty() || out_.by_name.contains(name)) continue;
-        out_.by_name.emplace(name, static_cast<int>(out_.materials.size()));
-        const auto found = keywords.find(name);
-        out_.materials.push_back(
-            convert(material, found == keywords.end() ? Keywords() : found->second));
+        out_.by_name.emplace(name, static_cast<int>(unread_.size()));
+        const auto found = sorted.materials.find(name);
+        unread_.push_back(
+            convert(material, found == sorted.materials.end() ? MtlKeys() : found->second));
     }
 }
 
-void LibraryReader::decode_textures() {
-    out_.textures.resize(wanted_.size());
-    std::vector<std::string> failures(wanted_.size());
-    parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            try {
-                out_.textures[i] = read_texture(wanted_[i].first, wanted_[i].second);
-            } catch (const Error& error) {
-                failures[i] = error.what();
-            }
+// Decides what the pictures say: which could be read, and what a bump map is.
+void LibraryReader::settle(UnreadMaterial& unread) {
+    Material& material = unread.material;
+    const auto texture = [&](const TextureUse& use) -> const Texture& {
+        return out_.textures[static_cast<std::size_t>(use.texture)];
+    };
+    for (TextureUse* use : {&material.base_color_texture, &material.emissive_texture,
+                            &material.normal_texture, &material.metallic_roughness_texture})
+        if (*use && texture(*use).empty()) *use = TextureUse();
+    if (!unread.bump_key.empty() && material.normal_texture) {
+        const bool normals = looks_like_normal_map(texture(material.normal_texture));
+        const std::string what = fmt::format("{} {}", unread.bump_key, unread.bump_name);
+        if (normals) {
+            notes_.add(what + " looks like a tangent-space normal map: it is drawn as one",
+                       material.name);
+        } else {
+            material.normal_texture = TextureUse();
+            notes_.add(what +
+                           " does not look like a tangent-space normal map: height maps are not "
+                           "drawn; name a normal map by norm in the .mtl, or give --normal-map",
+                       material.name);
         }
-    });
-    for (std::size_t i = 0; i < failures.size(); ++i) {
-        if (failures[i].empty()) continue;
-        throw Error(failures[i]);
     }
+    if (!material.normal_texture) material.normal_scale = 1.0f;
+    if (unread.has_black_kd && material.base_color_texture) {
+        material.base_color = glm::vec4(1.0f, 1.0f, 1.0f, material.base_color.a);
+        notes_.add("Kd 0 0 0 would make map_Kd black: the picture is drawn as it is",
+                   material.name);
+    }
+    if (!unread.has_alpha_map || !material.base_color_texture) return;
+    const Texture& color = texture(material.base_color_texture);
+    if (color.channels == 2 || color.channels == 4) {
+        const bool whole = material.base_color.a == 1.0f;
+        material.alpha_mode = whole && is_cut_out(color) ? AlphaMode::mask : AlphaMode::blend;
+    } else {
+        notes_.add("map_d has no alpha: it is drawn opaque", material.name);
+    }
+}
+
+void LibraryReader::finish() {
+    out_.textures = textures_.decode();
+    for (UnreadMaterial& unread : unread_) settle(unread);
+    // Pictures that no material uses are dropped.
+    std::vector<int> number(out_.textures.size(), -1);
+    std::vector<Texture> used;
+    for (UnreadMaterial& unread : unread_) {
+        Material& material = unread.material;
+        for (TextureUse* use : {&material.base_color_texture, &material.emissive_texture,
+                                &material.normal_texture, &material.metallic_roughness_texture}) {
+            if (!*use) continue;
+            const auto place = static_cast<std::size_t>(use->texture);
+            if (number[place] < 0) {
+                number[place] = static_cast<int>(used.size());
+                used.push_back(std::move(out_.textures[place]));
+            }
+            use->texture = number[place];
+        }
+        out_.materials.push_back(std::move(material));
+    }
+    out_.textures = std::move(used);
+    out_.warnings.insert(out_.warnings.end(), textures_.warnings().begin(),
+                         textures_.warnings().end());
+    notes_.append_to(out_.warnings);
 }
 
 }  // namespace
@@ -211,12 +348,12 @@ Material default_obj_material() {
     return material;
 }
 
-ObjMaterials read_obj_materials(const std::filesystem::path& folder,
+ObjMaterials read_obj_materials(const std::filesystem::path& model,
                                 const std::vector<std::string>& libraries) {
     ObjMaterials out;
-    LibraryReader reader(folder, out);
-    for (const std::string& library : libraries) reader.read(library);
-    reader.decode_textures();
+    LibraryReader reader(model.parent_path(), out);
+    for (const std::string& library : libraries) reader.read_all(library, model.stem().string());
+    reader.finish();
     return out;
 }
 

@@ -18,9 +18,13 @@ struct ObjMaterials {
     std::vector<std::string> warnings;
 };
 
-// Reads the libraries, which lie in `folder` or below. Missing or unreadable files are skipped with
-// a warning, because the model is worth showing without them.
-ObjMaterials read_obj_materials(const std::filesystem::path& folder,
+// Reads the libraries of a model, and their pictures, which lie in its folder or below; the names
+// that files give them may be those of another machine (core/find_file.hpp). Missing or unreadable
+// files are skipped with a warning, because the model is worth showing without them.
+//
+// map_Bump and bump are normal maps where the picture looks like one. map_Pr and map_Pm become one
+// texture, map_Kd and map_d another. A key that is not read is named in a warning.
+ObjMaterials read_obj_materials(const std::filesystem::path& model,
                                 const std::vector<std::string>& libraries);
 
 // For faces without a material: gray plastic.

@@ -16,8 +16,8 @@ constexpr std::size_t kMostCorners = 255;
 constexpr std::array<std::string_view, 5> kGeometry = {"v", "vn", "vt", "f", "s"};
 
 // Returns one line without its end and advances `rest` past it.
-std::string_view take_line(std::string_view& rest) {
-    const std::size_t end = rest.find('\n');
+std::string_view take_line(std::string_view& rest, char line_end) {
+    const std::size_t end = rest.find(line_end);
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     return line;
@@ -92,12 +92,20 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+std::string_view without_utf8_mark(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    return text;
+}
+
 ObjText sort_obj_lines(std::string_view text, const std::string& file) {
     ObjText out;
+    text = without_utf8_mark(text);
+    // Carriage returns alone end lines on old systems; elsewhere one may be part of a name.
+    const char line_end = text.find('\n') == text.npos ? '\r' : '\n';
     LineSorter sorter(out, file);
     std::string joined;
     for (std::size_t number = 1; !text.empty(); ++number) {
-        std::string_view line = trimmed(take_line(text));
+        std::string_view line = trimmed(take_line(text, line_end));
         // A backslash at the end continues the line.
         if (line.ends_with('\\') && !text.empty()) {
             line.remove_suffix(1);

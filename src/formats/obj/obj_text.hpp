@@ -21,6 +21,9 @@ struct ObjText {
 // more than 255 corners (the parser counts them in a byte).
 ObjText sort_obj_lines(std::string_view text, const std::string& file);
 
+// `text` without the mark of UTF-8 at its start.
+std::string_view without_utf8_mark(std::string_view text);
+
 // `text` without blanks at both ends.
 std::string_view trimmed(std::string_view text);
 

@@ -1,39 +1,52 @@
-// WIF: text -> tables of shafts -> the yarn on top at each crossing.
+// WIF: text -> sets of shafts -> the drawn part -> the yarn on top at each crossing.
 #include "burnish/wif.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "burnish/error.hpp"
-#include "burnish/image_io.hpp"
 #include "core/files.hpp"
+#include "core/text.hpp"
+#include "formats/wif/wif_colors.hpp"
+#include "formats/wif/wif_cut.hpp"
+#include "formats/wif/wif_shafts.hpp"
 #include "formats/wif/wif_text.hpp"
 
 namespace burnish {
 
 namespace {
 
-constexpr std::uintmax_t kMostDraftBytes = std::uintmax_t{8} << 20;
+constexpr std::uintmax_t kMostDraftBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kHeadBytes = 4096;
-constexpr int kMostShafts = 4096;  // a Jacquard loom has one per end
-constexpr int kMostTreadles = 4096;
-constexpr int kMostColors = 65536;
-
-using Shafts = std::bitset<kMostShafts + 1>;  // bit 0 is unused: shafts count from 1
+// Programs write up to some thousand. A yarn takes a few numbers before it is known to be drawn.
+constexpr int kMostThreads = 65536;
 
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& path)
         : text_(read_text_file(path, kMostDraftBytes), path.string()) {
-        read_sizes();
         name(path);
-        weave();
-        colors();
+        const int ends = threads("WARP"), picks = threads("WEFT");
+        const bool rising = rising_shed();
+        WifShafts shafts = read_wif_shafts(text_, ends, picks);
+        out_.shafts = shafts.shafts;
+        out_.treadles = shafts.treadles;
+        out_.has_liftplan = shafts.has_liftplan;
+        append(out_.warnings, shafts.warnings);
+        WifColors colors(text_);
+        cut(shafts, colors);
+        weave(shafts, rising);
+        append(shafts.passed_over, colors.passed_over());
+        append(out_.warnings, colors.warnings());
+        if (!shafts.passed_over.empty())
+            warn(fmt::format("passed over, because nothing uses them: {}",
+                             fmt::join(shafts.passed_over, ", ")));
         warn_of_losses();
         check_draft(out_.draft, text_.file());
     }
@@ -41,241 +54,204 @@ class Reader {
     WifFile result() { return std::move(out_); }
 
   private:
-    void read_sizes() {
-        const WifSection& weaving = text_.section("WEAVING");
-        out_.shafts = required(weaving, "Shafts", 1, kMostShafts);
-        out_.treadles = static_cast<int>(weaving.whole("Treadles", 0, kMostTreadles).value_or(0));
-        const auto rising = weaving.truth("Rising Shed");
-        out_.rising_shed = rising.value_or(true);
-        if (!rising) warn("[WEAVING] does not say Rising Shed: taken as yes");
-        if (weaving.truth("Profile").value_or(false))
-            warn("a profile draft: each thread stands for a block, and is drawn as one yarn");
-        out_.draft.ends = required(text_.section("WARP"), "Threads", 1, kMostDraftYarns);
-        out_.draft.picks = required(text_.section("WEFT"), "Threads", 1, kMostDraftYarns);
-        check_draft_size(out_.draft.ends, out_.draft.picks, text_.file());
+    static void append(std::vector<std::string>& to, const std::vector<std::string>& from) {
+        to.insert(to.end(), from.begin(), from.end());
     }
+    void warn(std::string text) { out_.warnings.push_back(std::move(text)); }
 
-    int required(const WifSection& section, std::string_view key, int low, int high) const {
-        const auto value = section.whole(key, low, high);
+    int threads(std::string_view family) const {
+        const WifSection& section = text_.section(family);
+        const auto value = section.whole("Threads", 1, kMostThreads);
         if (!value)
-            section.fail(key, fmt::format("a whole number from {} to {}", low, high),
-                         section.line() == 0 ? "no such section" : "no such key");
+            section.fail("Threads", fmt::format("a whole number from 1 to {}", kMostThreads),
+                         section.line() == 0                    ? "no such section"
+                         : section.first("Threads").has_value() ? "no value"
+                                                                : "no such key");
         return static_cast<int>(*value);
     }
 
+    bool rising_shed() {
+        const auto rising = text_.section("WEAVING").truth("Rising Shed");
+        if (!rising) warn("[WEAVING] does not say Rising Shed: taken as yes");
+        out_.rising_shed = rising.value_or(true);
+        return out_.rising_shed;
+    }
+
     void name(const std::filesystem::path& path) {
-        const auto title = text_.section("TEXT").find("Title");
+        const auto title = text_.section("TEXT").first("Title");
         out_.draft.name = title ? one_line(title->value.substr(0, 200)) : "";
         if (out_.draft.name.empty()) out_.draft.name = one_line(path.stem().string());
     }
 
-    // --- which yarn is on top -------------------------------------------------------------------
+    // --- the drawn part --------------------------------------------------------------------------
 
-    // The set of shafts of each end, treadle or pick, by number.
-    std::vector<Shafts> shafts_of(std::string_view section, int count,
-                                  std::string_view count_is) const {
-        std::vector<Shafts> sets(static_cast<std::size_t>(count) + 1);
-        const WifSection& lines = text_.section(section);
-        lines.each(count, count_is, [&](int number, const WifEntry& entry) {
-            for (const int shaft : lines.list(entry, 0, out_.shafts, "Shafts of [WEAVING]"))
-                sets[static_cast<std::size_t>(number)].set(static_cast<std::size_t>(shaft));
-        });
-        for (Shafts& set : sets) set.reset(0);  // 0 means no shaft
-        return sets;
-    }
-
-    std::vector<Shafts> shafts_by_treadling() const {
-        constexpr std::string_view kTreadles = "Treadles of [WEAVING]";
-        required(text_.section("WEAVING"), "Treadles", 1, kMostTreadles);
-        const std::vector<Shafts> tied = shafts_of("TIEUP", out_.treadles, kTreadles);
-        std::vector<Shafts> picks(static_cast<std::size_t>(out_.draft.picks) + 1);
-        const WifSection& treadling = text_.section("TREADLING");
-        treadling.each(out_.draft.picks, "Threads of [WEFT]", [&](int pick, const WifEntry& entry) {
-            for (const int treadle : treadling.list(entry, 0, out_.treadles, kTreadles))
-                picks[static_cast<std::size_t>(pick)] |= tied[static_cast<std::size_t>(treadle)];
-        });
-        return picks;
-    }
-
-    // Shafts that the loom moves at each pick. A file may have both a lift plan and a treadling;
-    // they must agree.
-    std::vector<Shafts> moved_shafts() {
-        const bool treadled = text_.has("TIEUP") && text_.has("TREADLING");
-        out_.has_liftplan = text_.has("LIFTPLAN");
-        if (!treadled && !out_.has_liftplan)
-            throw Error(text_.file(), "", "[LIFTPLAN], or [TIEUP] and [TREADLING]",
-                        text_.has("TIEUP")       ? "[TIEUP] alone"
-                        : text_.has("TREADLING") ? "[TREADLING] alone"
-                                                 : "none of them");
-        if (!out_.has_liftplan) return shafts_by_treadling();
-        std::vector<Shafts> lifted = shafts_of("LIFTPLAN", out_.draft.picks, "Threads of [WEFT]");
-        if (treadled) {
-            const std::vector<Shafts> trodden = shafts_by_treadling();
-            const auto differ = std::mismatch(lifted.begin(), lifted.end(), trodden.begin()).first;
-            if (differ != lifted.end())
-                throw Error(text_.file(), fmt::format("pick {}", differ - lifted.begin()),
-                            "[LIFTPLAN] and [TREADLING] to move the same shafts", "others");
-        }
-        return lifted;
-    }
-
-    void weave() {
+    void cut(const WifShafts& shafts, WifColors& colors) {
+        out_.warp = used_yarns(shafts.ends);
+        out_.weft = used_yarns(shafts.picks);
+        const std::vector<int> warp = colors.numbers("WARP", out_.warp.threads);
+        const std::vector<int> weft = colors.numbers("WEFT", out_.weft.threads);
+        YarnClasses alike = yarn_classes(shafts.ends, shafts.picks);
+        alike.ends = with_colors(alike.ends, warp);
+        alike.picks = with_colors(alike.picks, weft);
+        choose_drawn(out_.warp, out_.weft, alike);
         Draft& draft = out_.draft;
-        if (!text_.has("THREADING")) throw Error(text_.file(), "", "a section [THREADING]", "none");
-        const std::vector<Shafts> ends = shafts_of("THREADING", draft.ends, "Threads of [WARP]");
-        const std::vector<Shafts> picks = moved_shafts();
-        draft.warp_up.reserve(static_cast<std::size_t>(draft.ends) *
-                              static_cast<std::size_t>(draft.picks));
-        // An end on several shafts moves with any of them.
-        for (std::size_t p = 1; p < picks.size(); ++p)
-            for (std::size_t e = 1; e < ends.size(); ++e)
-                draft.warp_up.push_back((ends[e] & picks[p]).any() == out_.rising_shed ? 1 : 0);
-        warn_of_idle(ends, "warp threads are on no shaft");
-        warn_of_idle(picks, "picks move no shaft");
+        draft.ends = out_.warp.drawn;
+        draft.picks = out_.weft.drawn;
+        draft.warp_colors = colors.drawn("WARP", warp, out_.warp);
+        draft.weft_colors = colors.drawn("WEFT", weft, out_.weft);
+        if (text_.has("COLOR TABLE")) out_.colors = colors.count();
+        if (out_.colors == 0 && (text_.has("WARP COLORS") || text_.has("WEFT COLORS")))
+            lose("there is no [COLOR TABLE]: the yarns have the colours of the material");
+        say_cut();
     }
 
-    void warn_of_idle(const std::vector<Shafts>& sets, const char* what) {
-        const auto idle =
-            std::count_if(sets.begin() + 1, sets.end(), [](const Shafts& s) { return s.none(); });
-        if (idle > 0) warn(fmt::format("{} {}", idle, what));
-    }
-
-    // --- colors --------------------------------------------------------------------------------
-
-    // Values of the palette are those of a display (sRGB), between the two numbers of Range.
-    std::vector<std::optional<glm::vec3>> table() {
-        const WifSection& palette = text_.section("COLOR PALETTE");
-        const WifSection& rows = text_.section("COLOR TABLE");
-        if (palette.word("Form").value_or("RGB") != "RGB") {
-            const WifEntry form = *palette.find("Form");
-            palette.fail(form, "RGB", shown(form.value));
+    // One number for each different pair of a class and a color.
+    static std::vector<int> with_colors(std::vector<int> classes, const std::vector<int>& colors) {
+        std::map<std::pair<int, int>, int> numbers;
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            const int next = static_cast<int>(numbers.size());
+            classes[i] = numbers.try_emplace({classes[i], colors[i]}, next).first->second;
         }
-        out_.colors = required(palette, "Entries", 1, kMostColors);
-        constexpr int kFarthest = 1 << 24;  // floats represent integers exactly up to here
-        const auto range = palette.find("Range");
-        const std::vector<int> ends =
-            range ? palette.list(*range, -kFarthest, kFarthest, "black and white")
-                  : std::vector<int>{};
-        if (ends.size() != 2 || ends[0] >= ends[1])
-            palette.fail("Range", "the numbers of black and white, such as 0,255",
-                         range ? shown(range->value) : "no such key");
-        std::vector<std::optional<glm::vec3>> colors(static_cast<std::size_t>(out_.colors) + 1);
-        rows.each(out_.colors, "Entries of [COLOR PALETTE]", [&](int i, const WifEntry& entry) {
-            const std::vector<int> rgb =
-                rows.list(entry, ends[0], ends[1], "Range of [COLOR PALETTE]");
-            if (rgb.size() != 3)
-                rows.fail(entry, "red,green,blue", fmt::format("{} numbers", rgb.size()));
-            glm::vec3 color;
-            for (int c = 0; c < 3; ++c) {
-                const auto above = static_cast<float>(rgb[static_cast<std::size_t>(c)] - ends[0]);
-                color[c] = linear_from_srgb(above / static_cast<float>(ends[1] - ends[0]));
+        return classes;
+    }
+
+    void say_cut() {
+        const auto idle = [](const WifYarns& yarns) { return yarns.threads - yarns.used; };
+        if (idle(out_.warp) > 0)
+            lose(fmt::format("{} at the sides are on no shaft and not drawn",
+                             plural(static_cast<std::size_t>(idle(out_.warp)), "end")));
+        if (idle(out_.weft) > 0)
+            lose(fmt::format("{} at the start or the end move no shaft and are not drawn",
+                             plural(static_cast<std::size_t>(idle(out_.weft)), "pick")));
+        std::vector<std::string> parts;
+        for (const auto& [yarns, noun] :
+             {std::pair(out_.warp, "ends"), std::pair(out_.weft, "picks")}) {
+            const int rest = yarns.used % yarns.repeat;
+            if (yarns.drawn == yarns.used || (yarns.drawn == yarns.repeat && rest == 0)) continue;
+            parts.push_back(
+                yarns.drawn == yarns.repeat
+                    ? fmt::format(
+                          "of {} {} the repeat of {} is drawn, without the {} after the last "
+                          "whole one",
+                          yarns.used, noun, yarns.repeat, rest)
+                    : fmt::format("of {} {} the first {} are drawn, with a seam where they start "
+                                  "again",
+                                  yarns.used, noun, yarns.drawn));
+        }
+        if (!parts.empty())
+            warn(fmt::format("too large to draw whole: {}", fmt::join(parts, "; ")));
+    }
+
+    void weave(const WifShafts& shafts, bool rising) {
+        Draft& draft = out_.draft;
+        const std::vector<Shafts>& warp = shafts.ends.different();
+        const auto ends = static_cast<std::size_t>(draft.ends);
+        std::vector<std::uint8_t> up(warp.size());  // by set of an end, for one pick
+        std::map<int, std::size_t> woven;           // where the row of a set of a pick begins
+        draft.warp_up.resize(ends * static_cast<std::size_t>(draft.picks));
+        for (std::size_t p = 0; p < static_cast<std::size_t>(draft.picks); ++p) {
+            const std::size_t pick = static_cast<std::size_t>(out_.weft.first) + p;
+            std::uint8_t* row = draft.warp_up.data() + p * ends;
+            const auto [same, fresh] = woven.try_emplace(shafts.picks.number(pick), p * ends);
+            if (!fresh) {
+                std::copy_n(draft.warp_up.data() + same->second, ends, row);
+                continue;
             }
-            colors[static_cast<std::size_t>(i)] = color;
-        });
-        return colors;
-    }
-
-    // Colors of one family of yarns; empty when the file has none.
-    std::vector<glm::vec3> yarn_colors(std::string_view family, int yarns,
-                                       const std::vector<std::optional<glm::vec3>>& colors) const {
-        const WifSection& all = text_.section(family);
-        const WifSection& each = text_.section(std::string(family) + " COLORS");
-        constexpr std::string_view kEntries = "Entries of [COLOR PALETTE]";
-        const int most = static_cast<int>(colors.size()) - 1;
-        const auto common = all.find("Color");
-        const int usual = common ? all.first(*common, 0, most, kEntries).value_or(0) : 0;
-        std::vector<int> numbers(static_cast<std::size_t>(yarns), usual);
-        each.each(yarns, fmt::format("Threads of [{}]", family), [&](int i, const WifEntry& entry) {
-            if (const auto number = each.first(entry, 0, most, kEntries); number && *number > 0)
-                numbers[static_cast<std::size_t>(i) - 1] = *number;
-        });
-        if (usual == 0 && each.empty()) return {};
-        std::vector<glm::vec3> out;
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const auto& color = colors[static_cast<std::size_t>(numbers[i])];
-            if (!color)
-                throw Error(text_.file(), fmt::format("[{}] thread {}", family, i + 1),
-                            "a colour of [COLOR TABLE]",
-                            numbers[i] == 0 ? std::string("none, and no Color= for all of them")
-                                            : fmt::format("{}, which it lacks", numbers[i]));
-            out.push_back(*color);
+            // An end on several shafts moves with any of them.
+            for (std::size_t i = 0; i < warp.size(); ++i)
+                up[i] = (warp[i] & shafts.picks.at(pick)).any() == rising ? 1 : 0;
+            for (std::size_t e = 0; e < ends; ++e) {
+                const int set = shafts.ends.number(static_cast<std::size_t>(out_.warp.first) + e);
+                row[e] = up[static_cast<std::size_t>(set)];
+            }
         }
-        return out;
-    }
-
-    void colors() {
-        if (!text_.has("COLOR TABLE")) {
-            if (text_.has("WARP COLORS") || text_.has("WEFT COLORS"))
-                warn("there is no [COLOR TABLE]: the yarns have the colours of the material");
-            return;
-        }
-        const auto colors = table();
-        out_.draft.warp_colors = yarn_colors("WARP", out_.draft.ends, colors);
-        out_.draft.weft_colors = yarn_colors("WEFT", out_.draft.picks, colors);
     }
 
     // --- ignored information ---------------------------------------------------------------------
 
-    void warn(std::string text) { out_.warnings.push_back(std::move(text)); }
+    // What a file that was cut off loses: one warning for all of it.
+    void lose(std::string text) { losses_.push_back(std::move(text)); }
+
+    void warn_of_losses() {
+        if (is_true(text_.section("WEAVING").word("Profile")))
+            warn("a profile draft: each thread stands for a block, and is drawn as one yarn");
+        warn_of_spacing();
+        const std::string version = text_.section("WIF").word("Version").value_or("1.1");
+        if (version != "1.1" && version != "1.0")
+            warn(fmt::format("version {} of WIF is read as 1.1", shown(version)));
+        lose_missing_colors();
+        const DraftFigures figures = draft_figures(out_.draft);
+        if (figures.loose_ends + figures.loose_picks > 0)
+            lose(
+                fmt::format("nothing holds {} of the ends and {} of the picks: they never change "
+                            "sides",
+                            figures.loose_ends, figures.loose_picks));
+        if (!losses_.empty()) warn(fmt::format("{}", fmt::join(losses_, "; ")));
+    }
+
+    static bool is_true(const std::optional<std::string>& word) {
+        return word == "YES" || word == "TRUE" || word == "ON" || word == "1";
+    }
+
+    void lose_missing_colors() {
+        std::vector<std::string> missing;
+        for (const char* name : {"COLOR TABLE", "WARP COLORS", "WEFT COLORS"})
+            if (!text_.has(name) && is_true(text_.section("CONTENTS").word(name)))
+                missing.push_back(fmt::format("[{}]", name));
+        if (missing.empty()) return;
+        losses_.insert(losses_.begin(),
+                       fmt::format("[CONTENTS] announces {}, which {} not there",
+                                   fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are"));
+    }
 
     // Length in centimeters; the plain number when the file has no unit.
-    double length(const WifSection& family, std::string_view key, double otherwise) const {
-        const auto value = family.real(key);
-        if (!value) return otherwise;
+    static std::optional<double> length(const WifSection& family, std::string_view key) {
+        const auto entry = family.first(key);
+        const auto value = entry ? real_number(entry->value) : std::nullopt;
+        if (!value) return std::nullopt;
         const std::string units = family.word("Units").value_or("");
         if (units == "DECIPOINTS") return *value * 2.54 / 720.0;
         return units == "INCHES" ? *value * 2.54 : *value;
     }
 
-    // True when a section such as [WARP SPACING] has a value other than the common one.
-    bool varies(const std::string& family, const std::string& what, int yarns) const {
+    // True when a section such as [WARP SPACING] has a value other than the common one. Empty values
+    // and those that are no numbers are skipped: they are not drawn.
+    bool varies(const std::string& family, std::string_view what, int yarns) const {
+        const auto common = text_.section(family).first(what);
+        std::optional<double> same = common ? real_number(common->value) : std::nullopt;
         const WifSection& each =
             text_.section(family + (what == "Spacing" ? " SPACING" : " THICKNESS"));
-        std::optional<double> same = text_.section(family).real(what);
         bool varies = false;
-        each.each(yarns, fmt::format("Threads of [{}]", family), [&](int, const WifEntry& entry) {
-            const double value = each.real(entry);
-            varies = varies || (same && value != *same);
+        for (const WifEntry& entry : each.entries()) {
+            const auto value = first_number(WifEntry{{}, entry.key, 0}, yarns).value_or(0) > 0
+                                   ? real_number(entry.value)
+                                   : std::nullopt;
+            if (!value) continue;
+            varies = varies || (same && *value != *same);
             same = value;
-        });
+        }
         return varies;
     }
 
-    // A truncated file may still give a valid cloth in other colors, so missing colors get a
-    // warning.
-    void warn_of_missing_colors() {
-        for (const char* name : {"COLOR TABLE", "WARP COLORS", "WEFT COLORS"}) {
-            const std::string said = text_.section("CONTENTS").word(name).value_or("");
-            if (text_.has(name)) continue;
-            if (said == "YES" || said == "TRUE" || said == "ON" || said == "1")
-                warn(fmt::format("[CONTENTS] announces [{}], which is not there", name));
-        }
-    }
-
-    void warn_of_losses() {
-        warn_of_missing_colors();
+    void warn_of_spacing() {
+        std::vector<std::string_view> uneven;
         const WifSection &warp = text_.section("WARP"), &weft = text_.section("WEFT");
-        for (const char* what : {"Spacing", "Thickness"}) {
-            const bool warp_varies = varies("WARP", what, out_.draft.ends);
-            const bool weft_varies = varies("WEFT", what, out_.draft.picks);
-            const double a = length(warp, what, 0.0), b = length(weft, what, a);
-            const bool uneven = std::abs(a - b) > 0.01 * std::max(a, b) && a > 0.0;
-            if (warp_varies || weft_varies || uneven)
-                warn(fmt::format("{} differs from yarn to yarn: all are drawn alike", what));
+        for (const std::string_view what : {"Spacing", "Thickness"}) {
+            const auto a = length(warp, what), b = length(weft, what);
+            const bool differ = a && b && std::abs(*a - *b) > 0.01 * std::max(*a, *b) && *a > 0.0;
+            if (differ || varies("WARP", what, out_.warp.threads) ||
+                varies("WEFT", what, out_.weft.threads))
+                uneven.push_back(what);
         }
-        const std::string version = text_.section("WIF").word("Version").value_or("1.1");
-        if (version != "1.1" && version != "1.0")
-            warn(fmt::format("version {} of WIF is read as 1.1", shown(version)));
-        const DraftFigures figures = draft_figures(out_.draft);
-        if (figures.loose_ends + figures.loose_picks > 0)
-            warn(
-                fmt::format("nothing holds {} of the ends and {} of the picks: they never change "
-                            "sides",
-                            figures.loose_ends, figures.loose_picks));
+        if (!uneven.empty())
+            warn(fmt::format("{} {} from yarn to yarn: all are drawn alike",
+                             fmt::join(uneven, " and "),
+                             uneven.size() == 1 ? "differs" : "differ"));
     }
 
     WifText text_;
     WifFile out_;
+    std::vector<std::string> losses_;
 };
 
 }  // namespace

@@ -71,12 +71,22 @@ std::vector<bool> column(const Draft& draft, int end) {
     return ups;
 }
 
+bool lifts_all(const Draft& draft) {
+    for (auto row = draft.warp_up.begin(); row != draft.warp_up.end(); row += draft.ends)
+        if (std::count(row, row + draft.ends, std::uint8_t{1}) == 0) return false;
+    return true;
+}
+
+// Picks that lift no end lift a shaft more, which no end is on.
 std::string liftplan_text(const Draft& draft, const std::vector<std::vector<bool>>& shafts) {
     std::string text = "\n[LIFTPLAN]\n";
+    const std::size_t empty_shaft = shafts.size() + 1;
     for (std::size_t pick = 0; pick < static_cast<std::size_t>(draft.picks); ++pick) {
         std::vector<std::size_t> lifted;
         for (std::size_t shaft = 0; shaft < shafts.size(); ++shaft)
             if (shafts[shaft][pick]) lifted.push_back(shaft + 1);
+        // A pick of no shaft at the start or the end would be no part of the cloth.
+        if (lifted.empty()) lifted.push_back(empty_shaft);
         text += fmt::format("{}={}\n", pick + 1, fmt::join(lifted, ","));
     }
     return text;
@@ -96,13 +106,13 @@ std::string wif_text(const Draft& draft) {
     if (!table.things().empty()) contents += "COLOR PALETTE=yes\nCOLOR TABLE=yes\n";
     if (!warp.empty()) contents += "WARP COLORS=yes\n";
     if (!weft.empty()) contents += "WEFT COLORS=yes\n";
+    const std::size_t count = shafts.things().size() + (lifts_all(draft) ? 0 : 1);
     std::string text = fmt::format(
         "[WIF]\nVersion=1.1\nDate=April 20, 1997\nDevelopers=\nSource Program=burnish\n\n"
         "[CONTENTS]\n{}\n[TEXT]\nTitle={}\n\n"
         "[WEAVING]\nShafts={}\nTreadles={}\nRising Shed=yes\n\n"
         "[WARP]\nThreads={}\n\n[WEFT]\nThreads={}\n",
-        contents, one_line(draft.name), shafts.things().size(), shafts.things().size(), draft.ends,
-        draft.picks);
+        contents, one_line(draft.name), count, count, draft.ends, draft.picks);
     text += palette_text(table.things());
     text += section_of("WARP COLORS", warp);
     text += section_of("WEFT COLORS", weft);

@@ -29,6 +29,17 @@ std::string count(int number, std::string_view word) {
     return plural(static_cast<std::size_t>(number), word);
 }
 
+// "repeats every 4 ends", "no repeat in the picks"
+std::string repeat_of(const WifYarns& yarns, std::string_view noun) {
+    return yarns.repeat < yarns.used ? fmt::format("repeats every {}", count(yarns.repeat, noun))
+                                     : fmt::format("no repeat within its {}s", noun);
+}
+
+std::string drawn_part(const WifYarns& yarns, std::string_view noun) {
+    if (yarns.drawn == yarns.threads) return fmt::format("all {}s", noun);
+    return fmt::format("{}s {} to {}", noun, yarns.first + 1, yarns.first + yarns.drawn);
+}
+
 }  // namespace
 
 std::string describe_draft(const std::string& path) {
@@ -36,10 +47,13 @@ std::string describe_draft(const std::string& path) {
     const Draft& draft = file.draft;
     const DraftFigures figures = draft_figures(draft);
     std::string text = fmt::format("{}: weaving draft \"{}\" (WIF)\n", path, draft.name);
-    text += fmt::format("  {}, {}, {}, {}, {} shed, {}\n", count(draft.ends, "end"),
-                        count(draft.picks, "pick"), count(file.shafts, "shaft"),
+    text += fmt::format("  {}, {}, {}, {}, {} shed, {}\n", count(file.warp.threads, "end"),
+                        count(file.weft.threads, "pick"), count(file.shafts, "shaft"),
                         count(file.treadles, "treadle"), file.rising_shed ? "rising" : "sinking",
                         file.has_liftplan ? "lift plan" : "treadled");
+    text += fmt::format("  {}, {}; drawn: {}, {}\n", repeat_of(file.warp, "end"),
+                        repeat_of(file.weft, "pick"), drawn_part(file.warp, "end"),
+                        drawn_part(file.weft, "pick"));
     text +=
         fmt::format("  {}\n", file.colors == 0 ? std::string("no colours: those of the material")
                                                : count(file.colors, "colour"));
