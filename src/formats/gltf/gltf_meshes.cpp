@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "burnish/fit_tangents.hpp"
 #include "core/parallel.hpp"
 #include "formats/gltf/gltf_materials.hpp"
 #include "formats/gltf/gltf_triangles.hpp"
@@ -22,9 +23,18 @@ int attribute(const tinygltf::Primitive& primitive, const char* name) {
     return it == primitive.attributes.end() ? -1 : it->second;
 }
 
-// A text that is equal for primitives with the same mesh data.
-std::string fingerprint(const tinygltf::Primitive& primitive, bool second_texcoord) {
-    std::string text = fmt::format("{} {} {}", primitive.mode, primitive.indices, second_texcoord);
+// Tangents mean nothing without the normals that they are perpendicular to.
+bool has_tangents(const tinygltf::Primitive& primitive) {
+    return attribute(primitive, "TANGENT") >= 0 && attribute(primitive, "NORMAL") >= 0;
+}
+
+// A text that is equal for primitives with the same mesh data. `source` counts only where tangents
+// are made.
+std::string fingerprint(const tinygltf::Primitive& primitive, const TangentSource& source) {
+    std::string text = fmt::format("{} {}", primitive.mode, primitive.indices);
+    if (!has_tangents(primitive))
+        text += fmt::format(" {} {} {} {}", source.texcoord, source.along.x, source.along.y,
+                            source.mirrored);
     for (const auto& [name, accessor] : primitive.attributes)
         text += fmt::format(" {} {}", name, accessor);
     return text;
@@ -58,14 +68,6 @@ bool clean(std::vector<Vec>& items, float low, float high) {
     return found;
 }
 
-// The set of texture coordinates for tangents: that of the normal map, else that of the anisotropy
-// texture.
-int tangent_set(const Material& material) {
-    if (material.normal_texture) return material.normal_texture.texcoord;
-    if (material.anisotropy_texture) return material.anisotropy_texture.texcoord;
-    return 0;
-}
-
 // Reads the vertices first .. first + count of one primitive into a mesh.
 class VertexReader {
   public:
@@ -83,7 +85,7 @@ class VertexReader {
         check_positions(mesh.positions, key_, report_);
         if (has("NORMAL"))
             mesh.normals = accessors_.vec3s(checked("NORMAL"), first_, count_, user("NORMAL"));
-        if (has("TANGENT") && has("NORMAL"))
+        if (has_tangents(primitive_))
             mesh.tangents = accessors_.vec4s(checked("TANGENT"), first_, count_, user("TANGENT"));
         read_texcoords("TEXCOORD_0", mesh.texcoord0);
         read_texcoords("TEXCOORD_1", mesh.texcoord1);
@@ -125,18 +127,10 @@ class VertexReader {
     std::size_t count_;
 };
 
-// Completes normals and tangents in place; returns the number of stored ones that were replaced.
-std::size_t finish_mesh(Mesh& mesh, bool second_texcoord) {
-    if (mesh.normals.empty()) {
-        make_normals(mesh, true);  // required by glTF 3.7.2.1
-        mesh.tangents.clear();
-    }
-    const std::size_t mended = repair_frames(mesh);
-    if (!mesh.tangents.empty()) return mended;
-    if (second_texcoord) std::swap(mesh.texcoord0, mesh.texcoord1);
-    make_tangents(mesh);
-    if (second_texcoord) std::swap(mesh.texcoord0, mesh.texcoord1);
-    return mended;
+// Completes normals in place; returns the number of stored normals and tangents that were replaced.
+std::size_t finish_normals(Mesh& mesh) {
+    if (mesh.normals.empty()) make_normals(mesh, true);  // required by glTF 3.7.2.1
+    return repair_frames(mesh);
 }
 
 }  // namespace
@@ -185,13 +179,10 @@ void GltfMeshes::read_part(const tinygltf::Primitive& primitive, const std::stri
         item_at(model_.materials, material, report_, key + ".material");
     else
         material = default_material();
-    const bool second = tangent_set(scene_.materials[static_cast<std::size_t>(material)]) == 1 &&
-                        attribute(primitive, "TEXCOORD_1") >= 0;
-    const auto [known, fresh] = known_meshes_.try_emplace(fingerprint(primitive, second), -1);
-    if (fresh) {
-        known->second = read_mesh(primitive, name, key);
-        if (known->second >= 0) tangents_from_texcoord1_.push_back(second);
-    }
+    const TangentSource source =
+        tangent_source_of(scene_.materials[static_cast<std::size_t>(material)]);
+    const auto [known, fresh] = known_meshes_.try_emplace(fingerprint(primitive, source), -1);
+    if (fresh) known->second = read_mesh(primitive, name, key);
     if (known->second < 0) return;
     const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(known->second)];
     parts.push_back({known->second, resolve_material(material, mesh, key)});
@@ -237,6 +228,7 @@ int GltfMeshes::read_mesh(const tinygltf::Primitive& primitive, const std::strin
         report_.warn(key + ": has no triangles: it is not drawn");
         return -1;
     }
+    if (mesh.tangents.empty()) mesh.tangent_source.emplace();
     scene_.meshes.push_back(std::move(mesh));
     return static_cast<int>(scene_.meshes.size()) - 1;
 }
@@ -281,14 +273,14 @@ int GltfMeshes::resolve_material(int index, const Mesh& mesh, const std::string&
 void GltfMeshes::finish() {
     std::vector<std::size_t> mended(scene_.meshes.size(), 0);
     parallel_for(mended.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            mended[i] = finish_mesh(scene_.meshes[i], tangents_from_texcoord1_[i] != 0);
+        for (std::size_t i = begin; i < end; ++i) mended[i] = finish_normals(scene_.meshes[i]);
     });
     for (std::size_t i = 0; i < mended.size(); ++i) {
         if (mended[i] > 0)
             report_.warn(fmt::format("{}: {} vertices had broken normals or tangents; replaced",
                                      scene_.meshes[i].name, mended[i]));
     }
+    for (std::string& line : fit_tangents(scene_)) report_.warn(std::move(line));
 }
 
 }  // namespace burnish

@@ -30,11 +30,11 @@ class GltfMeshes {
                Scene& scene);
 
     // The triangles of one mesh of the file, read at the first use. Primitives with the same data
-    // share a mesh. Points, lines and primitives without positions are skipped with a warning.
+    // and the same frame of tangents share a mesh. Points, lines and primitives without positions are skipped with a warning.
     // Throws Error for broken geometry.
     const std::vector<GltfPart>& parts(int mesh, std::string_view user);
 
-    // Gives every mesh valid normals and tangents; call once, at the end.
+    // Gives every mesh valid normals and tangents; call once, when all instances are placed.
     void finish();
 
   private:
@@ -54,7 +54,6 @@ class GltfMeshes {
     std::vector<char> has_parts_;
     std::map<std::string, int> known_meshes_;               // by fingerprint
     std::map<std::pair<int, int>, int> reduced_materials_;  // (material, missing sets) -> copy
-    std::vector<char> tangents_from_texcoord1_;             // one per mesh of the scene
     int default_material_ = -1;
 };
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "burnish/error.hpp"
+#include "burnish/fit_tangents.hpp"
 #include "core/files.hpp"
 #include "formats/model_limits.hpp"
 #include "formats/obj/obj_materials.hpp"
@@ -241,7 +242,7 @@ void add_part(Mesh mesh, const Material& material, Scene& scene) {
         scene.warnings.push_back(
             fmt::format("{}: no texture coordinates: its textures are not used", name));
     }
-    make_tangents(mesh);
+    make_tangents(mesh, tangent_source_of(scene.materials.back()));
     scene.meshes.push_back(std::move(mesh));
     const auto last = static_cast<int>(scene.meshes.size()) - 1;
     scene.instances.push_back({last, last, glm::mat4(1.0f)});
