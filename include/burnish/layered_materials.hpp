@@ -40,7 +40,7 @@ class LayeredMaterials {
     std::vector<Material> base_;
     std::vector<SceneFile::Layer> layers_;
     MaterialAssets assets_;
-    std::vector<std::string> file_warnings_;  // of drafts
+    std::vector<std::string> file_warnings_;  // of drafts and maps
 };
 
 // The values of a lower layer under those of an upper one, which wins. A normal map that the upper

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "burnish/fit_tangents.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/stage.hpp"
 #include "formats/obj/obj.hpp"
 #include "gltf_support.hpp"
@@ -211,6 +212,46 @@ TEST(GltfFrames, ANormalMapOfAFlagIsReadInItsOwnFrame) {
     // Without the flag the file's own map is back, and with it its frame.
     stage.materials.apply(stage.scene, {});
     expect_same_frames(stage.scene.meshes.at(0), load_gltf(path).meshes.at(0));
+}
+
+// A normal map of x and y alone is one of two channels wherever it comes from, and nobody then says
+// that it is no normal map.
+TEST(NormalMaps, OfXAndYAloneAreCompletedEverywhere) {
+    const TemporaryFolder folder;
+    Image xy(16, 16, 3);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            xy.at(x, y)[0] = static_cast<float>(x) / 15.0f;
+            xy.at(x, y)[1] = static_cast<float>(y) / 15.0f;
+        }
+    write_image(folder.path() / "xy.png", xy, {});
+    const auto map = (folder.path() / "xy.png").string();
+    const auto glb = folder.write("plain.glb", sheet_with(bent_sheet(), json::object()).glb());
+    GlbWriter own = sheet_with(
+        bent_sheet(), {{"normalTexture", {{"index", 0}}}, {"occlusionTexture", {{"index", 0}}}});
+    own.root["images"][0] = {{"uri", "xy.png"}};
+    const auto gltf = folder.write("own.glb", own.glb());
+    folder.write("m.mtl", std::string_view("newmtl a\nnorm xy.png\n"));
+    const auto obj = folder.write(
+        "m.obj", std::string_view("mtllib m.mtl\nv 0 0 0\nv 2 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\n"
+                                  "vt 0 1\nusemtl a\nf 1/1 2/2 3/3\n"));
+    const auto scene = folder.write("s.json", json{{"format", "burnish-scene"},
+                                                   {"version", 1},
+                                                   {"objects", {{{"model", "plain.glb"}}}},
+                                                   {"parameters", {{"normal_map", "xy.png"}}}}
+                                                  .dump());
+    for (const Stage& stage : {staged(gltf, nullptr), staged(obj, nullptr), staged(scene, nullptr),
+                               staged(glb, map.c_str())}) {
+        const TextureUse& use = stage.scene.materials.at(0).normal_texture;
+        ASSERT_TRUE(use);
+        EXPECT_EQ(stage.scene.textures.at(static_cast<std::size_t>(use.texture)).channels, 2);
+        EXPECT_TRUE(warns(stage.scene, "z is taken from them"));
+        EXPECT_FALSE(warns(stage.scene, "does not look like"));
+    }
+    const Scene shared = load_gltf(gltf);
+    const int occlusion = shared.materials[0].occlusion_texture.texture;
+    EXPECT_EQ(shared.textures.at(static_cast<std::size_t>(occlusion)).channels, 3)
+        << "other uses read the whole picture";
 }
 
 TEST(GltfFrames, AnObjsMirroredMapIsThatOfBakedCoordinates) {

@@ -200,6 +200,21 @@ TEST(Mtl, MaterialsAndTextures) {
               ColorSpace::linear);
 }
 
+TEST(Mtl, BrokenTexturesAreLeftOut) {
+    const TemporaryFolder folder;
+    folder.write("n.png", std::string_view("no picture"));
+    folder.write("lib.mtl",
+                 std::string_view("newmtl a\nKd 0.5 0.25 0.125\nmap_Kd n.png\nnorm n.png\n"));
+    const Scene scene =
+        load_obj(folder.write("model.obj", std::string_view("mtllib lib.mtl\nv 0 0 0\nv 1 0 0\n"
+                                                            "v 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                                            "usemtl a\nf 1/1 2/2 3/3\n")));
+    EXPECT_TRUE(warns(scene, "drawn without it: base colour texture of a"));
+    EXPECT_TRUE(warns(scene, "drawn without it: normal map of a"));
+    EXPECT_FALSE(scene.materials.at(0).base_color_texture);
+    EXPECT_EQ(scene.materials[0].base_color, glm::vec4(0.5f, 0.25f, 0.125f, 1.0f));
+}
+
 TEST(Mtl, MissingOrOutsideLibrariesAreWarnings) {
     const std::string faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
     for (const char* name : {"gone.mtl", "../x.mtl", "/etc/passwd"}) {

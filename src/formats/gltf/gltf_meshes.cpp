@@ -8,17 +8,19 @@
 #include <limits>
 #include <numeric>
 
+#include "burnish/error.hpp"
 #include "burnish/fit_tangents.hpp"
 #include "core/parallel.hpp"
 #include "formats/gltf/gltf_materials.hpp"
 #include "formats/gltf/gltf_triangles.hpp"
 #include "formats/model_limits.hpp"
+#include "formats/model_textures.hpp"
 #include "scene/geometry/tangents.hpp"
 
 namespace burnish {
 namespace {
 
-int attribute(const tinygltf::Primitive& primitive, const char* name) {
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto it = primitive.attributes.find(name);
     return it == primitive.attributes.end() ? -1 : it->second;
 }
@@ -30,8 +32,11 @@ bool has_tangents(const tinygltf::Primitive& primitive) {
 
 // A text that is equal for primitives with the same mesh data. `source` counts only where tangents
 // are made.
-std::string fingerprint(const tinygltf::Primitive& primitive, const TangentSource& source) {
-    std::string text = fmt::format("{} {}", primitive.mode, primitive.indices);
+std::string fingerprint(const tinygltf::Primitive& primitive, const GltfDraco* draco,
+                        std::array<int, 2> sets, const TangentSource& source) {
+    std::string text = fmt::format("{} {} {} {} {}", primitive.mode,
+                                   draco == nullptr ? primitive.indices : draco->indices, sets[0],
+                                   sets[1], draco == nullptr ? -1 : draco->buffer_view);
     if (!has_tangents(primitive))
         text += fmt::format(" {} {} {} {}", source.texcoord, source.along.x, source.along.y,
                             source.mirrored);
@@ -71,9 +76,11 @@ bool clean(std::vector<Vec>& items, float low, float high) {
 // Reads the vertices first .. first + count of one primitive into a mesh.
 class VertexReader {
   public:
-    VertexReader(const tinygltf::Primitive& primitive, GltfAccessors& accessors, GltfReport& report,
-                 const std::string& key, std::size_t first, std::size_t count)
+    VertexReader(const tinygltf::Primitive& primitive, std::array<int, 2> sets,
+                 GltfAccessors& accessors, GltfReport& report, const std::string& key,
+                 std::size_t first, std::size_t count)
         : primitive_(primitive),
+          sets_(sets),
           accessors_(accessors),
           report_(report),
           key_(key),
@@ -87,8 +94,8 @@ class VertexReader {
             mesh.normals = accessors_.vec3s(checked("NORMAL"), first_, count_, user("NORMAL"));
         if (has_tangents(primitive_))
             mesh.tangents = accessors_.vec4s(checked("TANGENT"), first_, count_, user("TANGENT"));
-        read_texcoords("TEXCOORD_0", mesh.texcoord0);
-        read_texcoords("TEXCOORD_1", mesh.texcoord1);
+        read_texcoords(fmt::format("TEXCOORD_{}", sets_[0]), mesh.texcoord0);
+        read_texcoords(fmt::format("TEXCOORD_{}", sets_[1]), mesh.texcoord1);
         if (!has("COLOR_0")) return;
         mesh.colors = accessors_.colors(checked("COLOR_0"), first_, count_, user("COLOR_0"));
         // Half floats end at 65504; a vertex color scales a reflectance.
@@ -97,11 +104,13 @@ class VertexReader {
     }
 
   private:
-    bool has(const char* name) const { return attribute(primitive_, name) >= 0; }
-    std::string user(const char* name) const { return fmt::format("{}.attributes.{}", key_, name); }
+    bool has(const std::string& name) const { return attribute(primitive_, name) >= 0; }
+    std::string user(const std::string& name) const {
+        return fmt::format("{}.attributes.{}", key_, name);
+    }
 
     // The accessor of an attribute; throws Error unless it has as many elements as POSITION.
-    int checked(const char* name) const {
+    int checked(const std::string& name) const {
         const int accessor = attribute(primitive_, name);
         const std::size_t expected =
             accessors_.element_count(attribute(primitive_, "POSITION"), user("POSITION"));
@@ -112,7 +121,7 @@ class VertexReader {
         return accessor;
     }
 
-    void read_texcoords(const char* name, std::vector<glm::vec2>& texcoords) {
+    void read_texcoords(const std::string& name, std::vector<glm::vec2>& texcoords) {
         if (!has(name)) return;
         texcoords = accessors_.vec2s(checked(name), first_, count_, user(name));
         if (clean(texcoords, -kLargestTexcoord, kLargestTexcoord))
@@ -120,6 +129,7 @@ class VertexReader {
     }
 
     const tinygltf::Primitive& primitive_;
+    std::array<int, 2> sets_;
     GltfAccessors& accessors_;
     GltfReport& report_;
     const std::string& key_;
@@ -135,14 +145,17 @@ std::size_t finish_normals(Mesh& mesh) {
 
 }  // namespace
 
-GltfMeshes::GltfMeshes(const tinygltf::Model& model, GltfAccessors& accessors, GltfReport& report,
-                       Scene& scene)
-    : model_(model),
+GltfMeshes::GltfMeshes(const GltfDocument& document, GltfBuffers& buffers, GltfAccessors& accessors,
+                       std::vector<std::array<int, 2>> sets, GltfReport& report, Scene& scene)
+    : model_(*document.model),
+      document_(document),
+      buffers_(buffers),
       accessors_(accessors),
+      sets_(std::move(sets)),
       report_(report),
       scene_(scene),
-      parts_(model.meshes.size()),
-      has_parts_(model.meshes.size(), 0) {}
+      parts_(model_.meshes.size()),
+      has_parts_(model_.meshes.size(), 0) {}
 
 const std::vector<GltfPart>& GltfMeshes::parts(int index, std::string_view user) {
     const tinygltf::Mesh& mesh = item_at(model_.meshes, index, report_, user);
@@ -151,9 +164,15 @@ const std::vector<GltfPart>& GltfMeshes::parts(int index, std::string_view user)
     has_parts_[slot] = 1;
     const std::string mesh_key = fmt::format("meshes[{}]", index);
     const std::string name = mesh.name.empty() ? mesh_key : mesh.name;
-    for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
-        read_part(mesh.primitives[i], name, fmt::format("{}.primitives[{}]", mesh_key, i),
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+        const auto draco = document_.draco.find({slot, i});
+        read_part({mesh.primitives[i],
+                   draco == document_.draco.end() ? nullptr : &draco->second,
+                   {0, 1},
+                   name,
+                   fmt::format("{}.primitives[{}]", mesh_key, i)},
                   parts_[slot]);
+    }
     return parts_[slot];
 }
 
@@ -171,46 +190,94 @@ bool GltfMeshes::can_draw(const tinygltf::Primitive& primitive, const std::strin
     return true;
 }
 
-void GltfMeshes::read_part(const tinygltf::Primitive& primitive, const std::string& name,
-                           const std::string& key, std::vector<GltfPart>& parts) {
-    if (!can_draw(primitive, key)) return;
+void GltfMeshes::read_part(Source source, std::vector<GltfPart>& parts) {
+    const tinygltf::Primitive& primitive = source.primitive;
+    if (!can_draw(primitive, source.key)) return;
     int material = primitive.material;
     if (material >= 0)
-        item_at(model_.materials, material, report_, key + ".material");
+        item_at(model_.materials, material, report_, source.key + ".material");
     else
         material = default_material();
-    const TangentSource source =
-        tangent_source_of(scene_.materials[static_cast<std::size_t>(material)]);
-    const auto [known, fresh] = known_meshes_.try_emplace(fingerprint(primitive, source), -1);
-    if (fresh) known->second = read_mesh(primitive, name, key);
+    const auto index = static_cast<std::size_t>(material);
+    if (index < sets_.size()) source.sets = sets_[index];
+    if (is_unlit(scene_.materials[index]) && attribute(primitive, "COLOR_0") >= 0)
+        report_.warn(source.key + ": vertex colours of an unlit material are not drawn");
+    const TangentSource frame = tangent_source_of(scene_.materials[index]);
+    const auto [known, fresh] =
+        known_meshes_.try_emplace(fingerprint(primitive, source.draco, source.sets, frame), -1);
+    if (fresh) known->second = read_mesh(source);
     if (known->second < 0) return;
     const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(known->second)];
-    parts.push_back({known->second, resolve_material(material, mesh, key)});
+    parts.push_back({known->second, resolve_material(material, mesh, source)});
 }
 
-int GltfMeshes::read_mesh(const tinygltf::Primitive& primitive, const std::string& name,
-                          const std::string& key) {
+// Nothing for a primitive that is not compressed, and for a broken one that has uncompressed data
+// as well.
+std::optional<DracoMesh> GltfMeshes::decompress(const Source& source, std::size_t vertices) {
+    if (source.draco == nullptr) return std::nullopt;
+    const tinygltf::Primitive& primitive = source.primitive;
+    const std::string key = source.key + ".extensions.KHR_draco_mesh_compression";
+    DracoExpected expected;
+    expected.vertices = vertices;
+    // The triangles of a strip are fewer or more than its indices.
+    if (source.draco->indices >= 0 && primitive.mode == TINYGLTF_MODE_TRIANGLES)
+        expected.corners = accessors_.element_count(source.draco->indices, source.key + ".indices");
+    bool has_others = true;
+    for (const auto& [name, accessor] : primitive.attributes) {
+        const auto& item = item_at(model_.accessors, accessor, report_,
+                                   fmt::format("{}.attributes.{}", source.key, name));
+        has_others = has_others && item.bufferView >= 0;
+        if (const auto id = source.draco->attributes.find(name);
+            id != source.draco->attributes.end())
+            expected.ids[id->second] = item.normalized;
+    }
+    try {
+        return decode_draco_mesh(buffers_.view(source.draco->buffer_view, key + ".bufferView"),
+                                 expected, key, report_);
+    } catch (const Error& error) {
+        if (!has_others) throw;
+        report_.warn(fmt::format("{}: the uncompressed data are used", error.what()));
+        return std::nullopt;
+    }
+}
+
+int GltfMeshes::read_mesh(const Source& source) {
+    const tinygltf::Primitive& primitive = source.primitive;
+    const std::string& key = source.key;
     const std::string position_key = key + ".attributes.POSITION";
     const std::size_t vertices =
         accessors_.element_count(attribute(primitive, "POSITION"), position_key);
     if (vertices >= std::numeric_limits<std::uint32_t>::max())
         report_.fail(position_key, "fewer than 2^32 - 1 elements", fmt::format("{}", vertices));
+    std::optional<DracoMesh> draco = decompress(source, vertices);
+    if (draco) {
+        for (const auto& [name, accessor] : primitive.attributes) {
+            const auto id = source.draco->attributes.find(name);
+            if (id == source.draco->attributes.end()) continue;
+            const DracoAttribute& values = draco->attributes.at(id->second);
+            accessors_.set_values(accessor, values.components, values.values);
+        }
+    }
 
     // Of a large vertex buffer that several meshes share, only the range in use is read.
     std::vector<std::uint32_t> indices;
     std::size_t first = 0;
     std::size_t count = vertices;
-    if (primitive.indices >= 0) {
-        indices = accessors_.indices(primitive.indices, vertices, key + ".indices");
+    const int accessor = source.draco == nullptr ? primitive.indices : source.draco->indices;
+    const bool indexed = draco || accessor >= 0;
+    if (indexed) {
+        indices = draco ? std::move(draco->indices)
+                        : accessors_.indices(accessor, vertices, key + ".indices");
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         first = indices.empty() ? 0 : *low;
         count = indices.empty() ? 0 : *high - first + 1;
         for (std::uint32_t& index : indices) index -= static_cast<std::uint32_t>(first);
     }
     Mesh mesh;
-    mesh.name = name;
-    VertexReader(primitive, accessors_, report_, key, first, count).read(mesh);
-    if (primitive.indices < 0) {
+    mesh.name = source.name;
+    VertexReader(primitive, source.sets, accessors_, report_, key, first, count).read(mesh);
+    accessors_.clear_values();
+    if (!indexed) {
         report_.pay(count * sizeof(std::uint32_t), key);
         indices.resize(count);
         std::iota(indices.begin(), indices.end(), 0u);
@@ -223,7 +290,8 @@ int GltfMeshes::read_mesh(const tinygltf::Primitive& primitive, const std::strin
                      fmt::format("{}", indices.size()));
     // A strip expands threefold, and meshes without normals to three vertices per triangle.
     report_.pay(indices.size() * 3 * sizeof(std::uint32_t), key);
-    mesh.indices = triangle_list(std::move(indices), primitive.mode);
+    mesh.indices =
+        triangle_list(std::move(indices), draco ? TINYGLTF_MODE_TRIANGLES : primitive.mode);
     if (mesh.indices.empty()) {
         report_.warn(key + ": has no triangles: it is not drawn");
         return -1;
@@ -241,7 +309,7 @@ int GltfMeshes::default_material() {
     return default_material_;
 }
 
-int GltfMeshes::resolve_material(int index, const Mesh& mesh, const std::string& key) {
+int GltfMeshes::resolve_material(int index, const Mesh& mesh, const Source& source) {
     const bool missing[] = {mesh.texcoord0.empty(), mesh.texcoord1.empty()};
     const auto is_dropped = [&](const TextureUse& use) { return use && missing[use.texcoord]; };
     std::string dropped[2];
@@ -254,8 +322,8 @@ int GltfMeshes::resolve_material(int index, const Mesh& mesh, const std::string&
     if (dropped[0].empty() && dropped[1].empty()) return index;
     for (int set = 0; set < 2; ++set) {
         if (dropped[set].empty()) continue;
-        report_.warn(fmt::format("{} ({}): no TEXCOORD_{}: not used: {}", key, mesh.name, set,
-                                 dropped[set]));
+        report_.warn(fmt::format("{} ({}): no TEXCOORD_{}: not used: {}", source.key, mesh.name,
+                                 source.sets[static_cast<std::size_t>(set)], dropped[set]));
     }
     const int mask = (missing[0] ? 1 : 0) + (missing[1] ? 2 : 0);
     const auto [copy, fresh] = reduced_materials_.try_emplace({index, mask}, -1);

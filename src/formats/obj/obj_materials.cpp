@@ -184,20 +184,17 @@ void LibraryReader::read(const std::string& library) {
 
 void LibraryReader::decode_textures() {
     out_.textures.resize(wanted_.size());
-    std::vector<std::string> failures(wanted_.size());
+    out_.failures.resize(wanted_.size());
     parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             try {
                 out_.textures[i] = read_texture(wanted_[i].first, wanted_[i].second);
             } catch (const Error& error) {
-                failures[i] = error.what();
+                out_.textures[i].color_space = wanted_[i].second;
+                out_.failures[i] = error.what();
             }
         }
     });
-    for (std::size_t i = 0; i < failures.size(); ++i) {
-        if (failures[i].empty()) continue;
-        throw Error(failures[i]);
-    }
 }
 
 }  // namespace
