@@ -53,7 +53,14 @@ Header read_header(std::span<const std::byte> bytes, std::string_view key,
     return header;
 }
 
-// A decoder of libdraco that stops before it allocates values that the file may not expand to.
+void require_affordable(std::uint64_t bytes, std::string_view key, const GltfReport& report) {
+    if (!report.affords(bytes))
+        report.fail(key, "no more memory in proportion to the file than uncompressed data take",
+                    fmt::format("{} MiB", bytes >> 20));
+}
+
+// A decoder of libdraco that stops before it allocates values that the file may not expand to. They
+// are freed with the decoded mesh, so that they cost no credit.
 template <class Base>
 class BoundedDecoder final : public Base {
   public:
@@ -92,7 +99,7 @@ std::unique_ptr<draco::Mesh> decode_with(std::span<const std::byte> bytes, std::
     } catch (const std::exception& exception) {
         reason = exception.what();
     }
-    report.pay(decoder.bytes(), key);  // throws when that was the reason
+    require_affordable(decoder.bytes(), key, report);
     if (!reason.empty()) report.fail(key, kExpected, fmt::format("corrupt data ({})", reason));
     return mesh;
 }
@@ -199,7 +206,7 @@ DracoMesh decode_draco_mesh(std::span<const std::byte> bytes, const DracoExpecte
     if (header.vertices > std::max<std::uint64_t>(corners, expected.vertices))
         report.fail(key, kExpected,
                     fmt::format("{} vertices of {} triangles", header.vertices, header.triangles));
-    report.pay(corners * kTableBytesPerCorner, key);
+    require_affordable(corners * kTableBytesPerCorner, key, report);
     using draco::MeshEdgebreakerDecoder, draco::MeshSequentialDecoder;
     const auto mesh = header.edgebreaker
                           ? decode_with<BoundedDecoder<MeshEdgebreakerDecoder>>(bytes, key, report)

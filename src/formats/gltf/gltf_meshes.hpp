@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,7 @@ class GltfMeshes {
     std::vector<std::array<int, 2>> sets_;  // one a material of the file
     GltfReport& report_;
     Scene& scene_;
+    std::set<int> paid_for_;  // buffer views of Draco data that have earned credit
     std::vector<std::vector<GltfPart>> parts_;
     std::vector<char> has_parts_;
     std::map<std::string, int> known_meshes_;               // by fingerprint

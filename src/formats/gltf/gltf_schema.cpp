@@ -191,8 +191,9 @@ void check_gltf_schema(const json& root, const GltfReport& report) {
 
 void warn_of_unknown_gltf_keys(const json& root, GltfReport& report) {
     std::string path;
-    for (const auto& [where, keys] : keys_of_extensions()) {
-        for_each_object(root, where, path, [&](const json& object, const std::string& at) {
+    for (const auto& entry : keys_of_extensions()) {
+        const std::vector<std::string_view>& keys = entry.second;
+        for_each_object(root, entry.first, path, [&](const json& object, const std::string& at) {
             for (const auto& [key, value] : object.items()) {
                 if (key == "extensions" || std::find(keys.begin(), keys.end(), key) != keys.end())
                     continue;
