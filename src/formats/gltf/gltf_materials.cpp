@@ -77,7 +77,7 @@ std::optional<glm::dvec2> plane_direction(const tinygltf::Value& value) {
     if (!value.IsArray() || value.ArrayLen() < 2 || value.ArrayLen() > 3) return std::nullopt;
     glm::dvec2 direction(0.0);
     for (int i = 0; i < 2; ++i) {
-        const tinygltf::Value& item = value.Get(static_cast<std::size_t>(i));
+        const tinygltf::Value& item = value.Get(i);
         if (!item.IsNumber()) return std::nullopt;
         direction[i] = item.GetNumberAsDouble();
     }
