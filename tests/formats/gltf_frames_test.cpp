@@ -170,7 +170,7 @@ TEST(GltfFrames, AnAnisotropyTextureIsTurnedIntoTheNormalMapsFrame) {
             sheet_with(unit_square(1, false),
                        json{{"normalTexture", read_with(transform_of(c.normal_scale, c.normal))},
                             {"extensions", aniso(own)}}));
-        EXPECT_TRUE(both.warnings.empty());
+        EXPECT_EQ(warns(both, "not by quarter turns"), c.anisotropy != kQuarter);
         for (const float angle : {0.0f, 0.9f})
             EXPECT_LT(glm::length(world(alone, angle) - world(both, angle)), 1e-5f)
                 << c.normal << ' ' << c.anisotropy << ' ' << angle;
@@ -252,6 +252,21 @@ TEST(NormalMaps, OfXAndYAloneAreCompletedEverywhere) {
     const int occlusion = shared.materials[0].occlusion_texture.texture;
     EXPECT_EQ(shared.textures.at(static_cast<std::size_t>(occlusion)).channels, 3)
         << "other uses read the whole picture";
+}
+
+TEST(GltfFrames, AWarningOfTheFileIsGivenOnce) {
+    const TemporaryFolder folder;
+    const json mirrored = read_with(transform_of({-1, 1}, 0.0));
+    const auto path =
+        folder.write("m.glb", sheet_with(bent_sheet(), json{{"normalTexture", {{"index", 0}}},
+                                                            {"extensions", aniso(mirrored)}})
+                                  .glb());
+    const auto lines = staged(path, nullptr).scene.warnings;
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                            [](const std::string& line) {
+                                return line.find("is mirrored") != std::string::npos;
+                            }),
+              1);
 }
 
 TEST(GltfFrames, AnObjsMirroredMapIsThatOfBakedCoordinates) {

@@ -52,7 +52,7 @@ float angle_of(const TangentSource& source) {
 // How directions of the anisotropy texture turn into the frame of the normal texture.
 struct Turn {
     float angle = 0.0f;             // radians
-    const char* inexact = nullptr;  // why it is an approximation
+    const char* inexact = nullptr;  // why it is an approximation, and what is right
 };
 
 Turn turn_of(const Material& m) {
@@ -61,13 +61,24 @@ Turn turn_of(const Material& m) {
     const TangentSource from = source_of(m.anisotropy_texture), to = source_of(m.normal_texture);
     if (from == to) return turn;
     if (from.texcoord != to.texcoord) {
-        turn.inexact = "has other texture coordinates than the normal map";
+        turn.inexact =
+            "has other texture coordinates than the normal map: its directions are drawn in the "
+            "normal map's frame";
         return turn;
     }
     const float difference = angle_of(from) - angle_of(to);
     turn.angle =
         std::remainder(to.mirrored ? -difference : difference, 2.0f * std::numbers::pi_v<float>);
-    if (from.mirrored != to.mirrored) turn.inexact = "is mirrored against the normal map";
+    const float quarters = turn.angle / (0.5f * std::numbers::pi_v<float>);
+    // 1e-5 of a quarter turn: rotations of five digits, as files state them.
+    if (std::abs(quarters - std::round(quarters)) > 1e-5f)
+        turn.inexact =
+            "is turned against the normal map, not by quarter turns: its directions are right "
+            "where "
+            "u and v are equally long on the surface";
+    if (from.mirrored != to.mirrored)
+        turn.inexact =
+            "is mirrored against the normal map: of its directions that along u alone is right";
     return turn;
 }
 
@@ -150,9 +161,7 @@ std::vector<std::string> fit_tangents(Scene& scene) {
         material.anisotropy_texture_turn = turn.angle;
         if (turn.inexact != nullptr)
             warnings.push_back(fmt::format(
-                "{}: the anisotropy texture {}: its directions are drawn in the normal "
-                "map's frame, which is right along the texture's u alone at best; store "
-                "tangents, or read both textures alike",
+                "{}: the anisotropy texture {}; store tangents, or read both textures alike",
                 one_line(material.name), turn.inexact));
     }
     const std::vector<Making> makings = plan(scene);
