@@ -17,10 +17,6 @@ void make_stand_in(Texture& texture) {
     texture.texels.assign(3, std::byte{0xFF});
 }
 
-bool emits_only(const Material& material) {
-    return material.brdf == Brdf::phong && material.ks == 0.0f;
-}
-
 // Takes texture `index` out of the material; returns the names of its uses.
 std::string take_out(Material& material, int index) {
     std::string names;
@@ -44,6 +40,10 @@ bool has_other_use(const Scene& scene, int index) {
 }
 
 }  // namespace
+
+bool emits_only(const Material& material) {
+    return material.brdf == Brdf::phong && material.ks == 0.0f;
+}
 
 std::vector<std::string> leave_out_textures(Scene& scene,
                                             const std::vector<std::string>& failures) {

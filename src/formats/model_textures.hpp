@@ -23,6 +23,9 @@ inline constexpr NamedTextureUse kTextureUses[] = {
     {&Material::anisotropy_texture, "anisotropy texture"},
 };
 
+// Whether the material reflects nothing, as KHR_materials_unlit asks: a phong lobe of scale 0.
+bool emits_only(const Material& material);
+
 // Takes the textures that could not be read out of the materials, which are then drawn by their
 // factors: base color without a pattern, flat normals. Emission whose picture is lost is none, but
 // for materials that do nothing else. `failures`: one a texture of the scene, why it could not be

@@ -351,8 +351,4 @@ GltfMaterials read_gltf_materials(const tinygltf::Model& model, GltfImages& imag
     return read;
 }
 
-bool is_unlit(const Material& material) {
-    return material.brdf == Brdf::phong && material.ks == 0.0f;
-}
-
 }  // namespace burnish

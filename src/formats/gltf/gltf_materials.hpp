@@ -25,7 +25,4 @@ struct GltfMaterials {
 GltfMaterials read_gltf_materials(const tinygltf::Model& model, GltfImages& images,
                                   GltfReport& report);
 
-// Whether the material is drawn as KHR_materials_unlit asks: it emits and reflects nothing.
-bool is_unlit(const Material& material);
-
 }  // namespace burnish

@@ -200,7 +200,7 @@ void GltfMeshes::read_part(Source source, std::vector<GltfPart>& parts) {
         material = default_material();
     const auto index = static_cast<std::size_t>(material);
     if (index < sets_.size()) source.sets = sets_[index];
-    if (is_unlit(scene_.materials[index]) && attribute(primitive, "COLOR_0") >= 0)
+    if (emits_only(scene_.materials[index]) && attribute(primitive, "COLOR_0") >= 0)
         report_.warn(source.key + ": vertex colours of an unlit material are not drawn");
     const TangentSource frame = tangent_source_of(scene_.materials[index]);
     const auto [known, fresh] =
