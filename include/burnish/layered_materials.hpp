@@ -27,7 +27,8 @@ class LayeredMaterials {
     // Sets scene.materials to the base materials under the file's values and, over them, `flags`.
     // The result depends on nothing else: applying twice is applying once, and applying no flags
     // takes earlier ones back. Maps that values name are read once and appended to scene.textures,
-    // from which nobody may erase. Returns warnings. Throws UsageError for flags, Error for values
+    // from which nobody may erase. Tangents that are not a file's follow the coordinates that the
+    // materials read normals with (fit_tangents). Returns warnings. Throws UsageError for flags, Error for values
     // of the file that cannot be applied; scene.materials are then what they were.
     std::vector<std::string> apply(Scene& scene, const ParameterValues& flags);
 
@@ -39,7 +40,7 @@ class LayeredMaterials {
     std::vector<Material> base_;
     std::vector<SceneFile::Layer> layers_;
     MaterialAssets assets_;
-    std::vector<std::string> file_warnings_;  // of drafts
+    std::vector<std::string> file_warnings_;  // of drafts and maps
 };
 
 // The values of a lower layer under those of an upper one, which wins. A normal map that the upper

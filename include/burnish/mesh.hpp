@@ -8,12 +8,21 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "burnish/api.hpp"
 
 namespace BURNISH_API burnish {
+
+// The texture coordinates that tangents were made of: a set, and how a texture's transform turns it.
+struct TangentSource {
+    int texcoord = 0;             // 0 or 1
+    glm::vec2 along{1.0f, 0.0f};  // unit: the direction in (u, v) in which the transformed u grows
+    bool mirrored = false;        // the transform mirrors
+    bool operator==(const TangentSource&) const = default;
+};
 
 // Every attribute is empty or as long as `positions`. After loading, `normals` and `tangents` are
 // always present, unit length and finite; `texcoord0` is empty when the file had none.
@@ -22,6 +31,8 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> tangents;  // xyz along increasing u, w = +-1: bitangent = w cross(n, t)
+    // None: the tangents are the file's, and fit_tangents leaves them as they are.
+    std::optional<TangentSource> tangent_source;
     std::vector<glm::vec2> texcoord0;
     std::vector<glm::vec2> texcoord1;
     std::vector<glm::vec4> colors;       // linear RGBA

@@ -121,6 +121,9 @@ struct Material {
     MaterialLobe lobe;                 // a fully rough GltfLobe, as glTF's default
     float anisotropy_rotation = 0.0f;  // radians, counter-clockwise from the tangent
     TextureUse anisotropy_texture;     // RG direction, B strength
+    // Radians from the frame in which anisotropy_texture stores directions to that of the tangents:
+    // not 0 where its transform and that of normal_texture turn differently. fit_tangents sets it.
+    float anisotropy_texture_turn = 0.0f;
 
     // What glTF has no word for.
     std::optional<Conductor> conductor;  // exact Fresnel instead of Schlick with F0 = base color

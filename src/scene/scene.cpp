@@ -38,6 +38,7 @@ Material drawn_material(Material m) {
     const bool cloth = cloth_of(m) != nullptr, tabulated = tabulated_of(m) != nullptr;
     if (cloth) m.normal_texture = {};
     if (cloth || tabulated) m.anisotropy_texture = m.metallic_roughness_texture = {};
+    if (!m.anisotropy_texture) m.anisotropy_texture_turn = 0.0f;
     if (tabulated) {
         m.base_color_texture = {};
         m.base_color = glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/fit_tangents.hpp"
 #include "burnish/progress.hpp"
 #include "stage/material_parameters.hpp"
 #include "stage/material_warnings.hpp"
@@ -146,6 +147,7 @@ std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterVa
     std::vector<std::string> warnings = file_warnings_;
     std::swap(scene.materials, materials);
     append_warnings(scene, values, warnings);
+    for (std::string& line : fit_tangents(scene)) warnings.push_back(std::move(line));
     return warnings;
 }
 

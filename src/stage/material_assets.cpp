@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "burnish/builtin_meshes.hpp"
 #include "burnish/draft.hpp"
@@ -15,6 +17,7 @@
 #include "burnish/load_tabulated.hpp"
 #include "burnish/wif.hpp"
 #include "maps/normal/bumps.hpp"
+#include "maps/normal/normal_without_z.hpp"
 #include "stage/map_textures.hpp"
 #include "stage/scratch_material.hpp"
 
@@ -37,14 +40,18 @@ Texture bumps_texture() {
     return texture;
 }
 
-Texture load_normal_map(const std::string& name) {
+Texture load_normal_map(const std::string& name, std::vector<std::string>& warnings) {
     if (is_builtin(name) && name != kBumps)
         throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
     Texture texture = name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear);
-    if (texture.channels < 3)
-        throw Error(name, "channels", "a normal map with red, green and blue",
+    if (texture.channels < 2)
+        throw Error(name, "channels", "a normal map with red, green and blue, or with x and y",
                     std::to_string(texture.channels));
     texture.name = name;
+    if (std::optional<Texture> map = normal_map_without_z(texture)) {
+        warnings.push_back(normal_without_z_warning(name));
+        return std::move(*map);
+    }
     return texture;
 }
 
@@ -96,7 +103,7 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
     if (names_one(values, "normal_map")) {
         const std::string name = values.text("normal_map");
         if (!normal_maps_.contains(name))
-            normal_maps_[name] = append(textures, load_normal_map(name));
+            normal_maps_[name] = append(textures, load_normal_map(name, warnings));
     }
     if (const std::string names = map_names(values); names_maps(values) && !maps_.contains(names)) {
         MapTextures maps =

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -37,7 +38,7 @@ float channel_at(const Texture& texture, std::size_t index) {
     return 0.0f;
 }
 
-// Mean of 2 rgb - 1 over texels that are not black; +z when all are black. Samples about a million
+// Mean of 2 rgb - 1 (gray three times, as it is drawn) over texels that are not black; +z when all are black. Samples about a million
 // texels at most.
 glm::dvec3 mean_direction(const Texture& texture) {
     constexpr std::size_t kEnough = std::size_t{1} << 20;
@@ -50,7 +51,8 @@ glm::dvec3 mean_direction(const Texture& texture) {
     for (std::size_t i = 0; i < texels; i += step) {
         glm::dvec3 rgb;
         for (std::size_t c = 0; c < 3; ++c)
-            rgb[static_cast<int>(c)] = static_cast<double>(channel_at(texture, i * channels + c));
+            rgb[static_cast<int>(c)] =
+                static_cast<double>(channel_at(texture, i * channels + std::min(c, channels - 1)));
         if (rgb == glm::dvec3(0.0) || !std::isfinite(rgb.x + rgb.y + rgb.z)) continue;
         sum += 2.0 * rgb - 1.0;
         ++counted;
@@ -72,12 +74,14 @@ void warn_of_odd_normal_maps(Scene& scene) {
         const TextureUse& use = material.normal_texture;
         if (!use || cloth_of(material) || !seen.insert(use.texture).second) continue;
         const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
-        if (texture.channels < 3 || texture.empty()) continue;
+        // Of two channels z is what is left of 1.
+        if (texture.channels == 2 || texture.empty()) continue;
         const glm::dvec3 mean = mean_direction(texture);
         if (!is_odd(mean)) continue;
         scene.warnings.push_back(
             fmt::format("{} does not look like a tangent-space normal map: its mean direction is "
-                        "({:.2f}, {:.2f}, {:.2f}), expected near (0, 0, 1)",
+                        "({:.2f}, {:.2f}, {:.2f}), expected near (0, 0, 1); it is drawn as one "
+                        "(--normal-map none takes it off)",
                         one_line(texture.name), mean.x, mean.y, mean.z));
     }
 }

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "burnish/builtin_meshes.hpp"
 #include "burnish/environments.hpp"
@@ -269,8 +270,9 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     }
     stage.materials = LayeredMaterials(stage.scene.materials, std::move(layers));
     std::vector<std::string>& warnings = stage.scene.warnings;
-    std::ranges::move(stage.materials.apply(stage.scene, stage.values),
-                      std::back_inserter(warnings));
+    for (std::string& line : stage.materials.apply(stage.scene, stage.values))
+        if (std::ranges::find(warnings, line) == warnings.end())
+            warnings.push_back(std::move(line));  // else the model's reader has said it
     warn_of_odd_normal_maps(stage.scene);
     if (stage.scene.instances.empty())
         throw Error(request.input, "", "something to draw", "no triangles");

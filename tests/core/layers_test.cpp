@@ -138,6 +138,7 @@ const std::map<std::string, std::string> kPublic = {
     {"ndf_grid", "scene"},
     {"tabulated_material", "scene"},
     {"builtin_meshes", "scene"},
+    {"fit_tangents", "scene"},
     {"load_model", "formats"},
     {"environments", "formats"},
     {"scene_file", "formats"},

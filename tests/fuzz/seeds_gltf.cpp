@@ -7,6 +7,7 @@
 #include "burnish/image_io.hpp"
 #include "core/files.hpp"
 #include "seeds.hpp"
+#include "support/draco_writer.hpp"
 #include "support/glb_writer.hpp"
 
 namespace burnish::fuzz {
@@ -166,6 +167,33 @@ GlbWriter compressed_model() {
     return writer;
 }
 
+// Compressed with Draco, unlit, in instances, with a texture of three versions.
+GlbWriter draco_model(bool edgebreaker, int position_bits) {
+    GlbWriter writer;
+    const std::string png = picture(".png", 3);
+    const int texture = writer.add_png(std::as_bytes(std::span(png)));
+    writer.root["textures"][0]["extensions"] = {{"EXT_texture_webp", {{"source", 0}}},
+                                                {"EXT_texture_avif", {{"source", 0}}},
+                                                {"KHR_texture_basisu", {{"source", 0}}}};
+    GlbPrimitive square = unit_square(2, false);
+    square.material = writer.add_material(
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}, {"texCoord", 0}}}}},
+         {"extensions",
+          {{"KHR_materials_unlit", json::object()},
+           {"KHR_materials_anisotropy",
+            {{"anisotropy", -0.5},
+             {"anisotropyDirection", {1, 0, 0}},
+             {"anisotropyDirectionTexture", {{"index", texture}}}}}}}});
+    writer.add_node(add_draco_mesh(writer, square, {edgebreaker, position_bits}));
+    const std::vector<glm::vec3> places = {{0, 0, 0}, {2, 1, 1}};
+    const std::vector<std::array<std::int16_t, 4>> turns = {{0, 0, 23170, 23170}, {0, 0, 0, 32767}};
+    json& instances = writer.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"];
+    instances["attributes"]["TRANSLATION"] = writer.add_items(places, 5126, "VEC3");
+    instances["attributes"]["ROTATION"] = writer.add_items(turns, 5122, "VEC4");
+    writer.root["accessors"].back()["normalized"] = true;
+    return writer;
+}
+
 }  // namespace
 
 std::vector<std::string> gltf_seeds() {
@@ -173,8 +201,10 @@ std::vector<std::string> gltf_seeds() {
     const std::string positions =
         "data:application/octet-stream;base64,"
         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
-    for (const GlbWriter& writer : {rich_model(), bare_model(4, true), bare_model(5, true),
-                                    bare_model(6, false), quantised_model(), compressed_model()})
+    for (const GlbWriter& writer :
+         {rich_model(), bare_model(4, true), bare_model(5, true), bare_model(6, false),
+          quantised_model(), compressed_model(), draco_model(true, 11), draco_model(false, 11),
+          draco_model(true, 0), draco_model(false, 0)})
         seeds.push_back(text_of(writer.glb()));
     GlbWriter plain;
     plain.root["bufferViews"] = {{{"buffer", 0}, {"byteLength", 36}}};

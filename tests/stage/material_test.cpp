@@ -121,6 +121,7 @@ TEST(NormalMapCheck, WarnsOnceOfWhatIsNone) {
     EXPECT_EQ(warnings_of({128, 128, 128}, 1, 3).size(), 1u) << "a height map";
     EXPECT_EQ(warnings_of({240, 240, 240}, 1, 3).size(), 1u) << "a bright photograph";
     EXPECT_EQ(warnings_of({128, 255, 128, 128, 0, 128}, 2, 3).size(), 1u) << "object space";
+    EXPECT_EQ(warnings_of({200, 180}, 2, 1).size(), 1u) << "gray, drawn as (g, g, g)";
 }
 
 TEST(NormalMapCheck, TakesTheBuiltInAndRealMaps) {

@@ -10,11 +10,13 @@
 #include "burnish/error.hpp"
 #include "formats/gltf/gltf_container.hpp"
 #include "formats/gltf/gltf_document.hpp"
+#include "formats/gltf/gltf_instancing.hpp"
 #include "formats/gltf/gltf_lights.hpp"
 #include "formats/gltf/gltf_materials.hpp"
 #include "formats/gltf/gltf_meshes.hpp"
 #include "formats/gltf/gltf_nodes.hpp"
 #include "formats/model_limits.hpp"
+#include "formats/model_textures.hpp"
 
 namespace burnish {
 namespace {
@@ -28,8 +30,32 @@ bool keeps_volume(const glm::mat4& world) {
     return std::abs(glm::determinant(linear)) > 1e-12 * largest * largest * largest;
 }
 
+// The transforms to world space of what the node draws: one, or one an instance.
+std::vector<glm::mat4> placed_copies(const tinygltf::Node& node, const glm::mat4& world,
+                                     const std::string& key, GltfAccessors& accessors,
+                                     GltfReport& report) {
+    const auto instances = read_gltf_instances(node, key, accessors, report);
+    if (!instances) return {world};
+    std::vector<glm::mat4> copies;
+    std::size_t flat = 0;
+    for (const glm::dmat4& local : *instances) {
+        const glm::dmat4 placed = glm::dmat4(world) * local;
+        if (!in_reach(placed))
+            report.fail(key + ".extensions.EXT_mesh_gpu_instancing",
+                        fmt::format("transforms with numbers up to {:g}", kFarthest),
+                        "larger ones");
+        if (keeps_volume(glm::mat4(placed)))
+            copies.emplace_back(placed);
+        else
+            ++flat;
+    }
+    if (flat > 0)
+        report.warn(fmt::format("{}: {} instances have no volume: they are not drawn", key, flat));
+    return copies;
+}
+
 void place_meshes(const tinygltf::Model& model, const std::vector<GltfPlacement>& placements,
-                  GltfMeshes& meshes, GltfReport& report, Scene& scene) {
+                  GltfAccessors& accessors, GltfMeshes& meshes, GltfReport& report, Scene& scene) {
     for (const GltfPlacement& placement : placements) {
         const int mesh = model.nodes[static_cast<std::size_t>(placement.node)].mesh;
         if (mesh < 0) continue;
@@ -38,10 +64,13 @@ void place_meshes(const tinygltf::Model& model, const std::vector<GltfPlacement>
             report.warn(key + ": its transform flattens the mesh: it is not drawn");
             continue;
         }
+        const auto copies = placed_copies(model.nodes[static_cast<std::size_t>(placement.node)],
+                                          placement.world, key, accessors, report);
         for (const GltfPart& part : meshes.parts(mesh, key + ".mesh")) {
-            if (scene.instances.size() == kMostInstances)
+            if (copies.size() > kMostInstances - scene.instances.size())
                 report.fail(key, fmt::format("at most {} meshes drawn", kMostInstances), "more");
-            scene.instances.push_back({part.mesh, part.material, placement.world});
+            for (const glm::mat4& world : copies)
+                scene.instances.push_back({part.mesh, part.material, world});
         }
     }
 }
@@ -59,12 +88,17 @@ Scene load_gltf(const std::filesystem::path& path) {
 
     Scene scene;
     scene.name = path.stem().string();
-    scene.materials = read_gltf_materials(model, images, report);
-    GltfMeshes meshes(model, accessors, report, scene);
+    GltfMaterials materials = read_gltf_materials(model, images, report);
+    scene.materials = std::move(materials.materials);
+    GltfMeshes meshes(document, buffers, accessors, std::move(materials.sets), report, scene);
     const std::vector<GltfPlacement> placements = walk_gltf_nodes(model, report);
-    place_meshes(model, placements, meshes, report, scene);
+    place_meshes(model, placements, accessors, meshes, report, scene);
+    GltfPictures pictures = images.decode();
+    scene.textures = std::move(pictures.textures);
+    for (std::string& line : leave_out_textures(scene, pictures.failures))
+        report.warn(std::move(line));
+    for (std::string& line : complete_normal_maps(scene)) report.warn(std::move(line));
     meshes.finish();
-    scene.textures = images.decode();
     add_gltf_lights(model, placements, report, scene);
     add_gltf_cameras(model, placements, report, scene);
     if (scene.instances.empty()) report.warn("nothing to draw: the scene has no triangles");

@@ -173,6 +173,14 @@ void GltfAccessors::read_floats(int index, int components, std::size_t first, st
         report_.fail(fmt::format("{}.type", key), fmt::format("VEC{} for {}", components, user),
                      "another type");
     }
+    if (const auto it = decoded_.find(index); it != decoded_.end()) {
+        const auto width = static_cast<std::size_t>(components);
+        if (it->second.components != components)
+            report_.fail(key, fmt::format("compressed data of {} components", components),
+                         fmt::format("{}", it->second.components));
+        std::copy_n(it->second.values->data() + first * width, count * width, out);
+        return;
+    }
     const std::size_t component = component_size(accessor.componentType, report_, key);
     if (accessor.normalized && component == 4)
         report_.fail(fmt::format("{}.normalized", key), "8 or 16-bit integers", "32 bits");

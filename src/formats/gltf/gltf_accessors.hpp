@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,13 @@ class GltfAccessors {
   public:
     GltfAccessors(const tinygltf::Model& model, GltfBuffers& buffers, GltfReport& report)
         : model_(model), buffers_(buffers), report_(report) {}
+
+    // Values that stand in place of an accessor's own, of decompressed primitives: `components` for
+    // each element. The caller keeps them alive until it has taken them back with clear_values().
+    void set_values(int accessor, int components, const std::vector<float>& values) {
+        decoded_[accessor] = {components, &values};
+    }
+    void clear_values() { decoded_.clear(); }
 
     // Elements `first` .. `first + count` as floats; the caller has checked them against
     // element_count().
@@ -55,9 +63,15 @@ class GltfAccessors {
     std::vector<std::uint32_t> sparse_indices(const tinygltf::Accessor& accessor,
                                               std::string_view key);
 
+    struct Decoded {
+        int components = 0;
+        const std::vector<float>* values = nullptr;
+    };
+
     const tinygltf::Model& model_;
     GltfBuffers& buffers_;
     GltfReport& report_;
+    std::map<int, Decoded> decoded_;  // by accessor
 };
 
 }  // namespace burnish

@@ -116,12 +116,56 @@ void take_images(json& root, GltfDocument& document, const GltfReport& report) {
         GltfImage& image = document.images.emplace_back();
         image.uri = entry.value("uri", "");
         image.buffer_view = entry.value("bufferView", -1);
-        if (image.uri.empty() == (image.buffer_view < 0)) {
+        if (!image.uri.empty() && image.buffer_view >= 0)
             report.fail(fmt::format("images[{}]", document.images.size() - 1),
-                        "either uri or bufferView", image.uri.empty() ? "neither" : "both");
-        }
+                        "either uri or bufferView", "both");
     }
     root.erase(it);
+}
+
+// WebP and AVIF versions stand before the PNG or JPEG: the file's author prefers them where they can
+// be read.
+void take_textures(const json& root, GltfDocument& document) {
+    const auto it = root.find("textures");
+    if (it == root.end()) return;
+    for (const json& entry : *it) {
+        const std::string key = fmt::format("textures[{}]", document.textures.size());
+        GltfTexture& texture = document.textures.emplace_back();
+        const json extensions = entry.value("extensions", json::object());
+        for (const auto& [name, extension] : extensions.items()) {
+            const int source = extension.value("source", -1);
+            if (source < 0) continue;
+            if (name == "EXT_texture_webp" || name == "EXT_texture_avif")
+                texture.versions.push_back(
+                    {source, fmt::format("{}.extensions.{}.source", key, name)});
+            else if (name == "KHR_texture_basisu" || name == "MSFT_texture_dds")
+                texture.unread = name;
+        }
+        if (const int source = entry.value("source", -1); source >= 0)
+            texture.versions.push_back({source, key + ".source"});
+    }
+}
+
+// tinygltf does not see that primitives are compressed: it refuses indices without a buffer view,
+// and a build of it with a decoder would decode them.
+void take_draco(json& root, GltfDocument& document) {
+    const auto meshes = root.find("meshes");
+    if (meshes == root.end()) return;
+    for (std::size_t i = 0; i < meshes->size(); ++i) {
+        json& primitives = (*meshes)[i]["primitives"];
+        for (std::size_t k = 0; k < primitives.size(); ++k) {
+            const auto extensions = primitives[k].find("extensions");
+            if (extensions == primitives[k].end()) continue;
+            const auto it = extensions->find("KHR_draco_mesh_compression");
+            if (it == extensions->end()) continue;
+            GltfDraco& draco = document.draco[{i, k}];
+            draco.buffer_view = it->at("bufferView").get<int>();
+            draco.attributes = it->at("attributes").get<std::map<std::string, int>>();
+            draco.indices = primitives[k].value("indices", -1);
+            primitives[k].erase("indices");
+            extensions->erase(it);
+        }
+    }
 }
 
 // Removes animations, skins and morph targets, which are not read.
@@ -162,10 +206,13 @@ GltfDocument parse_gltf_document(std::string_view json_text, GltfReport& report)
     prune(root);
     check_gltf_schema(root, report);
     check_version(root, report);
+    warn_of_unknown_gltf_keys(root, report);
     check_gltf_extensions(texts(root, "extensionsUsed"), texts(root, "extensionsRequired"), report);
     GltfDocument document;
     take_buffers(root, document);
     take_images(root, document, report);
+    take_textures(root, document);
+    take_draco(root, document);
     drop_motion(root, report);
     document.model = parse_model(root, report);
     return document;

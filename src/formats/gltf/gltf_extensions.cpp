@@ -9,43 +9,54 @@
 namespace burnish {
 namespace {
 
-constexpr std::string_view kRead[] = {
-    "KHR_materials_anisotropy",        "KHR_texture_transform",   "KHR_lights_punctual",
-    "KHR_mesh_quantization",           "EXT_meshopt_compression", "KHR_materials_ior",
-    "KHR_materials_emissive_strength",
+using enum GltfSupport;
+
+constexpr GltfExtension kExtensions[] = {
+    {"KHR_draco_mesh_compression"},
+    {"KHR_lights_punctual"},
+    {"KHR_materials_anisotropy"},
+    {"KHR_materials_emissive_strength"},
+    {"KHR_materials_ior"},
+    {"KHR_mesh_quantization"},
+    {"KHR_texture_transform"},
+    {"EXT_mesh_gpu_instancing"},
+    {"EXT_meshopt_compression"},
+    {"EXT_texture_avif"},
+    {"EXT_texture_webp"},
+    {"KHR_materials_unlit", approximated,
+     "the surface emits its base colour and reflects nothing; exposure and tone map change it"},
+    {"KHR_animation_pointer", ignored, "nothing moves"},
+    {"KHR_materials_clearcoat", ignored, "the coat layer is not drawn"},
+    {"KHR_materials_diffuse_transmission", ignored, "no light comes through the surface"},
+    {"KHR_materials_dispersion", ignored, "colours are not dispersed"},
+    {"KHR_materials_iridescence", ignored, "the thin film is not drawn"},
+    {"KHR_materials_pbrSpecularGlossiness", ignored,
+     "the metallic-roughness values are used instead",
+     "gltf-transform metalrough IN.glb OUT.glb converts the file"},
+    {"KHR_materials_sheen", ignored, "the sheen layer is not drawn"},
+    {"KHR_materials_specular", ignored,
+     "strength and tint of the dielectric reflection are left out"},
+    {"KHR_materials_transmission", ignored, "the surface is drawn opaque"},
+    {"KHR_materials_variants", ignored, "only the default materials are drawn"},
+    {"KHR_materials_volume", ignored, "the inside does not absorb light"},
+    {"KHR_texture_basisu", ignored, "a PNG or JPEG version is used where the texture has one",
+     "gltf-transform ktxdecompress IN.glb OUT.glb makes PNG of KTX2", true},
+    {"EXT_lights_image_based", ignored, "the file's own environment is not used",
+     "--env names another"},
+    {"MSFT_lod", ignored, "the finest level is always drawn"},
+    {"MSFT_texture_dds", ignored, "a PNG or JPEG version is used where the texture has one",
+     "convert the DDS files to PNG", true},
+    {"KHR_xmp", harmless},
+    {"KHR_xmp_json_ld", harmless},
+    {"FB_ngon_encoding", harmless},
+    {"GOOGLE_texture_settings", harmless},
 };
 
-struct Loss {
-    std::string_view name;
-    std::string_view loss;  // empty: no visible loss
-};
-
-constexpr Loss kLosses[] = {
-    {"KHR_materials_clearcoat", "the coat layer is not drawn"},
-    {"KHR_materials_sheen", "the sheen layer is not drawn"},
-    {"KHR_materials_transmission", "the surface is drawn opaque"},
-    {"KHR_materials_diffuse_transmission", "no light comes through the surface"},
-    {"KHR_materials_volume", "the inside does not absorb light"},
-    {"KHR_materials_iridescence", "the thin film is not drawn"},
-    {"KHR_materials_specular", "strength and tint of the dielectric reflection are left out"},
-    {"KHR_materials_dispersion", "colours are not dispersed"},
-    {"KHR_materials_unlit", "the surface is lit"},
-    {"KHR_materials_variants", "only the default materials are drawn"},
-    {"KHR_materials_pbrSpecularGlossiness", "the metallic-roughness values are used instead"},
-    {"KHR_draco_mesh_compression", "the uncompressed data are used"},
-    {"KHR_texture_basisu", "the textures' PNG or JPEG versions are used"},
-    {"EXT_texture_webp", "the textures' PNG or JPEG versions are used"},
-    {"EXT_texture_avif", "the textures' PNG or JPEG versions are used"},
-    {"MSFT_texture_dds", "the textures' PNG or JPEG versions are used"},
-    {"EXT_mesh_gpu_instancing", "each instanced mesh is drawn once"},
-    {"EXT_lights_image_based", "the file's own environment is not used"},
-    {"KHR_animation_pointer", "nothing moves"},
-    {"MSFT_lod", "the finest level is always drawn"},
-    {"KHR_xmp_json_ld", ""},
-    {"KHR_xmp", ""},
-    {"FB_ngon_encoding", ""},
-    {"GOOGLE_texture_settings", ""},
-};
+const GltfExtension* known(std::string_view name) {
+    const auto* found = std::find_if(std::begin(kExtensions), std::end(kExtensions),
+                                     [&](const GltfExtension& one) { return one.name == name; });
+    return found == std::end(kExtensions) ? nullptr : found;
+}
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -53,27 +64,38 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 
 }  // namespace
 
+std::span<const GltfExtension> gltf_extensions() {
+    return kExtensions;
+}
+
 bool is_gltf_extension_read(std::string_view name) {
-    return std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead);
+    const GltfExtension* one = known(name);
+    return one != nullptr &&
+           (one->support == drawn || one->support == approximated || one->of_textures);
+}
+
+std::string_view gltf_extension_remedy(std::string_view name) {
+    const GltfExtension* one = known(name);
+    return one == nullptr ? std::string_view() : one->remedy;
 }
 
 void check_gltf_extensions(const std::vector<std::string>& used,
                            const std::vector<std::string>& required, GltfReport& report) {
     for (const std::string& name : required) {
-        const bool harmless = std::any_of(std::begin(kLosses), std::end(kLosses), [&](Loss loss) {
-            return loss.name == name && loss.loss.empty();
-        });
-        if (!is_gltf_extension_read(name) && !harmless)
-            report.fail("extensionsRequired", "extensions that burnish reads", shown(name));
+        const GltfExtension* one = known(name);
+        if (one != nullptr && one->support != ignored) continue;
+        const std::string_view remedy = gltf_extension_remedy(name);
+        report.fail("extensionsRequired", "extensions that burnish reads",
+                    remedy.empty() ? shown(name) : fmt::format("{}; {}", shown(name), remedy));
     }
     for (const std::string& name : used) {
-        if (is_gltf_extension_read(name) || contains(required, name)) continue;
-        const auto* loss = std::find_if(std::begin(kLosses), std::end(kLosses),
-                                        [&](Loss known) { return known.name == name; });
-        if (loss == std::end(kLosses))
+        const GltfExtension* one = known(name);
+        if (contains(required, name)) continue;
+        if (one == nullptr)
             report.warn(fmt::format("{}: not read, what it describes is left out", shown(name)));
-        else if (!loss->loss.empty())
-            report.warn(fmt::format("{}: {}", name, loss->loss));
+        else if (one->support == ignored && !one->of_textures)
+            report.warn(fmt::format("{}: {}{}{}", name, one->effect,
+                                    one->remedy.empty() ? "" : "; ", one->remedy));
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,28 +11,55 @@
 
 namespace burnish {
 
+// How the texels of a picture are read.
+enum class GltfReading {
+    color,      // sRGB
+    data,       // linear
+    direction,  // linear; blue is filled with 1, because it is no strength
+};
+
+struct GltfPictures {
+    std::vector<Texture> textures;
+    std::vector<std::string> failures;  // one a texture: why it could not be read; empty: it was
+};
+
 class GltfImages {
   public:
     GltfImages(const GltfContainer& container, const GltfDocument& document, GltfBuffers& buffers,
                GltfReport& report)
         : container_(container), document_(document), buffers_(buffers), report_(report) {}
 
-    // The index that image `image`, read as `color_space`, will have among the textures.
-    int use(int image, ColorSpace color_space, std::string_view user);
+    // The index that the picture of texture `index` of the file will have among the textures; -1,
+    // with a warning that names `user`, when the texture has no version that is read. Throws Error
+    // for an image that the file does not have.
+    int use(int index, GltfReading reading, std::string_view user);
 
-    // Reads and decodes all pictures in use, in parallel. Throws Error naming the model and the
-    // picture for missing files, broken pictures and more texels than the limit.
-    std::vector<Texture> decode();
+    // Reads and decodes all pictures in use, in parallel, each from its first readable version.
+    // Throws Error for more texels than the limit.
+    GltfPictures decode();
 
   private:
-    Texture decode_one(int image, ColorSpace color_space, std::span<const std::byte> view) const;
+    struct Wanted {
+        std::vector<GltfTexture::Version> versions;
+        GltfReading reading;
+    };
+    struct Tried {
+        Texture texture;
+        std::vector<std::string> failures;  // of the versions before the one that was read
+        bool read = false;
+    };
+
+    Texture decode_one(int image, GltfReading reading, std::span<const std::byte> view) const;
+    Tried try_versions(const Wanted& wanted) const;
 
     const GltfContainer& container_;
     const GltfDocument& document_;
     GltfBuffers& buffers_;
     GltfReport& report_;
-    std::vector<std::pair<int, ColorSpace>> used_;
-    std::map<std::pair<int, ColorSpace>, int> slots_;
+    std::vector<Wanted> used_;
+    std::map<std::pair<std::vector<int>, GltfReading>, int> slots_;
+    std::map<int, std::span<const std::byte>> views_;  // by image
+    std::map<int, std::string> broken_views_;          // by image: why
 };
 
 }  // namespace burnish

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "burnish/error.hpp"
 #include "core/constants.hpp"
 #include "formats/model_limits.hpp"
+#include "formats/model_textures.hpp"
 
 namespace burnish {
 namespace {
@@ -21,16 +23,22 @@ class MaterialReader {
 
     Material read(const tinygltf::Material& from, std::size_t index);
 
+    // Makes 0 and 1 of the sets of coordinates that the material reads; returns the sets that they
+    // stand for.
+    std::array<int, 2> take_two_sets(Material& material);
+
   private:
     void read_base(const tinygltf::PbrMetallicRoughness& from, Material& to, GltfLobe& lobe);
     void read_extensions(const tinygltf::ExtensionMap& from, Material& to, GltfLobe& lobe);
     void read_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe);
+    void read_draft_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe);
+    TextureUse use(const tinygltf::Value& info, GltfReading reading, const std::string& key);
     AlphaMode alpha_mode(const std::string& name) const;
 
     template <class Info>
-    TextureUse use(const Info& info, ColorSpace color_space, const char* key);
-    TextureUse use(int texture, int texcoord, const tinygltf::Value* transform,
-                   ColorSpace color_space, const std::string& key);
+    TextureUse use(const Info& info, GltfReading reading, const char* key);
+    TextureUse use(int texture, int texcoord, const tinygltf::Value* transform, GltfReading reading,
+                   const std::string& key);
     void read_sampler(int sampler, TextureUse& use, const std::string& key) const;
     Wrap wrap(int code, const std::string& key) const;
 
@@ -50,6 +58,32 @@ double number(const tinygltf::Value& object, const char* key, double otherwise) 
 const tinygltf::Value* find(const tinygltf::ExtensionMap& extensions, const char* name) {
     const auto it = extensions.find(name);
     return it == extensions.end() ? nullptr : &it->second;
+}
+
+constexpr const char* kAnisotropy = "KHR_materials_anisotropy";
+
+// The keys that only the draft of KHR_materials_anisotropy has.
+std::vector<const char*> draft_keys(const tinygltf::Value& from) {
+    std::vector<const char*> keys;
+    for (const char* key :
+         {"anisotropy", "anisotropyFactor", "anisotropyDirection", "anisotropyDirectionTexture"})
+        if (from.Has(key)) keys.push_back(key);
+    return keys;
+}
+
+// The part in the tangent plane of a vector of two or three numbers; nothing for other values and
+// for vectors without such a part.
+std::optional<glm::dvec2> plane_direction(const tinygltf::Value& value) {
+    if (!value.IsArray() || value.ArrayLen() < 2 || value.ArrayLen() > 3) return std::nullopt;
+    glm::dvec2 direction(0.0);
+    for (int i = 0; i < 2; ++i) {
+        const tinygltf::Value& item = value.Get(i);
+        if (!item.IsNumber()) return std::nullopt;
+        direction[i] = item.GetNumberAsDouble();
+    }
+    // Exporters round to some six digits; a smaller length is a rounded zero.
+    if (!(std::hypot(direction.x, direction.y) > 1e-6)) return std::nullopt;
+    return direction;
 }
 
 glm::vec2 pair(const tinygltf::Value& object, const char* key, glm::vec2 otherwise) {
@@ -101,14 +135,10 @@ void MaterialReader::read_sampler(int index, TextureUse& use, const std::string&
 }
 
 TextureUse MaterialReader::use(int index, int texcoord, const tinygltf::Value* transform,
-                               ColorSpace color_space, const std::string& key) {
+                               GltfReading reading, const std::string& key) {
     TextureUse use;
     const auto& texture = item_at(model_.textures, index, report_, key + ".index");
     const std::string texture_key = fmt::format("textures[{}]", index);
-    if (texture.source < 0) {
-        report_.warn(fmt::format("{}: no PNG or JPEG: {} is not used", texture_key, key));
-        return use;
-    }
     use.texcoord = texcoord;
     if (transform) {
         use.transform = texture_transform(*transform);
@@ -120,21 +150,16 @@ TextureUse MaterialReader::use(int index, int texcoord, const tinygltf::Value* t
         }
         if (transform->Has("texCoord")) use.texcoord = transform->Get("texCoord").GetNumberAsInt();
     }
-    if (use.texcoord > 1) {
-        report_.warn(
-            fmt::format("{}: only TEXCOORD_0 and TEXCOORD_1 are read: it is not used", key));
-        return TextureUse();
-    }
     if (texture.sampler >= 0) read_sampler(texture.sampler, use, texture_key + ".sampler");
-    use.texture = images_.use(texture.source, color_space, texture_key + ".source");
-    return use;
+    use.texture = images_.use(index, reading, key);
+    return use ? use : TextureUse();
 }
 
 template <class Info>
-TextureUse MaterialReader::use(const Info& info, ColorSpace color_space, const char* key) {
+TextureUse MaterialReader::use(const Info& info, GltfReading reading, const char* key) {
     if (info.index < 0) return {};
-    return use(info.index, info.texCoord, find(info.extensions, "KHR_texture_transform"),
-               color_space, fmt::format("{}.{}", where_, key));
+    return use(info.index, info.texCoord, find(info.extensions, "KHR_texture_transform"), reading,
+               fmt::format("{}.{}", where_, key));
 }
 
 void MaterialReader::read_base(const tinygltf::PbrMetallicRoughness& from, Material& to,
@@ -146,31 +171,73 @@ void MaterialReader::read_base(const tinygltf::PbrMetallicRoughness& from, Mater
     lobe.roughness =
         clamped(from.roughnessFactor, 0.0, 1.0, "pbrMetallicRoughness.roughnessFactor");
     to.base_color_texture =
-        use(from.baseColorTexture, ColorSpace::srgb, "pbrMetallicRoughness.baseColorTexture");
-    to.metallic_roughness_texture = use(from.metallicRoughnessTexture, ColorSpace::linear,
+        use(from.baseColorTexture, GltfReading::color, "pbrMetallicRoughness.baseColorTexture");
+    to.metallic_roughness_texture = use(from.metallicRoughnessTexture, GltfReading::data,
                                         "pbrMetallicRoughness.metallicRoughnessTexture");
 }
 
-void MaterialReader::read_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe) {
-    lobe.anisotropy_strength = clamped(number(from, "anisotropyStrength", 0.0), 0.0, 1.0,
-                                       "extensions.KHR_materials_anisotropy.anisotropyStrength");
-    to.anisotropy_rotation =
-        static_cast<float>(std::remainder(number(from, "anisotropyRotation", 0.0), kTwoPi));
-    if (!from.Has("anisotropyTexture")) return;
-    const tinygltf::Value& info = from.Get("anisotropyTexture");
+TextureUse MaterialReader::use(const tinygltf::Value& info, GltfReading reading,
+                               const std::string& key) {
     const tinygltf::Value* transform = nullptr;
     if (info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform"))
         transform = &info.Get("extensions").Get("KHR_texture_transform");
     const int texcoord = info.Has("texCoord") ? info.Get("texCoord").GetNumberAsInt() : 0;
-    to.anisotropy_texture =
-        use(info.Get("index").GetNumberAsInt(), texcoord, transform, ColorSpace::linear,
-            where_ + ".extensions.KHR_materials_anisotropy.anisotropyTexture");
+    return use(info.Get("index").GetNumberAsInt(), texcoord, transform, reading, key);
+}
+
+// The draft's amount goes from -1 (stretched across the direction) to 1 (along it); its direction
+// is a vector (tangent, bitangent, normal), its direction texture one a texel. What the channels of
+// its anisotropyTexture mean changed between versions.
+void MaterialReader::read_draft_anisotropy(const tinygltf::Value& from, Material& to,
+                                           GltfLobe& lobe) {
+    const std::string key = where_ + ".extensions." + kAnisotropy;
+    const double amount = clamped(number(from, "anisotropy", number(from, "anisotropyFactor", 0.0)),
+                                  -1.0, 1.0, "extensions.KHR_materials_anisotropy.anisotropy");
+    lobe.anisotropy_strength = static_cast<float>(std::abs(amount));
+    double angle = 0.0;
+    std::vector<std::string> passed_over;
+    if (from.Has("anisotropyDirectionTexture")) {
+        to.anisotropy_texture = use(from.Get("anisotropyDirectionTexture"), GltfReading::direction,
+                                    key + ".anisotropyDirectionTexture");
+        if (from.Has("anisotropyDirection")) passed_over.emplace_back("anisotropyDirection");
+    } else if (from.Has("anisotropyDirection")) {
+        const auto direction = plane_direction(from.Get("anisotropyDirection"));
+        if (direction) angle = std::atan2(direction->y, direction->x);
+        if (!direction) passed_over.emplace_back("anisotropyDirection");
+    }
+    if (from.Has("anisotropyTexture")) passed_over.emplace_back("anisotropyTexture");
+    if (amount < 0.0) angle += kHalfPi;
+    to.anisotropy_rotation = static_cast<float>(std::remainder(angle, kTwoPi));
+    report_.warn(fmt::format(
+        "{}: {} of the extension's draft: drawn as anisotropyStrength {:.4g}, anisotropyRotation "
+        "{:.4g}{}{}",
+        key, fmt::join(draft_keys(from), ", "), lobe.anisotropy_strength, to.anisotropy_rotation,
+        to.anisotropy_texture ? " and the directions of the texture" : "",
+        passed_over.empty() ? "" : fmt::format("; not read: {}", fmt::join(passed_over, ", "))));
+}
+
+void MaterialReader::read_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe) {
+    const std::string key = where_ + ".extensions." + kAnisotropy;
+    const std::vector<const char*> draft = draft_keys(from);
+    const bool current = from.Has("anisotropyStrength") || from.Has("anisotropyRotation");
+    if (!draft.empty() && !current) return read_draft_anisotropy(from, to, lobe);
+    if (!draft.empty())
+        report_.warn(
+            fmt::format("{}: {} of the extension's draft: not read, today's keys beside "
+                        "them are drawn",
+                        key, fmt::join(draft, ", ")));
+    lobe.anisotropy_strength = clamped(number(from, "anisotropyStrength", 0.0), 0.0, 1.0,
+                                       "extensions.KHR_materials_anisotropy.anisotropyStrength");
+    to.anisotropy_rotation =
+        static_cast<float>(std::remainder(number(from, "anisotropyRotation", 0.0), kTwoPi));
+    if (from.Has("anisotropyTexture"))
+        to.anisotropy_texture =
+            use(from.Get("anisotropyTexture"), GltfReading::data, key + ".anisotropyTexture");
 }
 
 void MaterialReader::read_extensions(const tinygltf::ExtensionMap& from, Material& to,
                                      GltfLobe& lobe) {
-    if (const auto* anisotropy = find(from, "KHR_materials_anisotropy"))
-        read_anisotropy(*anisotropy, to, lobe);
+    if (const auto* anisotropy = find(from, kAnisotropy)) read_anisotropy(*anisotropy, to, lobe);
     if (const auto* ior = find(from, "KHR_materials_ior")) {
         const double n = number(*ior, "ior", 1.5);
         if (n != 0.0 && n < 1.0)
@@ -187,6 +254,23 @@ void MaterialReader::read_extensions(const tinygltf::ExtensionMap& from, Materia
     }
 }
 
+// The surface emits its base color; what it reflects has the factor 0.
+void make_unlit(Material& to) {
+    to.emissive = glm::vec3(to.base_color);
+    to.emissive_texture = to.base_color_texture;
+    to.base_color = glm::vec4(0.0f, 0.0f, 0.0f, to.base_color.a);
+    // Its alpha alone is drawn.
+    if (to.alpha_mode == AlphaMode::opaque) to.base_color_texture = TextureUse();
+    to.metallic = 0.0f;
+    to.brdf = Brdf::phong;
+    to.ks = 0.0f;
+    to.lobe = GltfLobe();
+    to.anisotropy_rotation = 0.0f;
+    for (const auto use : {&Material::metallic_roughness_texture, &Material::normal_texture,
+                           &Material::occlusion_texture, &Material::anisotropy_texture})
+        to.*use = TextureUse();
+}
+
 AlphaMode MaterialReader::alpha_mode(const std::string& name) const {
     if (name == "OPAQUE") return AlphaMode::opaque;
     if (name == "MASK") return AlphaMode::mask;
@@ -200,34 +284,71 @@ Material MaterialReader::read(const tinygltf::Material& from, std::size_t index)
     to.name = from.name.empty() ? where_ : from.name;
     GltfLobe lobe;
     read_base(from.pbrMetallicRoughness, to, lobe);
-    to.normal_texture = use(from.normalTexture, ColorSpace::linear, "normalTexture");
+    to.normal_texture = use(from.normalTexture, GltfReading::data, "normalTexture");
     // 100 times the least slope of an 8-bit map, 1/127, is 38 degrees: steep enough.
     to.normal_scale = clamped(from.normalTexture.scale, -100.0, 100.0, "normalTexture.scale");
-    to.occlusion_texture = use(from.occlusionTexture, ColorSpace::linear, "occlusionTexture");
+    to.occlusion_texture = use(from.occlusionTexture, GltfReading::data, "occlusionTexture");
     to.occlusion_strength =
         clamped(from.occlusionTexture.strength, 0.0, 1.0, "occlusionTexture.strength");
     for (int i = 0; i < 3; ++i)
         to.emissive[i] =
             clamped(from.emissiveFactor[static_cast<std::size_t>(i)], 0.0, 1.0, "emissiveFactor");
-    to.emissive_texture = use(from.emissiveTexture, ColorSpace::srgb, "emissiveTexture");
+    to.emissive_texture = use(from.emissiveTexture, GltfReading::color, "emissiveTexture");
     to.alpha_mode = alpha_mode(from.alphaMode);
     to.alpha_cutoff = clamped(from.alphaCutoff, 0.0, 1e6, "alphaCutoff");
     to.double_sided = from.doubleSided;
     read_extensions(from.extensions, to, lobe);
     to.lobe = lobe;
+    if (find(from.extensions, "KHR_materials_unlit") != nullptr) make_unlit(to);
     return to;
+}
+
+std::array<int, 2> MaterialReader::take_two_sets(Material& material) {
+    // The textures in the order in which they get a set.
+    const NamedTextureUse order[] = {
+        {&Material::normal_texture, "normal map"},
+        {&Material::base_color_texture, "base colour texture"},
+        {&Material::anisotropy_texture, "anisotropy texture"},
+        {&Material::metallic_roughness_texture, "metallic-roughness texture"},
+        {&Material::emissive_texture, "emissive texture"},
+        {&Material::occlusion_texture, "occlusion texture"}};
+    std::vector<int> found;
+    for (const NamedTextureUse& named : order) {
+        TextureUse& use = material.*named.use;
+        if (!use || std::find(found.begin(), found.end(), use.texcoord) != found.end()) continue;
+        if (found.size() < 2) {
+            found.push_back(use.texcoord);
+            continue;
+        }
+        report_.warn(
+            fmt::format("{}: its {} is not drawn: TEXCOORD_{} is a third set of "
+                        "coordinates, and a material has two: TEXCOORD_{} and TEXCOORD_{}",
+                        where_, named.name, use.texcoord, found[0], found[1]));
+        use = TextureUse();
+    }
+    std::array<int, 2> sets = {0, 1};
+    std::sort(found.begin(), found.end());
+    if (found.size() == 2) sets = {found[0], found[1]};
+    if (found.size() == 1 && found[0] > 1) sets[1] = found[0];
+    for (const NamedTextureUse& named : order) {
+        TextureUse& use = material.*named.use;
+        use.texcoord = use && use.texcoord == sets[1] ? 1 : 0;
+    }
+    return sets;
 }
 
 }  // namespace
 
-std::vector<Material> read_gltf_materials(const tinygltf::Model& model, GltfImages& images,
-                                          GltfReport& report) {
+GltfMaterials read_gltf_materials(const tinygltf::Model& model, GltfImages& images,
+                                  GltfReport& report) {
     MaterialReader reader(model, images, report);
-    std::vector<Material> materials;
-    materials.reserve(model.materials.size() + 1);
-    for (const tinygltf::Material& material : model.materials)
-        materials.push_back(reader.read(material, materials.size()));
-    return materials;
+    GltfMaterials read;
+    read.materials.reserve(model.materials.size() + 1);
+    for (const tinygltf::Material& material : model.materials) {
+        Material& to = read.materials.emplace_back(reader.read(material, read.materials.size()));
+        read.sets.push_back(reader.take_two_sets(to));
+    }
+    return read;
 }
 
 }  // namespace burnish

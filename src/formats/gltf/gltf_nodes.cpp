@@ -41,13 +41,6 @@ glm::dmat4 local_transform(const tinygltf::Node& node, const std::string& key,
     return matrix;
 }
 
-bool in_reach(const glm::dmat4& matrix) {
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r)
-            if (!(std::abs(matrix[c][r]) <= kFarthest)) return false;
-    return true;
-}
-
 std::vector<int> root_nodes(const tinygltf::Model& model, const GltfReport& report) {
     if (model.defaultScene >= 0)
         return item_at(model.scenes, model.defaultScene, report, "scene").nodes;
@@ -66,6 +59,13 @@ std::vector<int> root_nodes(const tinygltf::Model& model, const GltfReport& repo
 }
 
 }  // namespace
+
+bool in_reach(const glm::dmat4& matrix) {
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r)
+            if (!(std::abs(matrix[c][r]) <= kFarthest)) return false;
+    return true;
+}
 
 std::vector<GltfPlacement> walk_gltf_nodes(const tinygltf::Model& model, const GltfReport& report) {
     struct Pending {

@@ -18,6 +18,9 @@ struct GltfPlacement {
     glm::mat4 world{1.0f};
 };
 
+// Whether all numbers of a transform are finite and at most kFarthest.
+bool in_reach(const glm::dmat4& matrix);
+
 // The nodes of the default scene; without a default, of the first scene; without scenes, of all
 // roots. Parents precede children. Throws Error for indices out of range, nodes with two parents or
 // in a cycle, and transforms out of the range of floats.

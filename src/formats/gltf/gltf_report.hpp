@@ -29,6 +29,7 @@ class GltfReport {
     // bytes earn credit. Throws Error when the credit is used up.
     void earn(std::uint64_t file_bytes);
     void pay(std::uint64_t bytes, std::string_view key);
+    bool affords(std::uint64_t bytes) const { return bytes <= credit_; }
 
   private:
     std::string file_;

@@ -1,4 +1,4 @@
-// The keys of glTF that are read, and the type and range of each.
+// Holds glTF's JSON against the tables of gltf_rules.hpp.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,5 +11,9 @@ namespace burnish {
 // of the type it is read into. Unknown keys are ignored. Afterwards the document is safe for
 // tinygltf, which ignores wrong types and truncates large integers.
 void check_gltf_schema(const nlohmann::json& root, const GltfReport& report);
+
+// Warns of every key inside the objects of extensions that is none of the extension's, and names
+// the nearest one that is. The document has passed check_gltf_schema.
+void warn_of_unknown_gltf_keys(const nlohmann::json& root, GltfReport& report);
 
 }  // namespace burnish

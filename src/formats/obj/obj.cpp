@@ -13,8 +13,10 @@
 #include <sstream>
 
 #include "burnish/error.hpp"
+#include "burnish/fit_tangents.hpp"
 #include "core/files.hpp"
 #include "formats/model_limits.hpp"
+#include "formats/model_textures.hpp"
 #include "formats/obj/obj_materials.hpp"
 #include "formats/obj/obj_text.hpp"
 #include "scene/geometry/polygon.hpp"
@@ -280,7 +282,7 @@ void add_part(Mesh mesh, const Material& material, Scene& scene) {
         scene.warnings.push_back(
             fmt::format("{}: no texture coordinates: its textures are not used", name));
     }
-    make_tangents(mesh);
+    mesh.tangent_source.emplace();
     scene.meshes.push_back(std::move(mesh));
     const auto last = static_cast<int>(scene.meshes.size()) - 1;
     scene.instances.push_back({last, last, glm::mat4(1.0f)});
@@ -317,6 +319,8 @@ Scene load_obj(const std::filesystem::path& path) {
         }
         add_part(build_mesh(by_material[i], parsed.attributes), material, scene);
     }
+    for (const auto& lines : {complete_normal_maps(scene), fit_tangents(scene)})
+        scene.warnings.insert(scene.warnings.end(), lines.begin(), lines.end());
     if (scene.meshes.empty()) scene.warnings.emplace_back("nothing to draw: there are no faces");
     return scene;
 }

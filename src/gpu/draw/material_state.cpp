@@ -26,6 +26,13 @@ glm::vec3 of(f32::vec3 v) {
     return {v.x, v.y, v.z};
 }
 
+// The stretch, in the frame of the tangents, of texels whose direction is +x: `stretch` turned from
+// the frame that the anisotropy texture is stored in.
+glm::vec2 texture_stretch(const Material& m, f32::vec2 stretch) {
+    const float c = std::cos(m.anisotropy_texture_turn), s = std::sin(m.anisotropy_texture_turn);
+    return {c * stretch.x - s * stretch.y, s * stretch.x + c * stretch.y};
+}
+
 // The rows of (u', v', 1) = transform (u, v, 1) that matter.
 glm::vec3 row(const glm::mat3& m, int r) {
     return {m[0][r], m[1][r], m[2][r]};
@@ -138,7 +145,7 @@ void set_material(Program& program, const Material& m, const TextureStore& textu
     program.set("u_metallic", values.metallic);
     program.set("u_roughness", gltf.roughness);
     program.set("u_anisotropy", gltf.anisotropy_strength);
-    program.set("u_anisotropy_direction", glm::vec2(values.stretch.x, values.stretch.y));
+    program.set("u_anisotropy_direction", texture_stretch(m, values.stretch));
     program.set("u_emissive", m.emissive);
     program.set("u_occlusion_strength", m.occlusion_strength);
     program.set("u_normal_scale",

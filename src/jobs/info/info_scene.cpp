@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -194,7 +193,10 @@ std::string describe_scene(const std::string& path, const Scene& scene) {
 std::string describe_scene_file(const std::string& path) {
     SceneFile file = load_scene_file(path);
     LayeredMaterials materials(file.scene.materials, file.layers);
-    std::ranges::move(materials.apply(file.scene, {}), std::back_inserter(file.scene.warnings));
+    std::vector<std::string>& warnings = file.scene.warnings;
+    for (std::string& line : materials.apply(file.scene, {}))
+        if (std::ranges::find(warnings, line) == warnings.end())
+            warnings.push_back(std::move(line));
     warn_of_odd_normal_maps(file.scene);
     std::string text = describe_scene(path, file.scene);
     text += "  environment: " +

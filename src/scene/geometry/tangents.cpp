@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 #include "core/parallel.hpp"
 #include "scene/geometry/weld.hpp"
@@ -37,7 +38,9 @@ constexpr std::size_t previous_corner(std::size_t corner) {
 
 class TangentMaker {
   public:
-    explicit TangentMaker(Mesh& mesh) : mesh_(mesh), triangles_(mesh.indices.size() / 3) {}
+    // `coordinates`: one for each vertex.
+    TangentMaker(Mesh& mesh, std::vector<glm::vec2> coordinates)
+        : mesh_(mesh), coordinates_(std::move(coordinates)), triangles_(mesh.indices.size() / 3) {}
     void run();
 
   private:
@@ -67,6 +70,7 @@ class TangentMaker {
     };
 
     Mesh& mesh_;
+    std::vector<glm::vec2> coordinates_;
     std::size_t triangles_;
     Welding weld_;                        // vertex of the mesh -> welded vertex
     std::vector<Slope> slopes_;           // one per triangle
@@ -94,7 +98,7 @@ void TangentMaker::weld_vertices() {
     weld_ = weld<8>(mesh_.positions.size(), [this](std::size_t i, std::uint32_t* words) {
         const glm::vec3 p = mesh_.positions[i];
         const glm::vec3 n = mesh_.normals[i];
-        const glm::vec2 uv = mesh_.texcoord0[i];
+        const glm::vec2 uv = coordinates_[i];
         const float values[] = {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y};
         for (std::size_t k = 0; k < 8; ++k) words[k] = weld_bits(values[k]);
     });
@@ -102,7 +106,7 @@ void TangentMaker::weld_vertices() {
 
 Slope TangentMaker::slope_of(std::size_t triangle) const {
     const std::size_t corner = 3 * triangle;
-    const auto uv = [&](std::size_t i) { return mesh_.texcoord0[mesh_.indices[corner + i]]; };
+    const auto uv = [&](std::size_t i) { return coordinates_[mesh_.indices[corner + i]]; };
     const glm::vec3 p0 = position(corner);
     const glm::vec3 p1 = position(corner + 1);
     const glm::vec3 p2 = position(corner + 2);
@@ -317,12 +321,25 @@ void TangentMaker::write_tangents() {
         if (group_of[v] == kUnseen) mesh_.tangents[v] = tangent_of(v, kNone);
 }
 
+// The coordinates under the rotation, and the mirroring, that `source` describes. Its scales are of
+// no effect on tangents.
+std::vector<glm::vec2> turned(std::vector<glm::vec2> coordinates, const TangentSource& source) {
+    if (source.along == glm::vec2(1.0f, 0.0f) && !source.mirrored) return coordinates;
+    const float sign = source.mirrored ? -1.0f : 1.0f;
+    const glm::vec2 across(-sign * source.along.y, sign * source.along.x);
+    for (glm::vec2& uv : coordinates)
+        uv = glm::vec2(glm::dot(source.along, uv), glm::dot(across, uv));
+    return coordinates;
+}
+
 }  // namespace
 
-void make_tangents(Mesh& mesh) {
+void make_tangents(Mesh& mesh, const TangentSource& source) {
     mesh.tangents.clear();
-    if (!mesh.texcoord0.empty()) {
-        TangentMaker(mesh).run();
+    mesh.tangent_source = source;
+    const std::vector<glm::vec2>& set = source.texcoord == 1 ? mesh.texcoord1 : mesh.texcoord0;
+    if (!set.empty()) {
+        TangentMaker(mesh, turned(set, source)).run();
         return;
     }
     mesh.tangents.reserve(mesh.normals.size());

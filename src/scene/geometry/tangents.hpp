@@ -19,14 +19,14 @@ void make_normals(Mesh& mesh, bool flat);
 // without area.
 glm::dvec3 corner_normal(const Mesh& mesh, std::size_t corner);
 
-// Replaces the tangents by those of texcoord0, as MikkTSpace defines them. Corners with the same
+// Replaces the tangents by those of the coordinates that `source` names, as MikkTSpace defines them. Corners with the same
 // position, normal and texture coordinates are one. Corners joined by shared edges and of the same
 // orientation form a group. The tangent of a group is the mean of the triangles' tangents,
 // projected on the plane of the normal and weighted by angle. A vertex whose corners fall into
 // several groups (mirrored coordinates) is split, so the mesh may grow. v runs downwards, as in
 // glTF: the bitangent w cross(n, t) points up in the picture. Without texture coordinates, or with
-// degenerate ones only, the tangent is tangent_of_normal().
-void make_tangents(Mesh& mesh);
+// degenerate ones only, the tangent is tangent_of_normal(). Keeps the source in the mesh.
+void make_tangents(Mesh& mesh, const TangentSource& source = {});
 
 // A unit vector perpendicular to a unit normal: east on a globe whose poles, at +-y, are
 // discontinuities.

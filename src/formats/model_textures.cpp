@@ -1,0 +1,95 @@
+#include "formats/model_textures.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "burnish/error.hpp"
+#include "maps/normal/normal_without_z.hpp"
+
+namespace burnish {
+namespace {
+
+void make_stand_in(Texture& texture) {
+    const ColorSpace space = texture.color_space;
+    texture = Texture{"white", 1, 1, 3, TexelType::u8, space, {}};
+    texture.texels.assign(3, std::byte{0xFF});
+}
+
+// Takes texture `index` out of the material; returns the names of its uses.
+std::string take_out(Material& material, int index) {
+    std::string names;
+    for (const NamedTextureUse& named : kTextureUses) {
+        TextureUse& use = material.*named.use;
+        if (use.texture != index) continue;
+        use = TextureUse();
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", named.name);
+        if (named.use == &Material::emissive_texture && !emits_only(material))
+            material.emissive = glm::vec3(0.0f);
+    }
+    return names;
+}
+
+bool has_other_use(const Scene& scene, int index) {
+    for (const Material& material : scene.materials)
+        for (const NamedTextureUse& named : kTextureUses)
+            if (named.use != &Material::normal_texture && (material.*named.use).texture == index)
+                return true;
+    return false;
+}
+
+}  // namespace
+
+bool emits_only(const Material& material) {
+    return material.brdf == Brdf::phong && material.ks == 0.0f;
+}
+
+std::vector<std::string> leave_out_textures(Scene& scene,
+                                            const std::vector<std::string>& failures) {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < failures.size(); ++i) {
+        if (failures[i].empty()) continue;
+        make_stand_in(scene.textures[i]);
+        std::string users;
+        std::size_t count = 0;
+        for (Material& material : scene.materials) {
+            const std::string names = take_out(material, static_cast<int>(i));
+            if (names.empty()) continue;
+            if (++count == 1) users = fmt::format("{} of {}", names, one_line(material.name));
+        }
+        if (count > 1) users += fmt::format(" and {} more materials", count - 1);
+        if (count > 0)
+            warnings.push_back(fmt::format("{}: drawn without it: {}", failures[i], users));
+    }
+    return warnings;
+}
+
+std::vector<std::string> complete_normal_maps(Scene& scene) {
+    std::vector<std::string> warnings;
+    std::map<int, int> completed;  // texture -> the map to use in its place
+    for (Material& material : scene.materials) {
+        TextureUse& use = material.normal_texture;
+        if (!use) continue;
+        auto found = completed.find(use.texture);
+        if (found == completed.end()) {
+            const int index = use.texture;
+            found = completed.emplace(index, index).first;
+            std::optional<Texture> map =
+                normal_map_without_z(scene.textures[static_cast<std::size_t>(index)]);
+            if (map) {
+                warnings.push_back(normal_without_z_warning(map->name));
+                if (has_other_use(scene, index)) {
+                    found->second = static_cast<int>(scene.textures.size());
+                    scene.textures.push_back(std::move(*map));
+                } else {
+                    scene.textures[static_cast<std::size_t>(index)] = std::move(*map);
+                }
+            }
+        }
+        use.texture = found->second;
+    }
+    return warnings;
+}
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+// What the readers of models do alike with textures: those that cannot be read, and normal maps
+// without a z.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/scene.hpp"
+
+namespace burnish {
+
+// The texture uses of a material, with their names in messages.
+struct NamedTextureUse {
+    TextureUse Material::*use;
+    const char* name;
+};
+inline constexpr NamedTextureUse kTextureUses[] = {
+    {&Material::base_color_texture, "base colour texture"},
+    {&Material::metallic_roughness_texture, "metallic-roughness texture"},
+    {&Material::normal_texture, "normal map"},
+    {&Material::occlusion_texture, "occlusion texture"},
+    {&Material::emissive_texture, "emissive texture"},
+    {&Material::anisotropy_texture, "anisotropy texture"},
+};
+
+// Whether the material reflects nothing, as KHR_materials_unlit asks: a phong lobe of scale 0.
+bool emits_only(const Material& material);
+
+// Takes the textures that could not be read out of the materials, which are then drawn by their
+// factors: base color without a pattern, flat normals. Emission whose picture is lost is none, but
+// for materials that do nothing else. `failures`: one a texture of the scene, why it could not be
+// read, empty where it was. White stands in its place. Returns one warning a texture.
+std::vector<std::string> leave_out_textures(Scene& scene, const std::vector<std::string>& failures);
+
+// Normal maps whose blue says nothing become two-channel ones, whose z is what is left of 1
+// (normal_map_without_z). Returns one warning a map.
+std::vector<std::string> complete_normal_maps(Scene& scene);
+
+}  // namespace burnish
