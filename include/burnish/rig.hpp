@@ -77,7 +77,8 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images,
 // Told by extension (.lp, .dome) or, for JSON, by its "format".
 bool is_rig_file(const std::filesystem::path& path);
 
-// What the numbers in a picture of this name usually are: linear for .exr, .hdr, .tif and .tiff.
+// What the numbers in a picture of this name usually are: linear for .exr, .hdr, .tif, .tiff and the
+// endings of raw camera files.
 RigResponse usual_response(const std::filesystem::path& picture);
 
 // Our JSON, file names relative to the folder that `path` is in; written whole or not at all.

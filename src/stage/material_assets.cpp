@@ -36,10 +36,11 @@ Texture bumps_texture() {
     return texture;
 }
 
-Texture load_normal_map(const std::string& name) {
+Texture load_normal_map(const std::string& name, std::vector<std::string>& warnings) {
     if (is_builtin(name) && name != kBumps)
         throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
-    Texture texture = name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear);
+    Texture texture =
+        name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear, &warnings);
     if (texture.channels < 3)
         throw Error(name, "channels", "a normal map with red, green and blue",
                     std::to_string(texture.channels));
@@ -95,7 +96,7 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
     if (names_one(values, "normal_map")) {
         const std::string name = values.text("normal_map");
         if (!normal_maps_.contains(name))
-            normal_maps_[name] = append(textures, load_normal_map(name));
+            normal_maps_[name] = append(textures, load_normal_map(name, warnings));
     }
     if (values.is_set("scratch")) {
         const bool follow = static_cast<ScratchDirection>(values.choice("scratch_direction")) ==

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/shading_names.hpp"
 #include "capture/rig/rig_reading.hpp"
 #include "core/text.hpp"
@@ -38,9 +39,10 @@ Vec3d triple(const JsonPlace& place, const std::array<const char*, 3>& names, do
 
 // Pictures beside the file, by name: relight matches lights and pictures by their order.
 std::vector<fs::path> pictures_beside(const fs::path& path) {
-    constexpr std::array<std::string_view, 7> kExtensions = {".png",  ".jpg", ".jpeg", ".tif",
-                                                             ".tiff", ".exr", ".hdr"};
-    std::vector<fs::path> pictures;
+    constexpr std::array<std::string_view, 13> kExtensions = {
+        ".png",  ".jpg", ".jpeg", ".tif",  ".tiff", ".exr", ".hdr",
+        ".webp", ".tga", ".bmp",  ".heic", ".heif", ".avif"};
+    std::vector<fs::path> pictures, raw;
     std::error_code error;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -52,7 +54,10 @@ std::vector<fs::path> pictures_beside(const fs::path& path) {
             std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
         if (known && is_there(entry->path()))
             pictures.push_back(path.parent_path() / entry->path().filename());
+        if (is_raw_camera_name(entry->path()) && is_there(entry->path()))
+            raw.push_back(path.parent_path() / entry->path().filename());
     }
+    if (pictures.empty()) pictures = std::move(raw);  // else they are the same pictures twice
     std::sort(pictures.begin(), pictures.end());
     return pictures;
 }

@@ -185,16 +185,18 @@ void LibraryReader::read(const std::string& library) {
 void LibraryReader::decode_textures() {
     out_.textures.resize(wanted_.size());
     std::vector<std::string> failures(wanted_.size());
+    std::vector<std::vector<std::string>> warnings(wanted_.size());
     parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             try {
-                out_.textures[i] = read_texture(wanted_[i].first, wanted_[i].second);
+                out_.textures[i] = read_texture(wanted_[i].first, wanted_[i].second, &warnings[i]);
             } catch (const Error& error) {
                 failures[i] = error.what();
             }
         }
     });
     for (std::size_t i = 0; i < failures.size(); ++i) {
+        for (std::string& line : warnings[i]) warn(std::move(line));
         if (failures[i].empty()) continue;
         throw Error(failures[i]);
     }

@@ -54,6 +54,14 @@ bool is_of_the_library(std::string_view key) {
     return key.starts_with("oiio:") || key.starts_with("screenWindow");
 }
 
+// With what `render --environment` would warn of.
+std::string describe_as_environment(const std::string& path) {
+    std::vector<std::string> warnings;
+    std::string text = describe_radiance(load_environment(path, &warnings).radiance);
+    for (const std::string& warning : warnings) text += fmt::format("  {}\n", warning);
+    return text;
+}
+
 std::string describe_image(const std::string& path) {
     const ImageInfo info = read_image_info(path);
     std::string text =
@@ -61,7 +69,8 @@ std::string describe_image(const std::string& path) {
                     plural(static_cast<std::size_t>(info.channels), "channel"), info.pixel_type);
     for (const auto& [key, value] : info.metadata)
         if (!is_of_the_library(key)) text += fmt::format("  {}: {}\n", key, value);
-    if (info.width == 2 * info.height) text += describe_radiance(read_image(path));
+    for (const std::string& warning : info.warnings) text += fmt::format("  {}\n", warning);
+    if (info.width == 2 * info.height) text += describe_as_environment(path);
     return text;
 }
 
