@@ -71,12 +71,14 @@ void check_values(const std::string& path, Image& image, std::vector<std::string
         }
         value = std::max(value, 0.0f);
     }
+    const auto verb = [](std::size_t count) { return count == 1 ? "is" : "are"; };
     if (infinite > 0)
-        warnings.push_back(fmt::format("{}: {} infinite: {:g} is used", path,
-                                       plural(infinite, "value"), kLargestHalf));
+        warnings.push_back(fmt::format("{}: {} {} infinite: {:g} is used, 0 for minus infinity",
+                                       path, plural(infinite, "value"), verb(infinite),
+                                       kLargestHalf));
     if (no_number > 0)
-        warnings.push_back(
-            fmt::format("{}: {} not a number: 0 is used", path, plural(no_number, "value")));
+        warnings.push_back(fmt::format("{}: {} {} not a number: 0 is used", path,
+                                       plural(no_number, "value"), verb(no_number)));
 }
 
 // Integers end at white, so the sun and lamps of a picture of them are far too dark.
