@@ -22,10 +22,10 @@ namespace BURNISH_API burnish {
 // truncated, hostile or huge files (a side over 32768, over 4 GiB decoded).
 //
 // OpenEXR: the picture is the display window. What the file holds outside it is left out; pixels
-// for which it holds nothing are 0. The channels are R, G, B and A without a layer, else those of
-// the first layer that has R, G and B (a warning when several layers have them), else all of up to
-// four. Subsampled chroma becomes RGB. Of more than four channels of another format the leading
-// RGBA or RGB are read.
+// for which it holds nothing are 0. Of several parts the first with R, G and B is read. The
+// channels are R, G, B and A without a layer, else those of the first layer that has R, G and B,
+// else all of up to four; a warning says when several parts or layers have them. Subsampled chroma
+// becomes RGB. Of more than four channels of another format the leading RGBA or RGB are read.
 //
 // Raw camera files: linear camera RGB, white level at 1, black level subtracted, interpolated
 // linearly between the sensor's samples, as the sensor is oriented; no white balance, no color

@@ -59,6 +59,10 @@ ChannelChoice choose_layer(const std::vector<std::string>& names) {
 
 }  // namespace
 
+bool has_color(const OIIO::ImageSpec& spec) {
+    return choose_layer(spec.channelnames).count > 0;
+}
+
 std::string listed_channels(const OIIO::ImageSpec& spec) {
     constexpr std::size_t kMost = 12;
     const std::size_t shown_names = std::min(spec.channelnames.size(), kMost);

@@ -22,6 +22,9 @@ struct ChannelChoice {
 ChannelChoice choose_channels(const OIIO::ImageSpec& spec, bool has_layers,
                               const std::string& name);
 
+// Whether a layer has R, G and B.
+bool has_color(const OIIO::ImageSpec& spec);
+
 // "R, G, B, Depth.Z and 3 more", for messages.
 std::string listed_channels(const OIIO::ImageSpec& spec);
 

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
+#include "image/exr_channels.hpp"
 #include "image/guard/container_checks.hpp"
 #include "image/guard/png_chunks.hpp"
 #include "image/read_limits.hpp"
@@ -41,6 +43,18 @@ void configure_raw(OIIO::ImageSpec& config) {
     config.attribute("raw:user_flip", 0);
 }
 
+// A file without a name: in memory where the system has that, else temporary.
+int open_unnamed() {
+#ifdef __linux__
+    return ::memfd_create("burnish-image", MFD_CLOEXEC);
+#else
+    std::FILE* temporary = std::tmpfile();
+    const int number = temporary != nullptr ? ::dup(::fileno(temporary)) : -1;
+    if (temporary != nullptr) std::fclose(temporary);
+    return number;
+#endif
+}
+
 std::string with_replaced(std::string text, const std::string& part, const std::string& by) {
     for (std::size_t at = text.find(part); !part.empty() && at != std::string::npos;
          at = text.find(part, at + by.size()))
@@ -53,12 +67,12 @@ std::string with_replaced(std::string text, const std::string& part, const std::
 // ---- FileInMemory -------------------------------------------------------------------------------
 
 FileInMemory::FileInMemory(std::span<const std::byte> bytes, const std::string& name)
-    : number_(::memfd_create("burnish-image", MFD_CLOEXEC)) {
+    : number_(open_unnamed()) {
     const auto fail = [&] {
         throw Error(name, "", "memory for a copy of the file", reason_of(errno));
     };
     if (number_ < 0) fail();
-    path_ = fmt::format("/proc/self/fd/{}", number_);
+    path_ = fmt::format("/dev/fd/{}", number_);
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t count = ::write(number_, bytes.data() + done, bytes.size() - done);
         if (count < 0 && errno == EINTR) continue;
@@ -68,6 +82,7 @@ FileInMemory::FileInMemory(std::span<const std::byte> bytes, const std::string& 
         }
         done += static_cast<std::size_t>(count);
     }
+    ::lseek(number_, 0, SEEK_SET);
 }
 
 FileInMemory::~FileInMemory() {
@@ -85,6 +100,7 @@ ImageFile::ImageFile(const CheckedFile& file)
     if (!input_) fail("no OpenImageIO support for the format");
     if (!input_->supports("ioproxy")) on_disk_ = std::make_unique<FileInMemory>(file.bytes, name_);
     open();
+    if (format_ == ImageFormat::exr) choose_part();
     check_spec(file.bytes.size());
 }
 
@@ -95,6 +111,22 @@ void ImageFile::open() {
     if (!on_disk_) input_->set_ioproxy(&source_);
     if (!input_->open(on_disk_ ? on_disk_->path() : std::string(), spec_, config))
         fail(input_->geterror());
+}
+
+// The first part with R, G and B, as depth or normals may come before it; else the first.
+void ImageFile::choose_part() {
+    constexpr int kMostParts = 64;  // as many as the walk lets pass
+    for (int part = 0; part < kMostParts; ++part) {
+        const OIIO::ImageSpec spec = input_->spec(part);
+        if (spec.undefined()) break;
+        if (!has_color(spec)) continue;
+        if (color_parts_.empty()) {
+            part_ = part;
+            spec_ = spec;
+        }
+        color_parts_.push_back(one_line(spec.get_string_attribute("oiio:subimagename")));
+    }
+    if (input_->has_error()) fail(input_->geterror());
 }
 
 void ImageFile::fail(std::string_view reason) const {
@@ -150,14 +182,14 @@ std::vector<std::byte> ImageFile::read_pixels(int first, int count, const OIIO::
 bool ImageFile::read_rows(int begin, int end, int first, int count, const OIIO::TypeDesc& type,
                           std::byte* to) {
     if (spec_.tile_width > 0) {
-        return input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
+        return input_->read_tiles(part_, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
                                   spec_.z + 1, first, first + count, type, to);
     }
     // Without a conversion, read_scanlines would still copy through a buffer of 64 MiB.
     if (type == spec_.format && spec_.channelformats.empty() && count == spec_.nchannels) {
-        return input_->read_native_scanlines(0, 0, begin, end, spec_.z, to);
+        return input_->read_native_scanlines(part_, 0, begin, end, spec_.z, to);
     }
-    return input_->read_scanlines(0, 0, begin, end, spec_.z, first, first + count, type, to);
+    return input_->read_scanlines(part_, 0, begin, end, spec_.z, first, first + count, type, to);
 }
 
 void ImageFile::check_spec(std::uint64_t file_bytes) const {

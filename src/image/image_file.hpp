@@ -56,6 +56,9 @@ class ImageFile {
     const OIIO::ImageSpec& spec() const { return spec_; }
     const std::string& name() const { return name_; }
 
+    // OpenEXR: the names of all parts with R, G and B; the first of them is read.
+    const std::vector<std::string>& color_parts() const { return color_parts_; }
+
     // What the file holds, and what its picture is.
     PixelWindow data_window() const;
     PixelWindow display_window() const;
@@ -68,6 +71,7 @@ class ImageFile {
 
   private:
     void open();
+    void choose_part();
     void check_spec(std::uint64_t file_bytes) const;
     bool read_rows(int begin, int end, int first, int count, const OIIO::TypeDesc& type,
                    std::byte* to);
@@ -78,6 +82,8 @@ class ImageFile {
     MemoryReader source_;
     std::unique_ptr<FileInMemory> on_disk_;  // only for decoders that need a path
     OIIO::ImageSpec spec_;
+    int part_ = 0;
+    std::vector<std::string> color_parts_;
     std::unique_ptr<OIIO::ImageInput> input_;  // last: closed before its source goes
 };
 

@@ -149,6 +149,9 @@ std::vector<std::string> warnings_of(const ImageFile& file, const ChannelChoice&
         warnings.push_back(
             one_line(fmt::format("{}: layers {} and {}: {} is read", file.name(), choice.layer,
                                  fmt::join(choice.others, ", "), choice.layer)));
+    if (const auto& parts = file.color_parts(); parts.size() > 1)
+        warnings.push_back(fmt::format("{}: parts {} have R, G and B: {} is read", file.name(),
+                                       fmt::join(parts, ", "), parts.front()));
     if (file.format() == ImageFormat::raw)
         warnings.push_back(fmt::format(
             "{}: a raw camera file: read as linear camera RGB without white balance and color "

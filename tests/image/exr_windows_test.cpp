@@ -170,6 +170,43 @@ TEST(ExrLayers, TheFirstThatHasColorIsRead) {
     }
 }
 
+// Parts of 1 x 1 pixels; the channels of part k hold k + 1.
+void write_parts(const fs::path& path, const std::vector<std::vector<std::string>>& parts) {
+    std::vector<OIIO::ImageSpec> specs;
+    for (const auto& names : parts) {
+        OIIO::ImageSpec spec(1, 1, static_cast<int>(names.size()), OIIO::TypeFloat);
+        spec.channelnames = names;
+        spec.attribute("oiio:subimagename", "part" + std::to_string(specs.size()));
+        specs.push_back(spec);
+    }
+    const auto output = OIIO::ImageOutput::create("openexr");
+    ASSERT_TRUE(output->open(path.string(), static_cast<int>(specs.size()), specs.data()));
+    for (std::size_t k = 0; k < specs.size(); ++k) {
+        if (k > 0) {
+            ASSERT_TRUE(output->open(path.string(), specs[k], OIIO::ImageOutput::AppendSubimage));
+        }
+        const std::vector<float> values(parts[k].size(), static_cast<float>(k + 1));
+        ASSERT_TRUE(output->write_image(OIIO::TypeFloat, values.data()));
+    }
+    ASSERT_TRUE(output->close());
+}
+
+TEST(ExrLayers, TheFirstPartThatHasColorIsRead) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "a.exr";
+    std::vector<std::string> warnings;
+    write_parts(path, {{"Z"}, {"R", "G", "B"}, {"N.X", "N.Y", "N.Z"}});
+    EXPECT_EQ(read_image(path, {.warnings = &warnings}).pixels, (std::vector<float>{2, 2, 2}));
+    EXPECT_TRUE(warnings.empty());
+    write_parts(path, {{"Z"}, {"a.R", "a.G", "a.B"}, {"b.R", "b.G", "b.B"}});
+    EXPECT_EQ(read_image(path, {.warnings = &warnings}).pixels, (std::vector<float>{2, 2, 2}));
+    EXPECT_EQ(warnings,
+              (std::vector<std::string>{path.string() +
+                                        ": parts part1, part2 have R, G and B: part1 is read"}));
+    write_parts(path, {{"Z"}, {"N.X", "N.Y", "N.Z"}});
+    EXPECT_EQ(read_image(path).channels, 1);
+}
+
 TEST(ExrLayers, AreNamedWhenNoneHasColor) {
     const TemporaryFolder folder;
     write_channels(folder / "a.exr", {"n.X", "n.Y", "n.Z", "d.Z", "m.id"});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <random>
 #include <string>
 
 #include "burnish/error.hpp"
@@ -181,6 +182,25 @@ TEST(RawCamera, CutShortIsRefused) {
             [&] { decode_texture(std::span(whole).first(left), "a.dng", ColorSpace::linear); });
         EXPECT_EQ(line.find('\n'), std::string::npos) << line;
         EXPECT_EQ(line.rfind("a.dng: ", 0), 0U) << line;
+    }
+}
+
+TEST(RawCamera, FlippedBytesAreSurvived) {
+    const Bytes good = dng_of(patches_and_ramp());
+    constexpr std::size_t kDirectories = 900;  // bytes of headers, where flips hurt most
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        std::mt19937 random(seed);
+        Bytes bytes = good;
+        for (unsigned i = 0; i < 1 + seed % 8; ++i)
+            bytes[random() % kDirectories] = static_cast<std::byte>(random() % 256);
+        SCOPED_TRACE(seed);
+        try {
+            const Texture texture = decode_texture(bytes, "a.dng", ColorSpace::linear);
+            EXPECT_FALSE(texture.empty());
+        } catch (const Error& error) {
+            const std::string line = error.what();
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        }
     }
 }
 
