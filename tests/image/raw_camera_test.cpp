@@ -170,6 +170,18 @@ TEST(RawCamera, WhatIsNoneIsNotReadAsAPicture) {
     refused("text.dng", Bytes(words.begin(), words.end()));
     save(folder / "fine.tif", tiff);
     EXPECT_EQ(read_image(folder / "fine.tif").width, 16);
+
+    // A preview before a gray picture, which no camera wrote.
+    DngSettings settings;
+    settings.says_dng = false;
+    Bytes pages = dng_of(patches_and_ramp(), settings);
+    using namespace std::string_view_literals;
+    const auto mosaic = std::as_bytes(std::span("\6\1\3\0\1\0\0\0\x23\x80"sv));
+    const auto found = std::search(pages.begin(), pages.end(), mosaic.begin(), mosaic.end());
+    ASSERT_NE(found, pages.end());
+    found[8] = std::byte{1};
+    found[9] = std::byte{0};
+    refused("preview_first.tif", pages);
 }
 
 // LibRaw fills what is missing with black.
