@@ -188,6 +188,12 @@ TEST(RawCamera, WhatIsNoneIsNotReadAsAPicture) {
 TEST(RawCamera, CutShortIsRefused) {
     const Bytes whole = dng_of(patches_and_ramp());
     EXPECT_NO_THROW(decode_texture(whole, "a.dng", ColorSpace::linear));
+    std::vector<std::uint16_t> samples(std::size_t{32} * 24, 1000);
+    samples.resize(samples.size() - 32);  // a row less
+    EXPECT_NE(error_of([&] {
+                  decode_texture(dng_of(32, 24, samples), "a.dng", ColorSpace::linear);
+              }).find("cut short"),
+              std::string::npos);
     for (const std::size_t left : {whole.size() - 1, whole.size() / 2, std::size_t{700},
                                    std::size_t{100}, std::size_t{20}}) {
         const std::string line = error_of(

@@ -23,6 +23,8 @@ struct TiffDirectory {
     std::int64_t width = 0, height = 0, tile_width = 1, tile_height = 1;
     bool reduced = false;  // a smaller version of another picture of the file
     unsigned photometric = 0;
+    std::uint64_t bits = 1, samples = 1;  // of a sample, of a pixel
+    bool compressed = false;
     bool has_dng_version = false;
     TiffEntry offsets, lengths;         // of strips or tiles
     std::vector<std::uint64_t> others;  // offsets of directories that belong to it
@@ -72,8 +74,17 @@ class TiffWalk {
         check_image_size(directory.width, directory.height, file_.name());
         const std::uint64_t strips = std::min(directory.offsets.count, directory.lengths.count);
         if (strips > kMaxStrips) file_.fail(fmt::format("{} strips", strips));
-        for (std::uint64_t i = 0; i < strips; ++i)
+        std::uint64_t bytes = 0;
+        for (std::uint64_t i = 0; i < strips; ++i) {
             file_.require(value(directory.offsets, i), value(directory.lengths, i));
+            bytes += value(directory.lengths, i);
+        }
+        const std::uint64_t wanted = static_cast<std::uint64_t>(directory.width) *
+                                     static_cast<std::uint64_t>(directory.height) *
+                                     directory.samples * directory.bits / 8;
+        if (!directory.compressed && bytes < wanted)
+            file_.fail(fmt::format("{} bytes of sensor data for {} x {} pixels", bytes,
+                                   directory.width, directory.height));
     }
 
   private:
@@ -95,6 +106,15 @@ class TiffWalk {
                 break;
             case 257:
                 directory.height = number();
+                break;
+            case 258:
+                directory.bits = value(entry, 0);
+                break;
+            case 259:
+                directory.compressed = number() != 1;
+                break;
+            case 277:
+                directory.samples = static_cast<std::uint64_t>(number());
                 break;
             case 262:
                 directory.photometric = static_cast<unsigned>(number());
@@ -144,10 +164,20 @@ void check_tiff(const ByteCursor& file) {
     check_image_size(first.tile_width, first.tile_height, file.name());
 }
 
-bool is_raw_tiff(const ByteCursor& file) {
+namespace {
+
+// Files in which LibRaw finds the sensor data by what it knows of the maker.
+bool is_of_a_maker(const ByteCursor& file) {
     constexpr std::uint64_t kCanonMark = 8;
-    if (file.size() < kCanonMark + 2) return false;
-    if (has_raw_ending(file.name()) || file.text(kCanonMark, 2) == "CR") return true;
+    return has_raw_ending(file.name()) || file.text(kCanonMark, 2) == "CR";
+}
+
+}  // namespace
+
+bool is_raw_tiff(const ByteCursor& file) {
+    constexpr std::uint64_t kLeast = 10;
+    if (file.size() < kLeast) return false;
+    if (is_of_a_maker(file)) return true;
     const TiffWalk walk(file);
     const auto first = walk.directory_if_whole(walk.first_offset());
     if (!first) return false;
@@ -163,6 +193,7 @@ bool is_raw_tiff(const ByteCursor& file) {
 void check_raw_tiff(const ByteCursor& file) {
     const TiffWalk walk(file);
     std::vector<std::uint64_t> waiting = {walk.first_offset()};
+    bool is_raw = is_of_a_maker(file);
     for (std::uint64_t seen = 0; !waiting.empty() && seen < kMaxDirectories; ++seen) {
         const std::uint64_t offset = waiting.back();
         waiting.pop_back();
@@ -172,9 +203,15 @@ void check_raw_tiff(const ByteCursor& file) {
             continue;  // makers' offsets are not all sound
         }
         if (directory->holds_sensor_data()) walk.check_sensor_data(*directory);
+        is_raw |= directory->holds_sensor_data() || directory->has_dng_version;
         waiting.insert(waiting.end(), directory->others.begin(), directory->others.end());
         if (directory->next != 0) waiting.push_back(directory->next);
     }
+    // LibRaw would take any picture of one channel for a mosaic.
+    if (!is_raw)
+        file.fail(
+            "a TIFF with a preview before its picture: save the picture alone, or develop a raw "
+            "camera file to a linear 16-bit TIFF");
 }
 
 }  // namespace burnish
