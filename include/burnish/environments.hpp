@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "burnish/api.hpp"
 #include "burnish/scene.hpp"
@@ -14,7 +15,10 @@
 namespace BURNISH_API burnish {
 
 // .hdr, .exr (or any allowed image) lat-long, or "builtin:studio" (soft boxes in a dark room; the
-// default), "builtin:white" (constant 1, the furnace), "builtin:black".
-Environment load_environment(const std::string& path_or_builtin);
+// default), "builtin:white" (constant 1, the furnace), "builtin:black". Infinite pixels become 65504
+// and those that are no number 0. `warnings`, if any, receives how many there were, and that a
+// picture of integers clips what is brighter than white, one line each.
+Environment load_environment(const std::string& path_or_builtin,
+                             std::vector<std::string>* warnings = nullptr);
 
 }  // namespace burnish

@@ -90,10 +90,9 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images,
 // Told by extension (.lp, .dome) or, for JSON, by its "format".
 bool is_rig_file(const std::filesystem::path& path);
 
-// What the numbers in a picture of this name usually are: linear for .exr, .hdr, .tif, .tiff and
-// the endings of cameras' raw files; sRGB for others.
+// What the numbers in a picture of this name usually are: linear for .exr, .hdr, .tif, .tiff and the
+// endings of raw camera files.
 RigResponse usual_response(const std::filesystem::path& picture);
-bool is_raw_picture(const std::filesystem::path& picture);  // by its ending
 
 // Our JSON, file names relative to the folder that `path` is in; written whole or not at all.
 // Throws Error when the rig has no size, as one from an .lp file: set it first.

@@ -53,8 +53,9 @@ std::vector<fs::path> parts_below(const fs::path& path) {
 }  // namespace
 
 std::span<const std::string_view> picture_endings() {
-    static constexpr std::array<std::string_view, 10> kEndings = {
-        ".png", ".tif", ".tiff", ".tga", ".bmp", ".jpg", ".jpeg", ".webp", ".exr", ".hdr"};
+    static constexpr std::array<std::string_view, 13> kEndings = {
+        ".png",  ".tif", ".tiff", ".tga",  ".bmp",  ".jpg", ".jpeg",
+        ".webp", ".exr", ".hdr",  ".heic", ".heif", ".avif"};
     return kEndings;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "burnish/builtin_meshes.hpp"
 #include "burnish/error.hpp"
@@ -47,30 +48,62 @@ void check_shape(const std::string& path, const Image& image) {
                     fmt::format("{}x{}", image.width, image.height));
 }
 
-// Values slightly below zero, which filters with negative lobes produce, become 0. Values far above
-// any light source are an error of the file.
-void check_values(const std::string& path, Image& image) {
+// What overflowed half, the usual pixels of OpenEXR, is taken for its largest value.
+constexpr float kLargestHalf = 65504.0f;
+
+// Infinite pixels become the largest value of half and those that are no number black, with a
+// warning that counts them. Values slightly below zero, which filters with negative lobes produce,
+// become 0. Values far above any light source are an error of the file.
+void check_values(const std::string& path, Image& image, std::vector<std::string>& warnings) {
+    std::size_t infinite = 0, no_number = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         float& value = image.pixels[i];
-        if (!std::isfinite(value) || value > kBrightest) {
+        if (std::isnan(value)) {
+            value = 0.0f;
+            ++no_number;
+        } else if (std::isinf(value)) {
+            value = value > 0.0f ? kLargestHalf : 0.0f;
+            ++infinite;
+        } else if (value > kBrightest) {
             const std::size_t texel = i / 3, width = static_cast<std::size_t>(image.width);
             throw Error(path, fmt::format("pixel {},{}", texel % width, texel / width),
-                        fmt::format("a finite radiance up to {:g}", kBrightest),
-                        fmt::format("{}", value));
+                        fmt::format("a radiance up to {:g}", kBrightest), fmt::format("{}", value));
         }
         value = std::max(value, 0.0f);
     }
+    const auto verb = [](std::size_t count) { return count == 1 ? "is" : "are"; };
+    if (infinite > 0)
+        warnings.push_back(fmt::format("{}: {} {} infinite: {:g} is used, 0 for minus infinity",
+                                       path, plural(infinite, "value"), verb(infinite),
+                                       kLargestHalf));
+    if (no_number > 0)
+        warnings.push_back(fmt::format("{}: {} {} not a number: 0 is used", path,
+                                       plural(no_number, "value"), verb(no_number)));
+}
+
+// Integers end at white, so the sun and lamps of a picture of them are far too dark.
+void warn_of_integers(const std::string& path, std::vector<std::string>& warnings) {
+    const ImageInfo info = read_image_info(path);
+    if (info.pixel_type.find("int") == std::string::npos) return;
+    warnings.push_back(
+        fmt::format("{}: a {} image of {} bits a channel: light brighter than white is clipped, so "
+                    "lamps and their shadows are too weak; a .hdr or .exr of the place helps",
+                    path, info.format, info.pixel_type == "uint8" ? 8 : 16));
 }
 
 }  // namespace
 
-Environment load_environment(const std::string& path_or_builtin) {
+Environment load_environment(const std::string& path_or_builtin,
+                             std::vector<std::string>* warnings) {
     if (is_builtin(path_or_builtin))
         return builtin_environment(std::string_view(path_or_builtin).substr(kPrefix.size()));
-    const Image image = read_image(path_or_builtin);
+    std::vector<std::string> found;
+    const Image image = read_image(path_or_builtin, {.finite_only = false, .warnings = &found});
     check_shape(path_or_builtin, image);
     Environment environment{path_or_builtin, as_rgb(image)};
-    check_values(path_or_builtin, environment.radiance);
+    check_values(path_or_builtin, environment.radiance, found);
+    warn_of_integers(path_or_builtin, found);
+    if (warnings != nullptr) std::move(found.begin(), found.end(), std::back_inserter(*warnings));
     return environment;
 }
 

@@ -1,133 +1,29 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <iterator>
 #include <limits>
-#include <memory>
 #include <new>
 #include <type_traits>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "core/files.hpp"
+#include "image/exr_channels.hpp"
+#include "image/exr_window.hpp"
+#include "image/guard/container_checks.hpp"
 #include "image/guard/format.hpp"
-#include "image/guard/png_chunks.hpp"
+#include "image/image_file.hpp"
 #include "image/image_metadata.hpp"
-#include "image/memory_proxy.hpp"
-#include "image/read_limits.hpp"
 #include "image/subsampled_exr.hpp"
 
 namespace burnish {
 namespace {
-
-// A file whose container has been walked.
-struct CheckedFile {
-    CheckedFile(std::span<const std::byte> bytes_, const std::string& name_)
-        : bytes(bytes_),
-          name(name_),
-          format(require_image_format(bytes, name)),
-          structure(check_image_structure(format, bytes, name)) {}
-
-    std::span<const std::byte> bytes;
-    const std::string& name;
-    ImageFormat format;
-    ImageStructure structure;
-};
-
-// An image file open in memory. The decoder reads through `source`, which must outlive it.
-class Reader {
-  public:
-    explicit Reader(const CheckedFile& file)
-        : name_(file.name),
-          format_(file.format),
-          filtered_(format_ == ImageFormat::png ? without_unused_chunks(file.bytes)
-                                                : std::vector<std::byte>{}),
-          source_(filtered_.empty() ? file.bytes : std::span<const std::byte>(filtered_)) {
-        input_ = OIIO::ImageInput::create(oiio_format_name(format_));
-        if (!input_ || !input_->supports("ioproxy")) {
-            fail("no OpenImageIO support for the format");
-        }
-        input_->set_ioproxy(&source_);
-        OIIO::ImageSpec config;
-        config.attribute("oiio:UnassociatedAlpha", 1);
-        if (!input_->open("", spec_, config)) fail(input_->geterror());
-        check_spec(file.bytes.size());
-    }
-
-    [[noreturn]] void fail(std::string_view reason) const {
-        const std::string found = one_line(reason);
-        throw Error(name_, "", fmt::format("a readable {} image", format_name(format_)),
-                    found.empty() ? "broken data" : found);
-    }
-
-    ImageFormat format() const { return format_; }
-    const OIIO::ImageSpec& spec() const { return spec_; }
-    const std::string& name() const { return name_; }
-
-    // The leading `channels` channels as texels of `type`.
-    std::vector<std::byte> read_pixels(int channels, const OIIO::TypeDesc& type) {
-        const auto row_bytes = static_cast<std::uint64_t>(spec_.width) *
-                               static_cast<std::uint64_t>(channels) * type.size();
-        const int tile = spec_.tile_width > 0 ? std::max(spec_.tile_height, 1) : 1;
-        const auto rows = static_cast<std::int64_t>(
-            std::max<std::uint64_t>(kBandBytes / row_bytes / static_cast<std::uint64_t>(tile), 1));
-        const std::int64_t band = rows * tile;
-
-        std::vector<std::byte> pixels;
-        pixels.reserve(static_cast<std::size_t>(row_bytes) *
-                       static_cast<std::size_t>(spec_.height));
-        for (std::int64_t y = 0; y < spec_.height; y += band) {
-            const std::int64_t end = std::min<std::int64_t>(y + band, spec_.height);
-            const std::size_t offset = pixels.size();
-            pixels.resize(offset +
-                          static_cast<std::size_t>(row_bytes) * static_cast<std::size_t>(end - y));
-            const bool done =
-                read_rows(static_cast<int>(y) + spec_.y, static_cast<int>(end) + spec_.y, channels,
-                          type, pixels.data() + offset);
-            // Some decoders report an error and return an empty picture.
-            if (!done || input_->has_error()) fail(input_->geterror());
-        }
-        return pixels;
-    }
-
-  private:
-    bool read_rows(int begin, int end, int channels, const OIIO::TypeDesc& type, std::byte* to) {
-        if (spec_.tile_width > 0) {
-            return input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z,
-                                      spec_.z + 1, 0, channels, type, to);
-        }
-        // Without a conversion, read_scanlines would still copy through a buffer of 64 MiB.
-        if (type == spec_.format && spec_.channelformats.empty() && channels == spec_.nchannels) {
-            return input_->read_native_scanlines(0, 0, begin, end, spec_.z, to);
-        }
-        return input_->read_scanlines(0, 0, begin, end, spec_.z, 0, channels, type, to);
-    }
-
-    void check_spec(std::uint64_t file_bytes) const {
-        check_image_size(spec_.width, spec_.height, name_);
-        if (spec_.deep) fail("a deep image");
-        if (spec_.depth > 1) fail("a volume");
-        if (spec_.nchannels < 1 || spec_.nchannels > kMaxChannels) {
-            fail(fmt::format("{} channels", spec_.nchannels));
-        }
-        // f32 is the widest texel we decode to.
-        const std::uint64_t texel = std::min<std::uint64_t>(spec_.format.size(), sizeof(float));
-        const std::uint64_t decoded = static_cast<std::uint64_t>(spec_.width) *
-                                      static_cast<std::uint64_t>(spec_.height) *
-                                      static_cast<std::uint64_t>(spec_.nchannels) * texel;
-        check_decoded_bytes(decoded, file_bytes, name_);
-    }
-
-    const std::string& name_;
-    ImageFormat format_;
-    std::vector<std::byte> filtered_;  // empty when the file is read as it is
-    MemoryReader source_;
-    OIIO::ImageSpec spec_;
-    std::unique_ptr<OIIO::ImageInput> input_;  // after source_: closed before it goes
-};
 
 // OpenImageIO and the standard library throw exceptions of their own; callers get Error.
 template <typename Work>
@@ -147,22 +43,6 @@ std::vector<std::byte> read_image_file(const std::filesystem::path& path) {
     // The first bytes tell the format, so that a video is refused before it is read into memory.
     require_image_format(read_file_head(path, kImageHeadBytes), path.string());
     return read_file(path);
-}
-
-// The number of leading channels to read: all of them up to four, else those named R, G, B and A.
-int channels_to_read(const Reader& reader) {
-    const OIIO::ImageSpec& spec = reader.spec();
-    if (spec.nchannels <= 4) return spec.nchannels;
-    constexpr const char* kNames[] = {"R", "G", "B", "A"};
-    int named = 0;
-    while (named < 4 && spec.channelnames[static_cast<std::size_t>(named)] == kNames[named]) {
-        ++named;
-    }
-    if (named < 3) {
-        throw Error(reader.name(), "channels", "1 to 4, or leading R, G, B",
-                    fmt::format("{} of other names", spec.nchannels));
-    }
-    return named;
 }
 
 TexelType texel_type_of(const OIIO::ImageSpec& spec) {
@@ -227,31 +107,97 @@ void require_finite(const Texture& texture) {
         const std::size_t pixel = i / static_cast<std::size_t>(texture.channels);
         const auto width = static_cast<std::size_t>(texture.width);
         throw Error(texture.name, fmt::format("pixel ({}, {})", pixel % width, pixel / width),
-                    "finite values", std::isnan(value) ? "NaN" : "infinity");
+                    "finite values",
+                    fmt::format("{} (`oiiotool IN --fixnan box3 -o OUT` replaces such pixels)",
+                                std::isnan(value) ? "NaN" : "infinity"));
     }
 }
 
-Texture decode(Reader& reader, ColorSpace color_space, bool finite_only) {
-    const OIIO::ImageSpec& spec = reader.spec();
+// A 32-bit BMP or TGA whose alpha is 0 everywhere has none: many programs leave the fourth byte
+// unset.
+void fill_unused_alpha(Texture& texture) {
+    if (texture.channels != 4 || texture.type != TexelType::u8) return;
+    for (std::size_t i = 3; i < texture.texels.size(); i += 4)
+        if (texture.texels[i] != std::byte{0}) return;
+    for (std::size_t i = 3; i < texture.texels.size(); i += 4) texture.texels[i] = std::byte{255};
+}
+
+// OpenImageIO says so only of what it may be asked about: the alpha of a BMP is always straight.
+bool is_premultiplied(const ImageFile& image, const CheckedFile& file) {
+    return file.structure.premultiplied ||
+           (image.format() != ImageFormat::bmp &&
+            image.spec().get_int_attribute("oiio:UnassociatedAlpha") == 0);
+}
+
+// Colors that were multiplied by alpha on decoding, read again without it.
+void restore_webp_color(const CheckedFile& file, Texture& texture) {
+    const std::vector<std::byte> opaque = webp_without_alpha(file.bytes);
+    const CheckedFile checked(opaque, file.name);
+    ImageFile image(checked);
+    const std::vector<std::byte> colors = image.read_pixels(0, 3, OIIO::TypeUInt8);
+    const std::size_t pixels = texture.texels.size() / 4;
+    if (colors.size() != pixels * 3) image.fail("another size than its frame");
+    for (std::size_t i = 0; i < pixels; ++i)
+        std::copy_n(colors.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                    texture.texels.begin() + static_cast<std::ptrdiff_t>(4 * i));
+}
+
+// What will look different from what the file means, one line each.
+std::vector<std::string> warnings_of(const ImageFile& file, const ChannelChoice& choice) {
+    std::vector<std::string> warnings;
+    if (!choice.layer.empty() && !choice.others.empty())
+        warnings.push_back(
+            one_line(fmt::format("{}: layers {} and {}: {} is read", file.name(), choice.layer,
+                                 fmt::join(choice.others, ", "), choice.layer)));
+    if (const auto& parts = file.color_parts(); parts.size() > 1)
+        warnings.push_back(fmt::format("{}: parts {} have R, G and B: {} is read", file.name(),
+                                       fmt::join(parts, ", "), parts.front()));
+    if (file.format() == ImageFormat::raw)
+        warnings.push_back(fmt::format(
+            "{}: a raw camera file: read as linear camera RGB without white balance and color "
+            "matrix; a white target in the rig or developing to a linear 16-bit TIFF balances it",
+            file.name()));
+    return warnings;
+}
+
+void append_to(std::vector<std::string>* all, std::vector<std::string> lines) {
+    if (all != nullptr) std::move(lines.begin(), lines.end(), std::back_inserter(*all));
+}
+
+Texture decode(ImageFile& image, const CheckedFile& file, ColorSpace color_space, bool finite_only,
+               std::vector<std::string>* warnings) {
+    const OIIO::ImageSpec& spec = image.spec();
+    const ChannelChoice choice =
+        choose_channels(spec, image.format() == ImageFormat::exr, image.name());
     Texture texture;
-    texture.name = reader.name();
+    texture.name = image.name();
     texture.width = spec.width;
     texture.height = spec.height;
-    texture.channels = channels_to_read(reader);
+    texture.channels = choice.count;
     texture.type = texel_type_of(spec);
-    texture.color_space = texture.type == TexelType::f32 ? ColorSpace::linear : color_space;
-    texture.texels = reader.read_pixels(texture.channels, oiio_type(texture.type));
+    texture.color_space = texture.type == TexelType::f32 || image.format() == ImageFormat::raw
+                              ? ColorSpace::linear
+                              : color_space;
+    texture.texels = image.read_pixels(choice.first, choice.count, oiio_type(texture.type));
+    fit_to_display_window(texture, image.data_window(), image.display_window());
     if (finite_only && texture.type == TexelType::f32) require_finite(texture);
 
-    const bool has_alpha = spec.alpha_channel > 0 && spec.alpha_channel == texture.channels - 1;
-    if (has_alpha && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0) unpremultiply(texture);
+    if (image.format() == ImageFormat::bmp || image.format() == ImageFormat::tga)
+        fill_unused_alpha(texture);
+    if (choice.has_alpha && image.format() == ImageFormat::webp) {
+        restore_webp_color(file, texture);
+    } else if (choice.has_alpha && is_premultiplied(image, file)) {
+        unpremultiply(texture);
+    }
+    append_to(warnings, warnings_of(image, choice));
     return texture;
 }
 
-Texture decode(const CheckedFile& file, ColorSpace color_space) {
+Texture decode(const CheckedFile& file, ColorSpace color_space,
+               std::vector<std::string>* warnings) {
     if (!file.structure.subsampled) {
-        Reader reader(file);
-        return decode(reader, color_space, true);
+        ImageFile image(file);
+        return decode(image, file, color_space, true, warnings);
     }
     Texture texture = decode_subsampled_exr(file.bytes, file.name);
     require_finite(texture);
@@ -322,8 +268,24 @@ Image image_of_subsampled(const CheckedFile& file, const ReadOptions& options) {
     return image;
 }
 
-bool says_linear(const OIIO::ImageSpec& spec) {
-    return OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
+// For a file whose channels no reader takes, what a reader would say: it is described all the same.
+std::vector<std::string> warnings_if_readable(const ImageFile& image) {
+    try {
+        return warnings_of(
+            image, choose_channels(image.spec(), image.format() == ImageFormat::exr, image.name()));
+    } catch (const Error& error) {
+        return {error.what()};
+    }
+}
+
+// What `info` prints of a file beside its attributes: how it is read.
+void describe_reading(const ImageFile& image, std::map<std::string, std::string>& metadata) {
+    const OIIO::ImageSpec& spec = image.spec();
+    if (spec.nchannels > 4) metadata["channels"] = listed_channels(spec);
+    const PixelWindow data = image.data_window(), display = image.display_window();
+    if (data == display) return;
+    metadata["data window"] = fmt::format("{}x{} at ({}, {}) of the picture", data.width,
+                                          data.height, data.x - display.x, data.y - display.y);
 }
 
 }  // namespace
@@ -334,12 +296,14 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options) 
         const std::vector<std::byte> bytes = read_image_file(path);
         const CheckedFile file(bytes, name);
         if (file.structure.subsampled) return image_of_subsampled(file, options);
-        Reader reader(file);
-        if (reader.spec().nchannels == 2 && reader.spec().alpha_channel != 1) {
-            throw Error(name, "channels", "1, 3 or 4, or grey with alpha", "2 of other names");
+        ImageFile source(file);
+        if (source.spec().nchannels == 2 && source.spec().alpha_channel != 1) {
+            throw Error(name, "channels", "1, 3 or 4, or grey with alpha",
+                        listed_channels(source.spec()));
         }
-        const Texture texture = decode(reader, ColorSpace::linear, options.finite_only);
-        const bool encoded = texture.type != TexelType::f32 && !says_linear(reader.spec());
+        const Texture texture =
+            decode(source, file, ColorSpace::linear, options.finite_only, options.warnings);
+        const bool encoded = texture.type != TexelType::f32 && !source.is_linear();
         Image image;
         image.width = texture.width;
         image.height = texture.height;
@@ -350,15 +314,17 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options) 
     });
 }
 
-Texture read_texture(const std::filesystem::path& path, ColorSpace color_space) {
+Texture read_texture(const std::filesystem::path& path, ColorSpace color_space,
+                     std::vector<std::string>* warnings) {
     const std::string name = path.string();
-    return with_errors_of(name,
-                          [&] { return decode_texture(read_image_file(path), name, color_space); });
+    return with_errors_of(
+        name, [&] { return decode_texture(read_image_file(path), name, color_space, warnings); });
 }
 
 Texture decode_texture(std::span<const std::byte> bytes, const std::string& name,
-                       ColorSpace color_space) {
-    return with_errors_of(name, [&] { return decode(CheckedFile(bytes, name), color_space); });
+                       ColorSpace color_space, std::vector<std::string>* warnings) {
+    return with_errors_of(name,
+                          [&] { return decode(CheckedFile(bytes, name), color_space, warnings); });
 }
 
 ImageInfo read_image_info(const std::filesystem::path& path) {
@@ -374,15 +340,18 @@ ImageInfo read_image_info(const std::filesystem::path& path) {
                              texture.height,
                              texture.channels,
                              "half",
+                             {},
                              {}};
         }
-        const Reader reader(file);
-        info.format = format_name(reader.format());
-        info.width = reader.spec().width;
-        info.height = reader.spec().height;
-        info.channels = reader.spec().nchannels;
-        info.pixel_type = reader.spec().format.c_str();
-        info.metadata = metadata_of(reader.spec());
+        const ImageFile image(file);
+        info.format = format_name(image.format());
+        info.width = image.display_window().width;
+        info.height = image.display_window().height;
+        info.channels = image.spec().nchannels;
+        info.pixel_type = image.spec().format.c_str();
+        info.metadata = metadata_of(image.spec());
+        describe_reading(image, info.metadata);
+        info.warnings = warnings_if_readable(image);
         return info;
     });
 }
@@ -393,6 +362,10 @@ bool is_image_file(const std::filesystem::path& path) {
     } catch (const Error&) {
         return false;
     }
+}
+
+bool is_raw_camera_name(const std::filesystem::path& path) {
+    return has_raw_ending(path.string());
 }
 
 }  // namespace burnish

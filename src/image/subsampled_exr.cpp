@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "image/exr_window.hpp"
 #include "image/guard/format.hpp"
 
 namespace burnish {
@@ -47,6 +48,10 @@ void write_texel(const Imf::Rgba& from, int channels, float* to) {
     if (channels == 4) to[3] = alpha;
 }
 
+PixelWindow window_of(const Imath::Box2i& box) {
+    return {box.min.x, box.min.y, box.max.x - box.min.x + 1, box.max.y - box.min.y + 1};
+}
+
 Texture decode(std::span<const std::byte> bytes, const std::string& name) {
     MemoryStream stream(bytes, name);
     Imf::RgbaInputFile file(stream, 0);
@@ -63,6 +68,10 @@ Texture decode(std::span<const std::byte> bytes, const std::string& name) {
     const auto height = static_cast<std::size_t>(texture.height);
     const auto channels = static_cast<std::size_t>(texture.channels);
     check_decoded_bytes(width * height * channels * sizeof(float), bytes.size(), name);
+    const PixelWindow display = window_of(file.displayWindow());
+    check_decoded_bytes(static_cast<std::uint64_t>(display.width) *
+                            static_cast<std::uint64_t>(display.height) * channels * sizeof(float),
+                        bytes.size(), name);
 
     std::vector<Imf::Rgba> pixels(width * height);
     // The frame buffer's origin is the pixel (0, 0), which may lie outside the window.
@@ -76,6 +85,7 @@ Texture decode(std::span<const std::byte> bytes, const std::string& name) {
         write_texel(pixels[i], texture.channels, texels.data() + i * channels);
     texture.texels.resize(texels.size() * sizeof(float));
     std::memcpy(texture.texels.data(), texels.data(), texture.texels.size());
+    fit_to_display_window(texture, window_of(window), display);
     return texture;
 }
 

@@ -43,7 +43,8 @@ Texture bumps_texture() {
 Texture load_normal_map(const std::string& name, std::vector<std::string>& warnings) {
     if (is_builtin(name) && name != kBumps)
         throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
-    Texture texture = name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear);
+    Texture texture =
+        name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear, &warnings);
     if (texture.channels < 2)
         throw Error(name, "channels", "a normal map with red, green and blue, or with x and y",
                     std::to_string(texture.channels));

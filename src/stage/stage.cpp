@@ -133,13 +133,14 @@ void warn_of_idle_values(const ParameterValues& values, const Environment& envir
             "camera_position: it holds; azimuth, elevation and distance change nothing");
 }
 
-Environment load_environment_of(const StageRequest& request, const std::string& of_file) {
+Environment load_environment_of(const StageRequest& request, const std::string& of_file,
+                                std::vector<std::string>& warnings) {
     const std::string& name = request.environment.empty() ? of_file : request.environment;
     if (name == "none") return {};
     if (name.empty()) return load_environment(std::string(kDefaultEnvironment));
-    if (!request.environment.empty()) return load_environment(name);
+    if (!request.environment.empty()) return load_environment(name, &warnings);
     try {
-        return load_environment(name);
+        return load_environment(name, &warnings);
     } catch (const Error& error) {
         throw Error(request.input + ": environment: " + error.what());
     }
@@ -281,7 +282,7 @@ Stage set_stage(const StageRequest& request, bool all_around) {
         for (const std::string& word : request.lights)
             if (word != "none") stage.scene.lights.push_back(parse_light(word));
     }
-    stage.environment = load_environment_of(request, environment);
+    stage.environment = load_environment_of(request, environment, warnings);
     stage.settings = render_settings(stage.values);
     warn_of_idle_values(stage.values, stage.environment, warnings);
     stage.camera =

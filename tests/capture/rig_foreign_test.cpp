@@ -5,6 +5,7 @@
 
 #include "burnish/image_io.hpp"
 #include "burnish/rig.hpp"
+#include "support/dng_writer.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {
@@ -236,6 +237,17 @@ TEST(Dome, TakesThePicturesBesideItInTheOrderOfTheirNames) {
     draw(folder / "mask.png");
     EXPECT_TRUE(has(error_line([&] { read_rig(path, true); }),
                     "expected 2 pictures beside the file, one a light, found 3"));
+}
+
+// Cameras write a JPEG beside each raw file: the same pictures twice.
+TEST(Dome, TakesRawFilesOnlyWhereThereIsNothingElse) {
+    const ScratchFolder folder;
+    const auto path = folder.write("a.dome", R"({"directions": [[0,0,1]]})");
+    const std::vector<std::byte> bytes = test::dng_of(Image(32, 24, 3, 0.5f));
+    folder.write("p.dng", std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    EXPECT_EQ(read_rig(path, true).lights[0].images.at(0).image, folder / "p.dng");
+    draw(folder / "p.png", 4, 2);
+    EXPECT_EQ(read_rig(path, true).lights[0].images.at(0).image, folder / "p.png");
 }
 
 }  // namespace

@@ -255,9 +255,9 @@ TEST(RigPictures, OfPaddedNumbersNeedNoWarning) {
 TEST(RigPictures, RawFilesAreLinear) {
     for (const char* name : {"a.dng", "b.NEF", "c.Cr2", "d.arw", "e.RAF"}) {
         EXPECT_EQ(usual_response(name), RigResponse::linear) << name;
-        EXPECT_TRUE(is_raw_picture(name)) << name;
+        EXPECT_TRUE(is_raw_camera_name(name)) << name;
     }
-    EXPECT_FALSE(is_raw_picture("a.tif"));
+    EXPECT_FALSE(is_raw_camera_name("a.tif"));
     const ScratchFolder folder;
     const Rig rig = read_rig(folder.write("r.lp", lp_of({"a.NEF", "b.NEF"})), false);
     EXPECT_EQ(rig.response, RigResponse::linear);

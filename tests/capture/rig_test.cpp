@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "burnish/image_io.hpp"
+#include "support/dng_writer.hpp"
 #include "support/paths.hpp"
 #include "support/test_folder.hpp"
 
@@ -228,6 +229,19 @@ TEST(RigJson, WarnsOfPicturesOfOtherProportions) {
     EXPECT_TRUE(warns(of("b.png"), "proportions"));
 }
 
+TEST(RigJson, WarnsOfRawCameraFiles) {
+    const ScratchFolder folder;
+    const std::vector<std::byte> bytes = test::dng_of(Image(48, 24, 3, 0.5f));
+    folder.write("a.dng", std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    const Rig rig = read_rig(
+        folder.write("r.json", rig_of(std::string(kCamera) +
+                                      R"(, "lights": [{"direction": [0,0,1], "image": "a.dng"}])")),
+        true);
+    EXPECT_TRUE(warns(rig, "linear camera RGB without white balance"));
+    EXPECT_EQ(rig.response, RigResponse::linear);
+    EXPECT_FALSE(warns(rig, "proportions")) << "the preview has others than the sensor";
+}
+
 TEST(RigJson, ResponseFollowsTheKindOfPictureWhenNothingIsSaid) {
     const auto of = [](const std::string& picture, const std::string& more = "",
                        const RigOverrides& overrides = {}) {
@@ -237,7 +251,9 @@ TEST(RigJson, ResponseFollowsTheKindOfPictureWhenNothingIsSaid) {
             .response;
     };
     for (const char* name : {"a.png", "a.JPG", "a.jpeg"}) EXPECT_EQ(of(name), RigResponse::srgb);
-    for (const char* name : {"a.exr", "a.HDR", "a.tif", "a.tiff"})
+    for (const char* name : {"a.webp", "a.bmp", "a.tga", "a.HEIC"})
+        EXPECT_EQ(of(name), RigResponse::srgb);
+    for (const char* name : {"a.exr", "a.HDR", "a.tif", "a.tiff", "a.dng", "a.NEF", "a.cr3"})
         EXPECT_EQ(of(name), RigResponse::linear);
     EXPECT_EQ(of("a.png", R"(, "response": "linear")"), RigResponse::linear);
     EXPECT_EQ(of("a.exr", R"(, "response": "linear")", {RigResponse::srgb, {}, {}}),

@@ -145,12 +145,49 @@ TEST(Environment, RefusesWhatIsNoRadianceMap) {
     EXPECT_NE(line_for(Image(16, 16, 3)).find("16x16"), std::string::npos);
     EXPECT_NE(line_for(Image(2, 1, 3)).find("2x1"), std::string::npos);
     Image bad(16, 8, 3, 1.0f);
-    bad.at(5, 6)[1] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(line_for(bad).find("e.exr"), std::string::npos);
     bad.at(5, 6)[1] = 1e13f;
     EXPECT_NE(line_for(bad).find("pixel 5,6"), std::string::npos);
     EXPECT_THROW(load_environment((folder / "absent.hdr").string()), Error);
     EXPECT_THROW(load_environment(folder.write("text.hdr", "no picture").string()), Error);
+}
+
+TEST(Environment, ValuesThatAreNotFiniteAreReplacedAndCounted) {
+    const ScratchFolder folder;
+    const std::string path = (folder / "e.exr").string();
+    Image image(16, 8, 3, 1.0f);
+    image.at(5, 6)[1] = std::numeric_limits<float>::infinity();
+    image.at(6, 6)[0] = std::numeric_limits<float>::infinity();
+    image.at(7, 6)[2] = -std::numeric_limits<float>::infinity();
+    image.at(8, 6)[0] = std::numeric_limits<float>::quiet_NaN();
+    write_image(path, image, {});
+    std::vector<std::string> warnings;
+    const Image read = load_environment(path, &warnings).radiance;
+    EXPECT_EQ(read.at(5, 6)[1], 65504.0f);
+    EXPECT_EQ(read.at(6, 6)[0], 65504.0f);
+    EXPECT_EQ(read.at(7, 6)[2], 0.0f);
+    EXPECT_EQ(read.at(8, 6)[0], 0.0f);
+    EXPECT_EQ(read.at(8, 6)[1], 1.0f);
+    EXPECT_EQ(warnings, (std::vector<std::string>{
+                            path + ": 3 values are infinite: 65504 is used, 0 for minus infinity",
+                            path + ": 1 value is not a number: 0 is used"}));
+}
+
+TEST(Environment, AFileOfIntegersSaysThatLightIsClipped) {
+    const ScratchFolder folder;
+    const Image image(16, 8, 3, 0.5f);
+    for (const char* name : {"e.png", "e.jpg", "e.tif"}) {
+        write_image(folder / name, image, {});
+        std::vector<std::string> warnings;
+        load_environment((folder / name).string(), &warnings);
+        ASSERT_EQ(warnings.size(), 1U) << name;
+        EXPECT_NE(warnings[0].find("8 bits a channel: light brighter than white is clipped"),
+                  std::string::npos);
+        EXPECT_NE(warnings[0].find(".hdr or .exr"), std::string::npos);
+    }
+    write_image(folder / "e.exr", image, {});
+    std::vector<std::string> warnings;
+    load_environment((folder / "e.exr").string(), &warnings);
+    EXPECT_TRUE(warnings.empty());
 }
 
 TEST(Environment, NegativeRinging) {

@@ -217,29 +217,6 @@ const Words kScratchWords = {"format",
                              "null",
                              "true"};
 
-const Words kImageWords = {"\x89PNG\r\n\x1a\n",
-                           "IHDR",
-                           "IDAT",
-                           "IEND",
-                           "PLTE",
-                           "tRNS",
-                           "iCCP",
-                           "gAMA",
-                           "zTXt",
-                           "\xFF\xD8\xFF",
-                           "II*",
-                           "MM",
-                           "\x76\x2f\x31\x01",
-                           "#?RADIANCE",
-                           "channels",
-                           "chlist",
-                           "compression",
-                           "dataWindow",
-                           "displayWindow",
-                           "box2i",
-                           "FORMAT=32-bit_rle_rgbe",
-                           "-Y 2 +X 2"};
-
 Words scene_words() {
     Words words = kSceneWords;
     for (const Parameter& parameter : parameter_table()) {
@@ -505,7 +482,7 @@ int main(int count, char** arguments) {
         write(folder, "scratch", scratch_seeds(), kScratchWords);
         write(folder, "bsdf", bsdf_seeds(), kBsdfWords);
         write(folder, "tabulated", tabulated_seeds(), tabulated_words());
-        write(folder, "image", image_seeds(), kImageWords);
+        write(folder, "image", image_seeds(), image_words());
         write(folder, "wif", wif_seeds(), kWifWords);
         write(folder, "rig", rig_seeds(), rig_words());
     } catch (const std::exception& error) {

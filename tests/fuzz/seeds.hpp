@@ -16,6 +16,7 @@ Words rig_seeds();
 Words tabulated_seeds();
 
 // What their formats are made of.
+Words image_words();
 Words rig_words();
 Words tabulated_words();
 

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 // The first letter says which of the formats: fuzz_rig.cpp.
 Words rig_seeds() {
     Words seeds;
-    const std::string manual = read_text_file(fs::path(BURNISH_SOURCE_DIR) / "docs" / "rig.md");
+    const std::string manual =
+        read_text_file(fs::path(BURNISH_SOURCE_DIR) / "docs" / "reference" / "rig-file.md");
     const std::size_t start = manual.find("```json\n") + 8;
     seeds.push_back("j" + manual.substr(start, manual.find("```", start) - start));
     seeds.push_back(

@@ -221,13 +221,4 @@ std::vector<std::string> gltf_seeds() {
     return seeds;
 }
 
-std::vector<std::string> image_seeds() {
-    std::vector<std::string> seeds;
-    for (const char* extension : {".png", ".tif", ".jpg", ".exr"})
-        for (const int channels : {1, 3, 4}) seeds.push_back(picture(extension, channels));
-    seeds.push_back(std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n") +
-                    std::string(16, '\x40'));
-    return seeds;
-}
-
 }  // namespace burnish::fuzz

@@ -54,6 +54,7 @@ class EveryFormat : public testing::TestWithParam<Encoding> {};
 double allowed_loss(const Encoding& encoding) {
     // Waves of another length in each channel, whose colour 4:2:0 halves.
     if (encoding.label.find("jpeg") != std::string::npos) return 0.08;
+    if (encoding.label == "webp_lossy" || encoding.format == "heif") return 0.1;
     if (encoding.label.find("dwaa") != std::string::npos) return 0.02;
     if (encoding.label.find("b44") != std::string::npos) return 0.05;
     // A step of the codes; for half and RGBE one of 8 to 10 bits of mantissa.
@@ -74,8 +75,12 @@ TEST_P(EveryFormat, KeepsValuesSizeAndDepth) {
     EXPECT_EQ(texture.color_space, type == TexelType::f32 ? ColorSpace::linear : ColorSpace::srgb);
     // Float formats with alpha hold it premultiplied, whatever the picture was: made for colours.
     const bool divided = encoding.channels == 4 && encoding.format == "openexr";
+    // OpenImageIO's encoder of WebP changes colors under alpha; image_formats_test.cpp has a file of
+    // another one.
+    const bool alpha_only = encoding.label == "webp_alpha";
     double sum = 0.0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        if (alpha_only && i % 4 != 3) continue;
         float expected = picture.pixels[i];
         if (divided && i % 4 != 3) expected /= picture.pixels[i / 4 * 4 + 3];
         sum += std::pow(static_cast<double>(value_at(texture, i)) - expected, 2);
@@ -185,7 +190,8 @@ TEST(ReadImage, RefusesNotFiniteValuesUnlessAsked) {
         save(path, encode({"", "openexr", "half", 3, {}}, picture));
         const std::string line = error_of([&] { read_image(path); });
         EXPECT_EQ(line, path.string() + ": pixel (2, 1): expected finite values, found " +
-                            (std::isnan(bad) ? "NaN" : "infinity"));
+                            (std::isnan(bad) ? "NaN" : "infinity") +
+                            " (`oiiotool IN --fixnan box3 -o OUT` replaces such pixels)");
         EXPECT_THROW(read_texture(path, ColorSpace::linear), Error);
         EXPECT_NO_THROW(read_image(path, {.finite_only = false}));
     }
@@ -244,7 +250,8 @@ TEST(ImageFormat, SaysWhatWasFoundInstead) {
         save(path, std::as_bytes(std::span(content)));
         const std::string line = error_of([&] { read_image(path); });
         EXPECT_EQ(line, path.string() +
-                            ": expected a PNG, JPEG, TIFF, OpenEXR or Radiance HDR image, " +
+                            ": expected a PNG, JPEG, WebP, TIFF, OpenEXR, Radiance HDR, TGA, "
+                            "BMP, HEIF, AVIF or raw camera image, " +
                             words);
     }
     EXPECT_NE(error_of([&] { read_image(folder.path()); }).find("found a folder"),

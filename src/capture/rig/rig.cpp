@@ -117,12 +117,14 @@ void flip_y(Rig& rig) {
     }
 }
 
-// Computes the missing height from the aspect ratio of the first picture.
+// Computes the missing height from the aspect ratio of the first picture. What readers warn of in
+// that picture becomes a warning of the rig.
 void find_size(Rig& rig, bool needs_images, const RigOverrides& overrides) {
     double height_by_width =
         rig.width_mm > 0.0 && rig.height_mm > 0.0 ? rig.height_mm / rig.width_mm : 0.0;
     if (needs_images) {
         const ImageInfo info = read_image_info(rig.lights.front().images.front().image);
+        rig.warnings.insert(rig.warnings.end(), info.warnings.begin(), info.warnings.end());
         const double of_picture = static_cast<double>(info.height) / info.width;
         // A difference of 1 % (one pixel in a hundred) may be rounding of a measured size.
         if (!overrides.width_mm && height_by_width > 0.0 &&
@@ -181,18 +183,13 @@ void check_duplicates(Rig& rig) {
 
 }  // namespace rig_reading
 
-// JPEG and 8-bit PNG hold display values; the other formats are the usual targets of raw
-// converters.
+// JPEG, PNG and their like hold display values. TIFF and the formats of floats are the usual targets
+// of raw converters; raw camera files are linear themselves.
 RigResponse usual_response(const std::filesystem::path& picture) {
     const std::string extension = rig_reading::lower_extension(picture);
     const bool linear = extension == ".exr" || extension == ".hdr" || extension == ".tif" ||
-                        extension == ".tiff" || is_raw_picture(picture);
+                        extension == ".tiff" || is_raw_camera_name(picture);
     return linear ? RigResponse::linear : RigResponse::srgb;
-}
-
-bool is_raw_picture(const std::filesystem::path& picture) {
-    const auto raw = rig_reading::raw_endings();
-    return std::find(raw.begin(), raw.end(), rig_reading::lower_extension(picture)) != raw.end();
 }
 
 Rig read_rig(const std::filesystem::path& path, bool needs_images, const RigOverrides& overrides) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/shading_names.hpp"
 #include "capture/rig/rig_reading.hpp"
 #include "core/text.hpp"

@@ -10,17 +10,13 @@
 #include "burnish/error.hpp"
 #include "capture/rig/rig_reading.hpp"
 #include "core/text.hpp"
+#include "image/guard/format.hpp"
 
 namespace burnish::rig_reading {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 26> kRawEndings = {
-    ".3fr", ".arw", ".cr2", ".cr3", ".crw", ".dcr", ".dng", ".erf", ".fff",
-    ".iiq", ".kdc", ".mef", ".mos", ".mrw", ".nef", ".nrw", ".orf", ".pef",
-    ".raf", ".raw", ".rw2", ".rwl", ".sr2", ".srf", ".srw", ".x3f"};
 
 // Names that a message lists.
 constexpr std::size_t kListed = 3;
@@ -52,6 +48,11 @@ std::vector<fs::path> pictures_beside(const Rig& rig) {
             continue;
         pictures.push_back(rig.file.parent_path() / name);
     }
+    // Raw files beside developed ones are the same pictures again.
+    const auto raw = std::stable_partition(pictures.begin(), pictures.end(), [](const fs::path& p) {
+        return !has_raw_ending(p.string());
+    });
+    if (raw != pictures.begin()) pictures.erase(raw, pictures.end());
     std::sort(pictures.begin(), pictures.end(), [](const fs::path& a, const fs::path& b) {
         return natural_less(a.filename().string(), b.filename().string());
     });
@@ -137,14 +138,10 @@ void leave_out(const PictureFinder& finder, Rig& rig) {
 
 }  // namespace
 
-std::span<const std::string_view> raw_endings() {
-    return kRawEndings;
-}
-
 std::span<const std::string_view> all_endings() {
     static const std::vector<std::string_view> all = [] {
         std::vector<std::string_view> list(picture_endings().begin(), picture_endings().end());
-        list.insert(list.end(), kRawEndings.begin(), kRawEndings.end());
+        list.insert(list.end(), raw_camera_endings().begin(), raw_camera_endings().end());
         return list;
     }();
     return all;

@@ -13,8 +13,6 @@
 
 namespace burnish::rig_reading {
 
-// Endings of cameras' raw files, in small letters with their dot.
-std::span<const std::string_view> raw_endings();
 // Endings of all pictures that a rig may have.
 std::span<const std::string_view> all_endings();
 

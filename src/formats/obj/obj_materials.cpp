@@ -19,6 +19,7 @@
 #include "formats/obj/mtl_textures.hpp"
 #include "formats/obj/obj_text.hpp"
 #include "maps/normal/normal_map_look.hpp"
+#include "maps/normal/normal_without_z.hpp"
 
 namespace burnish {
 namespace {
@@ -282,7 +283,8 @@ void LibraryReader::settle(UnreadMaterial& unread) {
                             &material.normal_texture, &material.metallic_roughness_texture})
         if (*use && texture(*use).empty()) *use = TextureUse();
     if (!unread.bump_key.empty() && material.normal_texture) {
-        const bool normals = looks_like_normal_map(texture(material.normal_texture));
+        const Texture& bump = texture(material.normal_texture);
+        const bool normals = looks_like_normal_map(bump) || normal_map_without_z(bump).has_value();
         const std::string what = fmt::format("{} {}", unread.bump_key, unread.bump_name);
         if (normals) {
             notes_.add(what + " looks like a tangent-space normal map: it is drawn as one",

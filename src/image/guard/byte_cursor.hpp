@@ -17,6 +17,8 @@
 
 namespace burnish {
 
+inline constexpr bool kBigEndian = true, kLittleEndian = false;
+
 // Reading past the end is an error of the file.
 class ByteCursor {
   public:

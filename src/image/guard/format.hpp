@@ -16,10 +16,12 @@
 
 namespace burnish {
 
-enum class ImageFormat { png, jpeg, tiff, exr, hdr };
+// `raw` is what a camera's sensor counted: DNG and the formats of the makers.
+enum class ImageFormat { png, jpeg, tiff, exr, hdr, webp, tga, bmp, heif, avif, raw };
 
-// Bytes of the start of a file that are enough to tell its format.
-inline constexpr std::size_t kImageHeadBytes = 16;
+// Bytes of the start of a file that are enough to tell its format, but for the TIFF files that are
+// raw camera files (require_format_of_file).
+inline constexpr std::size_t kImageHeadBytes = 18;
 
 inline constexpr std::int64_t kMaxImageSide = 32768;
 inline constexpr std::uint64_t kMaxImageBytes = std::uint64_t{4} << 30;  // decoded
@@ -28,12 +30,22 @@ std::optional<ImageFormat> image_format_of(std::span<const std::byte> head);
 std::string_view format_name(ImageFormat format);  // "PNG", "OpenEXR" ...
 const char* oiio_format_name(ImageFormat format);  // what OpenImageIO calls its plug-in
 
-// Throws Error "<name>: expected a PNG, JPEG, TIFF, OpenEXR or Radiance HDR image, found <what>".
+// Endings of the raw files of cameras, in small letters with their dot.
+std::span<const std::string_view> raw_camera_endings();
+// Whether a name ends as the raw files of a camera do (.dng, .nef, .cr3 ...), in any case.
+bool has_raw_ending(std::string_view name);
+
+// Throws Error "<name>: expected a PNG, JPEG, ... or raw camera image, found <what>".
 ImageFormat require_image_format(std::span<const std::byte> head, const std::string& name);
+
+// The same of a whole file. A TIFF that is a raw camera file by what it holds or by its name is
+// `raw`.
+ImageFormat require_format_of_file(std::span<const std::byte> bytes, const std::string& name);
 
 // What the walk of a container found.
 struct ImageStructure {
     bool subsampled = false;  // OpenEXR: a channel with fewer samples than the picture has pixels
+    bool premultiplied = false;  // TGA: says that color was multiplied by alpha
 };
 
 // Throws Error when the file is truncated, its declared size is out of bounds, or it is of a kind

@@ -1,4 +1,4 @@
-// check_image_structure: one walk a container; PNG has a file of its own. Needed until OpenImageIO
+// check_image_structure, and the walks over JPEG, OpenEXR and Radiance HDR. Needed until OpenImageIO
 // refuses truncated JPEG and TIFF files, and reports what libjpeg, libtiff and OpenEXR throw or
 // abort at, instead of passing it on: 2.4 does neither.
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 
 #include "burnish/error.hpp"
 #include "image/guard/byte_cursor.hpp"
+#include "image/guard/container_checks.hpp"
 #include "image/guard/format.hpp"
 #include "image/guard/png_chunks.hpp"
 
@@ -70,31 +71,6 @@ void check_jpeg(const ByteCursor& file) {
         at = segment + length;
     }
     if (!sized || scans == 0) file.fail("no picture in it");
-}
-
-// ---- TIFF: the first directory ------------------------------------------------------------------
-
-void check_tiff(const ByteCursor& file) {
-    constexpr unsigned kWidth = 256, kHeight = 257, kTileWidth = 322, kTileHeight = 323;
-    constexpr unsigned kShort = 3, kEntryBytes = 12;
-    const bool big = file.u8(0) == 'M';
-    const std::uint64_t directory = file.u32(4, big);
-    const unsigned entries = file.u16(directory, big);
-    file.require(directory + 2, std::uint64_t{entries} * kEntryBytes);
-    std::int64_t width = 0, height = 0, tile_width = 1, tile_height = 1;
-    for (unsigned i = 0; i < entries; ++i) {
-        const std::uint64_t entry = directory + 2 + std::uint64_t{i} * kEntryBytes;
-        const unsigned tag = file.u16(entry, big);
-        const bool is_short = file.u16(entry + 2, big) == kShort;
-        const std::int64_t value =
-            is_short ? std::int64_t{file.u16(entry + 8, big)} : file.u32(entry + 8, big);
-        if (tag == kWidth) width = value;
-        if (tag == kHeight) height = value;
-        if (tag == kTileWidth) tile_width = value;
-        if (tag == kTileHeight) tile_height = value;
-    }
-    check_image_size(width, height, file.name());
-    check_image_size(tile_width, tile_height, file.name());
 }
 
 // ---- OpenEXR: the headers of all parts ----------------------------------------------------------
@@ -290,6 +266,21 @@ ImageStructure check_image_structure(ImageFormat format, std::span<const std::by
             return check_exr(file);
         case ImageFormat::hdr:
             check_hdr(file);
+            break;
+        case ImageFormat::webp:
+            check_webp(file);
+            break;
+        case ImageFormat::tga:
+            return check_tga(file);
+        case ImageFormat::bmp:
+            check_bmp(file);
+            break;
+        case ImageFormat::heif:
+        case ImageFormat::avif:
+            check_heif(file);
+            break;
+        case ImageFormat::raw:
+            check_raw(file);
             break;
     }
     return {};

@@ -134,6 +134,9 @@ Rig rig_without_places(const CaptureDirectionsRequest& request,
     for (const fs::path& path : pictures) {
         const ImageInfo info = read_image_info(path);
         require_size(path, info.width, info.height, width, height);
+        // All pictures are of a kind: the first one speaks for them.
+        if (rig.lights.empty())
+            warnings.insert(warnings.end(), info.warnings.begin(), info.warnings.end());
         RigLight light;
         light.where = fmt::format("lights[{}]", rig.lights.size());
         light.images = {{path, 1.0}};

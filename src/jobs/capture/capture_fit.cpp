@@ -210,7 +210,7 @@ CaptureFitResult capture_fit(const CaptureFitRequest& request, const Progress& p
     result.warnings = warnings_of(rig);
     for (const RigLight& light : rig.lights)
         for (const RigExposure& exposure : light.images)
-            result.raw = result.raw || is_raw_picture(exposure.image);
+            result.raw = result.raw || is_raw_camera_name(exposure.image);
     if (rig.lights.size() < 3)  // before reading many pictures
         throw Error(request.stack.string(), "lights", "at least 3 lights to fit anything",
                     fmt::to_string(rig.lights.size()));

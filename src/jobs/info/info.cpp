@@ -54,14 +54,21 @@ bool is_of_the_library(std::string_view key) {
     return key.starts_with("oiio:") || key.starts_with("screenWindow");
 }
 
+// Replaces `warnings` by those of reading the picture as an environment, which has them all.
+std::string describe_as_environment(const std::string& path, std::vector<std::string>& warnings) {
+    warnings.clear();
+    return describe_radiance(load_environment(path, &warnings).radiance);
+}
+
 std::string describe_image(const std::string& path) {
-    const ImageInfo info = read_image_info(path);
+    ImageInfo info = read_image_info(path);
     std::string text =
         fmt::format("{}: {} image, {}x{}, {}, {}\n", path, info.format, info.width, info.height,
                     plural(static_cast<std::size_t>(info.channels), "channel"), info.pixel_type);
     for (const auto& [key, value] : info.metadata)
         if (!is_of_the_library(key)) text += fmt::format("  {}: {}\n", key, value);
-    if (info.width == 2 * info.height) text += describe_radiance(read_image(path));
+    if (info.width == 2 * info.height) text += describe_as_environment(path, info.warnings);
+    for (const std::string& warning : info.warnings) text += fmt::format("  {}\n", warning);
     return text;
 }
 

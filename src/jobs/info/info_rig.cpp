@@ -48,7 +48,7 @@ std::string describe_camera(const Rig& rig, const RigCoverage& coverage) {
 bool is_raw(const Rig& rig) {
     return std::any_of(rig.lights.begin(), rig.lights.end(), [](const RigLight& light) {
         return std::any_of(light.images.begin(), light.images.end(),
-                           [](const RigExposure& e) { return is_raw_picture(e.image); });
+                           [](const RigExposure& e) { return is_raw_camera_name(e.image); });
     });
 }
 
