@@ -33,7 +33,17 @@ ordered_json triple(glm::vec3 v) {
     return {v.x, v.y, v.z};
 }
 
-ordered_json extras_of(const Material& m, const std::string& table) {
+ordered_json cloth_json(const Cloth& c, const std::string& draft) {
+    ordered_json out = {{"draft", draft},   {"yarns", c.yarns},     {"crimp", c.crimp},
+                        {"bulge", c.bulge}, {"gap", c.gap},         {"twist", c.twist},
+                        {"fuzz", c.fuzz},   {"alpha_x", c.alpha.x}, {"alpha_y", c.alpha.y}};
+    if (c.warp_color) out["warp_color"] = triple(*c.warp_color);
+    if (c.weft_color) out["weft_color"] = triple(*c.weft_color);
+    return out;
+}
+
+// `file`: beside the glTF, of the weave's draft or the measured material.
+ordered_json extras_of(const Material& m, const std::string& file) {
     ordered_json out = {{"mdf", name_of(m.mdf)},
                         {"brdf", name_of(m.brdf)},
                         {"method", name_of(m.method)},
@@ -42,7 +52,12 @@ ordered_json extras_of(const Material& m, const std::string& table) {
     if (m.brdf == Brdf::lafortune) out["lafortune_c"] = triple(m.lafortune_c);
     if (m.conductor)
         out["conductor"] = {{"eta", triple(m.conductor->eta)}, {"k", triple(m.conductor->k)}};
-    if (!table.empty()) out["tabulated"] = table;
+    if (!file.empty()) {
+        out["color"] = {{"base", triple(glm::vec3(m.base_color))}, {"metallic", m.metallic}};
+        out["anisotropy_rotation"] = m.anisotropy_rotation;
+    }
+    if (const Cloth* cloth = cloth_of(m)) out["cloth"] = cloth_json(*cloth, file);
+    if (tabulated_of(m)) out["tabulated"] = file;
     return out;
 }
 
@@ -61,7 +76,7 @@ std::vector<std::string> gltf_map_names(const GltfMaterial& baked) {
 }
 
 QuadMaterial gltf_material_text(const GltfMaterial& baked, const Material& source,
-                                const std::string& name, const std::string& table) {
+                                const std::string& name, const std::string& file) {
     const Material& m = baked.material;
     QuadMaterial out;
     out.images = gltf_map_names(baked);
@@ -99,7 +114,7 @@ QuadMaterial gltf_material_text(const GltfMaterial& baked, const Material& sourc
             out.extensions.emplace_back("KHR_materials_emissive_strength");
         }
     }
-    json["extras"]["burnish"] = extras_of(source, table);
+    json["extras"]["burnish"] = extras_of(source, file);
     return out;
 }
 

@@ -13,9 +13,9 @@ namespace burnish {
 std::vector<std::string> gltf_map_names(const GltfMaterial& baked);
 
 // `source`: the material that was baked. What glTF does not say of it goes into extras.burnish, from
-// which load_model restores it: mdf, brdf, method, the metal's refractive index. `table`: the file of
-// the measured material beside the glTF; "": none.
+// which load_model restores it: mdf, brdf, method, the metal's refractive index, a weave, a measured
+// material. `file`: the weave's draft or the measured material beside the glTF; "": neither.
 QuadMaterial gltf_material_text(const GltfMaterial& baked, const Material& source,
-                                const std::string& name, const std::string& table);
+                                const std::string& name, const std::string& file);
 
 }  // namespace burnish

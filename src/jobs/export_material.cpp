@@ -19,6 +19,7 @@
 #include "burnish/tabulated_file.hpp"
 #include "burnish/tabulated_material.hpp"
 #include "burnish/version.hpp"
+#include "burnish/wif.hpp"
 #include "core/memory.hpp"
 #include "export/gltf_material_text.hpp"
 #include "image/texel_value.hpp"
@@ -32,6 +33,7 @@ using nlohmann::ordered_json;
 
 constexpr int kUsualSide = 2048, kPreviewSide = 512;
 constexpr const char* kTableFile = "measured.exr";
+constexpr const char* kDraftFile = "draft.wif";
 
 // What a map means, for material.json.
 struct MapMeaning {
@@ -171,6 +173,10 @@ class FolderWriter {
 
   private:
     bool has_table() const { return tabulated_of(source_) != nullptr; }
+    std::string own_file() const {
+        if (!request_.extras) return "";
+        return has_table() ? kTableFile : cloth_of(source_) ? kDraftFile : "";
+    }
 
     // The quad shows the texture square: as many tiles as the tile's transform says.
     void size_mm(ExportMaterialReport& report) {
@@ -195,18 +201,20 @@ class FolderWriter {
         files.push_back({folder_ / "material.json",
                          [this](const fs::path& path) { write_text_file(path, manifest()); }});
         files.push_back({folder_ / "material.gltf", [this](const fs::path& path) {
-                             const std::string table = has_table() ? kTableFile : "";
-                             write_text_file(
-                                 path,
-                                 quad_gltf(quad_,
-                                           gltf_material_text(baked_, source_, source_.name, table),
-                                           "material.bin"));
+                             QuadMaterial text =
+                                 gltf_material_text(baked_, source_, source_.name, own_file());
+                             if (!request_.extras) text.json.erase("extras");
+                             write_text_file(path, quad_gltf(quad_, text, "material.bin"));
                          }});
         files.push_back({folder_ / "material.bin",
                          [this](const fs::path& path) { write_bytes(path, quad_bytes(quad_)); }});
-        if (has_table())
+        if (own_file() == kTableFile)
             files.push_back({folder_ / kTableFile, [this](const fs::path& path) {
                                  write_tabulated_material(path, *tabulated_of(source_)->material);
+                             }});
+        if (const Cloth* cloth = cloth_of(source_); own_file() == kDraftFile)
+            files.push_back({folder_ / kDraftFile, [cloth](const fs::path& path) {
+                                 write_text_file(path, wif_text(*cloth->draft));
                              }});
         if (!request_.preview) return files;
         try {

@@ -19,6 +19,7 @@ struct ExportMaterialRequest {
     int bits = 16;
     std::optional<double> tile_mm;  // width of the tile, where nothing states it
     bool preview = true;
+    bool extras = true;  // what glTF does not say, for burnish (gltf_material_text)
     int gl_device = -1;  // of the preview
     std::filesystem::path output;
     std::string command;

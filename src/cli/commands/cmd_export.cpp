@@ -35,7 +35,7 @@ struct ExportFlags {
     ExportMaterialRequest request;
     std::string size, output, bits = "16";
     double tile_mm = 0.0;
-    bool no_preview = false;
+    bool no_preview = false, no_extras = false;
 };
 
 void run_export(ExportFlags& flags, const Session& session) {
@@ -57,6 +57,7 @@ void run_export(ExportFlags& flags, const Session& session) {
         request.tile_mm = flags.tile_mm;
     }
     request.preview = !flags.no_preview;
+    request.extras = !flags.no_extras;
     request.output = flags.output;
     request.command = session.command_line();
     const ExportMaterialReport report = export_material(request, session.progress());
@@ -94,6 +95,8 @@ void add_export_command(CLI::App& parent, Session& session) {
                      "width of the tile in millimeters (default: what the material states)")
         ->type_name("MM");
     command->add_flag("--no-preview", flags->no_preview, "no preview.png, which needs OpenGL");
+    command->add_flag("--no-extras", flags->no_extras,
+                      "glTF's own words alone: read back, burnish draws the maps too");
     add_gl_device(*command, request.gl_device);
     for (const Parameter& parameter : parameter_table())
         if (parameter.group == ParameterGroup::material)

@@ -10,6 +10,7 @@
 #include "burnish/error.hpp"
 #include "formats/gltf/gltf_container.hpp"
 #include "formats/gltf/gltf_document.hpp"
+#include "formats/gltf/gltf_extras.hpp"
 #include "formats/gltf/gltf_instancing.hpp"
 #include "formats/gltf/gltf_lights.hpp"
 #include "formats/gltf/gltf_materials.hpp"
@@ -98,6 +99,11 @@ Scene load_gltf(const std::filesystem::path& path) {
     for (std::string& line : leave_out_textures(scene, pictures.failures))
         report.warn(std::move(line));
     for (std::string& line : complete_normal_maps(scene)) report.warn(std::move(line));
+    for (const auto& [index, json] : document.extras)
+        if (index < scene.materials.size())
+            apply_gltf_extras(json, path.parent_path(),
+                              fmt::format("materials[{}].extras.burnish", index), report,
+                              scene.materials[index]);
     meshes.finish();
     add_gltf_lights(model, placements, report, scene);
     add_gltf_cameras(model, placements, report, scene);

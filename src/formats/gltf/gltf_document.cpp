@@ -69,6 +69,23 @@ json parse_json(std::string_view text, const GltfReport& report) {
     }
 }
 
+// The checks of the schema come later: nothing is known of the types here.
+std::map<std::size_t, std::string> extras_of_materials(const json& root) {
+    std::map<std::size_t, std::string> found;
+    const auto materials = root.find("materials");
+    if (materials == root.end() || !materials->is_array()) return found;
+    for (std::size_t i = 0; i < materials->size(); ++i) {
+        const json& material = (*materials)[i];
+        if (!material.is_object()) continue;
+        const auto extras = material.find("extras");
+        if (extras == material.end() || !extras->is_object() || !extras->contains("burnish"))
+            continue;
+        // Texts that are not UTF-8 have been refused by the parser.
+        found[i] = extras->at("burnish").dump();
+    }
+    return found;
+}
+
 // Removes values that are never read and could have any size. The depth is checked before.
 void prune(json& value) {
     if (value.is_object()) {
@@ -203,12 +220,13 @@ std::shared_ptr<tinygltf::Model> parse_model(const json& root, const GltfReport&
 GltfDocument parse_gltf_document(std::string_view json_text, GltfReport& report) {
     json root = parse_json(json_text, report);
     if (!root.is_object()) report.fail("JSON", "an object", "something else");
+    GltfDocument document;
+    document.extras = extras_of_materials(root);
     prune(root);
     check_gltf_schema(root, report);
     check_version(root, report);
     warn_of_unknown_gltf_keys(root, report);
     check_gltf_extensions(texts(root, "extensionsUsed"), texts(root, "extensionsRequired"), report);
-    GltfDocument document;
     take_buffers(root, document);
     take_images(root, document, report);
     take_textures(root, document);

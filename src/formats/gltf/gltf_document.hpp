@@ -57,6 +57,7 @@ struct GltfDocument {
     std::vector<GltfImage> images;
     std::vector<GltfTexture> textures;
     std::map<std::pair<std::size_t, std::size_t>, GltfDraco> draco;  // by (mesh, primitive)
+    std::map<std::size_t, std::string> extras;  // by material: extras.burnish, as JSON
 };
 
 // Throws Error for JSON that is malformed, too deep, too large, of the wrong shape, of another
