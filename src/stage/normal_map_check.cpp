@@ -5,41 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <set>
-#include <type_traits>
+#include <string>
+#include <utility>
 
 #include "burnish/error.hpp"
+#include "image/texel_value.hpp"
+#include "maps/normal/slope_symmetry.hpp"
 
 namespace burnish {
 
 namespace {
 
-template <typename Stored>
-float stored_at(const Texture& texture, std::size_t index) {
-    Stored value{};
-    std::memcpy(&value, texture.texels.data() + index * sizeof value, sizeof value);
-    if constexpr (std::is_same_v<Stored, float>) return value;
-    return static_cast<float>(value) / static_cast<float>(std::numeric_limits<Stored>::max());
-}
-
-float channel_at(const Texture& texture, std::size_t index) {
-    switch (texture.type) {
-        case TexelType::u8:
-            return stored_at<std::uint8_t>(texture, index);
-        case TexelType::u16:
-            return stored_at<std::uint16_t>(texture, index);
-        case TexelType::f32:
-            return stored_at<float>(texture, index);
-    }
-    return 0.0f;
-}
-
-// Mean of 2 rgb - 1 (gray three times, as it is drawn) over texels that are not black; +z when all are black. Samples about a million
-// texels at most.
+// Mean of 2 rgb - 1 (gray three times, as it is drawn) over texels that are not black; +z when all
+// are black. Looks at about a million texels at most.
 glm::dvec3 mean_direction(const Texture& texture) {
     constexpr std::size_t kEnough = std::size_t{1} << 20;
     const auto channels = static_cast<std::size_t>(texture.channels);
@@ -52,7 +32,7 @@ glm::dvec3 mean_direction(const Texture& texture) {
         glm::dvec3 rgb;
         for (std::size_t c = 0; c < 3; ++c)
             rgb[static_cast<int>(c)] =
-                static_cast<double>(channel_at(texture, i * channels + std::min(c, channels - 1)));
+                static_cast<double>(texel_value(texture, i * channels + std::min(c, channels - 1)));
         if (rgb == glm::dvec3(0.0) || !std::isfinite(rgb.x + rgb.y + rgb.z)) continue;
         sum += 2.0 * rgb - 1.0;
         ++counted;
@@ -66,6 +46,22 @@ bool is_odd(const glm::dvec3& mean) {
     return !(mean.z >= 0.5 && mean.z >= 0.7 * glm::length(mean));
 }
 
+// Beyond this correlation a map says which way its green points; those of heights reach 0.8 and more,
+// noise stays below 0.1.
+constexpr double kTelling = 0.5;
+
+// A map whose green points the other way than the material says; empty: it agrees, or says nothing.
+std::string warning_of_green(const Texture& texture, bool flipped) {
+    const double symmetry = slope_symmetry(texture) * (flipped ? -1.0 : 1.0);
+    if (symmetry > -kTelling) return "";
+    return fmt::format(
+        "{}: its slopes are those of a height only where green points {} (correlation {:.2f}); it "
+        "is "
+        "drawn as said: bumps look like dents ({})",
+        one_line(texture.name), flipped ? "up (OpenGL)" : "down (DirectX)", symmetry,
+        flipped ? "without --flip-green" : "--flip-green");
+}
+
 }  // namespace
 
 void warn_of_odd_normal_maps(Scene& scene) {
@@ -77,7 +73,11 @@ void warn_of_odd_normal_maps(Scene& scene) {
         // Of two channels z is what is left of 1.
         if (texture.channels == 2 || texture.empty()) continue;
         const glm::dvec3 mean = mean_direction(texture);
-        if (!is_odd(mean)) continue;
+        if (!is_odd(mean)) {
+            std::string line = warning_of_green(texture, material.flip_green);
+            if (!line.empty()) scene.warnings.push_back(std::move(line));
+            continue;
+        }
         scene.warnings.push_back(
             fmt::format("{} does not look like a tangent-space normal map: its mean direction is "
                         "({:.2f}, {:.2f}, {:.2f}), expected near (0, 0, 1); it is drawn as one "

@@ -168,6 +168,7 @@ const std::map<std::string, std::string> kPublic = {
     {"plot/figure", "plot"},
     {"plot/mdf_plot", "plot"},
     {"plot/brdf_plot", "plot"},
+    {"gltf_material", "export"},
     {"material_textures", "export"},
     {"render", "jobs"},
 };

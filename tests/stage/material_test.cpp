@@ -145,5 +145,21 @@ TEST(NormalMapCheck, TakesTheBuiltInAndRealMaps) {
     EXPECT_EQ(scene.warnings.size(), 1u);
 }
 
+TEST(NormalMaps, ADirectXMapIsToldByItsSlopes) {
+    ParameterValues values;
+    values.set("normal_map", "builtin:bumps", "--normal-map");
+    const auto warnings = [&](bool flip) {
+        Scene scene = load_model("builtin:plane", 0);
+        if (flip) values.set("flip_green", "true", "--flip-green");
+        apply_material_parameters(scene, values);
+        warn_of_odd_normal_maps(scene);
+        return scene.warnings;
+    };
+    EXPECT_TRUE(warnings(false).empty());
+    const std::vector<std::string> lines = warnings(true);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_NE(lines.front().find("without --flip-green"), std::string::npos) << lines.front();
+}
+
 }  // namespace
 }  // namespace burnish

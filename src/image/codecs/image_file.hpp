@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "image/exr_window.hpp"
+#include "image/codecs/exr_window.hpp"
+#include "image/codecs/memory_proxy.hpp"
 #include "image/guard/format.hpp"
-#include "image/memory_proxy.hpp"
 
 namespace burnish {
 

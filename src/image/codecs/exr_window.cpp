@@ -1,4 +1,4 @@
-#include "image/exr_window.hpp"
+#include "image/codecs/exr_window.hpp"
 
 #include <algorithm>
 #include <cstddef>

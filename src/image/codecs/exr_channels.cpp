@@ -1,4 +1,4 @@
-#include "image/exr_channels.hpp"
+#include "image/codecs/exr_channels.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -12,39 +12,12 @@
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "core/files.hpp"
+#include "image/codecs/image_metadata.hpp"
 #include "image/guard/format.hpp"
-#include "image/image_metadata.hpp"
+#include "image/written_format.hpp"
 
 namespace burnish {
 namespace {
-
-struct Extension {
-    std::string_view text;
-    ImageFormat format;
-};
-
-constexpr std::array kExtensions = {
-    Extension{".png", ImageFormat::png},   Extension{".jpg", ImageFormat::jpeg},
-    Extension{".jpeg", ImageFormat::jpeg}, Extension{".tif", ImageFormat::tiff},
-    Extension{".tiff", ImageFormat::tiff}, Extension{".exr", ImageFormat::exr},
-};
-
-std::optional<ImageFormat> format_of_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const Extension& known : kExtensions) {
-        if (extension == known.text) return known.format;
-    }
-    return std::nullopt;
-}
-
-ImageFormat require_format(const std::filesystem::path& path) {
-    if (const auto format = format_of_extension(path)) return *format;
-    const std::string extension = path.extension().string();
-    throw UsageError(path.string(), "", "a name ending in .png, .jpg, .tif or .exr",
-                     extension.empty() ? "no ending" : shown(extension));
-}
 
 void check_image(const Image& image, const std::string& name) {
     check_image_size(image.width, image.height, name);
@@ -128,25 +101,17 @@ void encode(ImageFormat format, const Image& image, const Metadata& metadata,
 
 }  // namespace
 
+namespace oiio {
+
 void write_image(const std::filesystem::path& path, const Image& image,
                  const std::map<std::string, std::string>& metadata) {
-    const ImageFormat format = require_format(path);
+    const ImageFormat format = require_written_format(path);
     check_image(image, path.string());
     OIIO::Filesystem::IOVecOutput target;
     encode(format, image, metadata, target, path.string());
     write_bytes(path, std::as_bytes(std::span(target.buffer())));
 }
 
-bool holds_linear(const std::filesystem::path& path) {
-    return format_of_extension(path) == ImageFormat::exr;
-}
-
-bool holds_alpha(const std::filesystem::path& path) {
-    return format_of_extension(path) != ImageFormat::jpeg;
-}
-
-void require_image_extension(const std::filesystem::path& path) {
-    require_format(path);
-}
+}  // namespace oiio
 
 }  // namespace burnish

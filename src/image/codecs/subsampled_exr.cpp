@@ -1,4 +1,4 @@
-#include "image/subsampled_exr.hpp"
+#include "image/codecs/subsampled_exr.hpp"
 
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "burnish/error.hpp"
-#include "image/exr_window.hpp"
+#include "image/codecs/exr_window.hpp"
 #include "image/guard/format.hpp"
 
 namespace burnish {

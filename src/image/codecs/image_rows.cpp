@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "burnish/error.hpp"
-#include "image/image_metadata.hpp"
+#include "image/codecs/image_metadata.hpp"
 
 namespace burnish {
 namespace {
@@ -123,6 +123,8 @@ struct Encoder {
 
 }  // namespace
 
+namespace oiio {
+
 void write_data_picture(const std::filesystem::path& path, const DataPicture& picture,
                         const std::string& name, const std::function<void(double)>& step) {
     const char* format = picture.format == DataFormat::exr ? "openexr" : "png";
@@ -148,5 +150,7 @@ void write_data_picture(const std::filesystem::path& path, const DataPicture& pi
     if (!output->close() || output->has_error() || file.failed()) fail();
     file.close();
 }
+
+}  // namespace oiio
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-#include "image/image_metadata.hpp"
+#include "image/codecs/image_metadata.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "image/image_file.hpp"
+#include "image/codecs/image_file.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -10,10 +10,10 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
-#include "image/exr_channels.hpp"
+#include "image/codecs/exr_channels.hpp"
+#include "image/codecs/read_limits.hpp"
 #include "image/guard/container_checks.hpp"
 #include "image/guard/png_chunks.hpp"
-#include "image/read_limits.hpp"
 
 namespace burnish {
 namespace {

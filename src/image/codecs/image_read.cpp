@@ -14,13 +14,13 @@
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "core/files.hpp"
-#include "image/exr_channels.hpp"
-#include "image/exr_window.hpp"
+#include "image/codecs/exr_channels.hpp"
+#include "image/codecs/exr_window.hpp"
+#include "image/codecs/image_file.hpp"
+#include "image/codecs/image_metadata.hpp"
+#include "image/codecs/subsampled_exr.hpp"
 #include "image/guard/container_checks.hpp"
 #include "image/guard/format.hpp"
-#include "image/image_file.hpp"
-#include "image/image_metadata.hpp"
-#include "image/subsampled_exr.hpp"
 
 namespace burnish {
 namespace {
@@ -290,6 +290,8 @@ void describe_reading(const ImageFile& image, std::map<std::string, std::string>
 
 }  // namespace
 
+namespace oiio {
+
 Image read_image(const std::filesystem::path& path, const ReadOptions& options) {
     const std::string name = path.string();
     return with_errors_of(name, [&] {
@@ -356,16 +358,6 @@ ImageInfo read_image_info(const std::filesystem::path& path) {
     });
 }
 
-bool is_image_file(const std::filesystem::path& path) {
-    try {
-        return image_format_of(read_file_head(path, kImageHeadBytes)).has_value();
-    } catch (const Error&) {
-        return false;
-    }
-}
-
-bool is_raw_camera_name(const std::filesystem::path& path) {
-    return has_raw_ending(path.string());
-}
+}  // namespace oiio
 
 }  // namespace burnish

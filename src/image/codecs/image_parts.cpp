@@ -13,10 +13,10 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
+#include "image/codecs/image_metadata.hpp"
+#include "image/codecs/memory_proxy.hpp"
+#include "image/codecs/read_limits.hpp"
 #include "image/guard/format.hpp"
-#include "image/image_metadata.hpp"
-#include "image/memory_proxy.hpp"
-#include "image/read_limits.hpp"
 
 namespace burnish {
 namespace {
@@ -219,11 +219,7 @@ void encode(const std::vector<ImagePart>& parts, const std::string& target,
 
 }  // namespace
 
-const ImageChannel* ImagePart::find(std::string_view channel) const {
-    for (const ImageChannel& candidate : channels)
-        if (candidate.name == channel) return &candidate;
-    return nullptr;
-}
+namespace oiio {
 
 std::vector<ImagePart> read_image_parts(const std::filesystem::path& path) {
     const std::string name = path.string();
@@ -273,5 +269,7 @@ bool has_image_part_attribute(const std::filesystem::path& path, std::string_vie
     const auto bytes = std::as_bytes(std::span(wanted));
     return std::search(head.begin(), head.end(), bytes.begin(), bytes.end()) != head.end();
 }
+
+}  // namespace oiio
 
 }  // namespace burnish
