@@ -114,7 +114,8 @@ std::vector<std::string> repeated_flags(const CLI::App& root) {
             const bool last_wins =
                 option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast;
             if (!last_wins || option->get_lnames().empty() || option->count() < 2) continue;
-            if (option->get_type_size() == 0) continue;  // a switch
+            const bool takes_one = option->get_items_expected_max() == 1;
+            if (option->get_type_size() == 0 || !takes_one) continue;  // a switch, a list
             lines.push_back("--" + option->get_lnames().front() + ": given " +
                             std::to_string(option->count()) + " times: the last one, " +
                             shown(option->results().back()) + ", holds");

@@ -168,7 +168,7 @@ class Baker {
         : points_(points),
           width_(settings.width),
           height_(settings.height),
-          mdf_(static_cast<int>(m.mdf)),
+          mdf_(f32::brdf_mdf(static_cast<int>(m.brdf), static_cast<int>(m.mdf))),
           base_("base_color", width_, height_, points.has_alpha ? 4 : 3, 8, ColorSpace::srgb),
           orm_("orm", width_, height_, 3, settings.bits, ColorSpace::linear),
           normal_("normal", width_, height_, 3, settings.bits, ColorSpace::linear),
@@ -316,7 +316,7 @@ double gltf_tile_aspect(const Material& m) {
     if (const Tabulated* table = tabulated_of(m))
         return static_cast<double>(table->material->width) / table->material->height;
     const Cloth* cloth = cloth_of(m);
-    if (cloth == nullptr) return 1.0;
+    if (cloth == nullptr || has_textures(m)) return 1.0;
     const glm::ivec2 repeats = cloth_repeats(*cloth->draft);
     return static_cast<double>(cloth->draft->ends * repeats.x) / (cloth->draft->picks * repeats.y);
 }

@@ -55,9 +55,9 @@ ordered_json extras_of(const Material& m, const std::string& file) {
     if (!file.empty()) {
         out["color"] = {{"base", triple(glm::vec3(m.base_color))}, {"metallic", m.metallic}};
         out["anisotropy_rotation"] = m.anisotropy_rotation;
+        if (const Cloth* cloth = cloth_of(m)) out["cloth"] = cloth_json(*cloth, file);
+        if (tabulated_of(m)) out["tabulated"] = file;
     }
-    if (const Cloth* cloth = cloth_of(m)) out["cloth"] = cloth_json(*cloth, file);
-    if (tabulated_of(m)) out["tabulated"] = file;
     return out;
 }
 

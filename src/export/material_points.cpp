@@ -136,7 +136,8 @@ class LobePoints {
   public:
     LobePoints(const Material& m, std::span<const Texture> textures)
         : anisotropy_(m.anisotropy_texture, textures),
-          rotation_(std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation)),
+          rotation_(std::cos(m.anisotropy_rotation + m.anisotropy_texture_turn),
+                    std::sin(m.anisotropy_rotation + m.anisotropy_texture_turn)),
           gltf_(gltf_lobe_of(m) ? *gltf_lobe_of(m) : GltfLobe{}),
           is_gltf_(gltf_lobe_of(m) != nullptr),
           alpha_(alpha_of(m)) {}
@@ -166,6 +167,10 @@ class LobePoints {
 };
 
 }  // namespace
+
+bool has_textures(const Material& material) {
+    return !uses_of(material).empty();
+}
 
 glm::ivec2 cloth_repeats(const Draft& draft) {
     const auto repeats = [](int yarns) { return (kUsualYarns + yarns - 1) / yarns; };
@@ -280,7 +285,7 @@ class ClothPoints {
 }  // namespace
 
 MaterialPoints points_of_cloth(const Material& m, std::span<const Texture> textures) {
-    const auto cloth = std::make_shared<const ClothPoints>(m, textures, !uses_of(m).empty());
+    const auto cloth = std::make_shared<const ClothPoints>(m, textures, has_textures(m));
     MaterialPoints out;
     out.tile = cloth->tile();
     out.detail = glm::max(kPointsAYarn * cloth->yarns_of_tile(), texels_of(m, textures, out.tile));

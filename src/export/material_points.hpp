@@ -37,6 +37,9 @@ MaterialPoints points_of_textures(const Material& material, std::span<const Text
 MaterialPoints points_of_cloth(const Material& material, std::span<const Texture> textures);
 MaterialPoints points_of_table(const Material& material, std::span<const Texture> textures);
 
+// Whether the material has any texture that its kind of lobe reads.
+bool has_textures(const Material& material);
+
 // Whole repeats of the draft that a tile of it shows: at least 16 yarns a side.
 glm::ivec2 cloth_repeats(const Draft& draft);
 

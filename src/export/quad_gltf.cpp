@@ -59,11 +59,11 @@ std::string quad_gltf(const SampleQuad& quad, const QuadMaterial& material,
     root["scene"] = 0;
     root["scenes"] = {{{"nodes", {0}}}};
     root["nodes"] = {{{"mesh", 0}, {"name", quad.name}}};
+    ordered_json attributes = {{"POSITION", 0}, {"NORMAL", 1}};
+    if (quad.tangents) attributes["TANGENT"] = 2;
+    attributes["TEXCOORD_0"] = 3;
     root["meshes"] = {
-        {{"primitives",
-          {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TANGENT", 2}, {"TEXCOORD_0", 3}}},
-            {"indices", 4},
-            {"material", 0}}}}}};
+        {{"primitives", {{{"attributes", attributes}, {"indices", 4}, {"material", 0}}}}}};
     root["materials"] = ordered_json::array({material.json});
     root["textures"] = ordered_json::array();
     root["images"] = ordered_json::array();

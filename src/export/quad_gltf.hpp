@@ -11,6 +11,9 @@ namespace burnish {
 struct SampleQuad {
     std::string name;
     double width_mm = 0.0, height_mm = 0.0;
+    // Left out, whoever reads the glTF makes them of the transformed texture coordinates: where the
+    // transform rotates or mirrors.
+    bool tangents = true;
 };
 
 struct QuadMaterial {

@@ -22,6 +22,7 @@
 #include "burnish/wif.hpp"
 #include "core/memory.hpp"
 #include "export/gltf_material_text.hpp"
+#include "export/material_points.hpp"
 #include "image/texel_value.hpp"
 #include "jobs/map_folder.hpp"
 
@@ -157,39 +158,50 @@ class FolderWriter {
 
     void write(const Progress& progress, ExportMaterialReport& report) {
         const OutputFolder made(folder_);
+        const bool was_ours = fs::exists(folder_ / "material.json");
         const Size size = size_of(request_, source_);
         baked_ = bake_gltf_material(source_, stage_.scene.textures,
                                     {size.width, size.height, request_.bits}, available_memory(),
                                     progress);
         for (const std::string& loss : baked_.losses)
             report.warnings.push_back(fmt::format("{}: {}", one_line(source_.name), loss));
-        size_mm(report);
+        size_mm();
         const std::map<std::string, std::string> metadata = {
             {"burnish:version", std::string(version())}, {"burnish:command", request_.command}};
         const auto written = write_map_folder(folder_, texts(metadata, progress, report),
                                               pictures(), metadata, progress);
+        if (was_ours) remove_others(written);
         report.written.insert(report.written.end(), written.begin(), written.end());
     }
 
   private:
     bool has_table() const { return tabulated_of(source_) != nullptr; }
     std::string own_file() const {
-        if (!request_.extras) return "";
+        // Maps that lie over the weave or the table are in the baked ones alone.
+        if (!request_.extras || has_textures(source_)) return "";
         return has_table() ? kTableFile : cloth_of(source_) ? kDraftFile : "";
     }
 
+    // Files of an earlier export that this one does not write: they would be taken for its maps.
+    void remove_others(const std::vector<fs::path>& written) const {
+        std::vector<std::string> names = {kTableFile, kDraftFile, "preview.png"};
+        for (const MapMeaning& m : kMeanings) names.push_back(std::string(m.name) + ".png");
+        for (const std::string& name : names) {
+            const fs::path file = folder_ / name;
+            std::error_code ignored;
+            if (std::find(written.begin(), written.end(), file) == written.end())
+                fs::remove(file, ignored);
+        }
+    }
+
     // The quad shows the texture square: as many tiles as the tile's transform says.
-    void size_mm(ExportMaterialReport& report) {
+    void size_mm() {
         tile_mm_ = tile_width_mm(request_, source_);
-        if (!tile_mm_)
-            report.warnings.push_back(
-                fmt::format("{}: nothing states the size of the tile: the quad is 100 mm wide "
-                            "(--tile-mm)",
-                            one_line(source_.name)));
         const glm::mat3& tile = baked_.tile;
         const double across = std::hypot(tile[0][0], tile[0][1]);
         const double down = std::hypot(tile[1][0], tile[1][1]);
         const double tile_aspect = gltf_tile_aspect(source_);
+        quad_.tangents = tile[0][1] == 0.0f && tile[0][0] > 0.0f && tile[1][1] > 0.0f;
         quad_.name = source_.name;
         quad_.width_mm = tile_mm_ ? *tile_mm_ * across : 100.0;
         quad_.height_mm = across > 0.0 ? quad_.width_mm / across * down / tile_aspect : 100.0;

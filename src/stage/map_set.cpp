@@ -141,6 +141,32 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
     return pictures;
 }
 
+// Of two files of one name the one that keeps more: floats before 16 bits before 8.
+int rank_of(const fs::path& file) {
+    const std::string extension = lower(file.extension().string());
+    if (extension == ".exr" || extension == ".hdr") return 3;
+    if (extension == ".tif" || extension == ".tiff") return 2;
+    return extension == ".png" ? 1 : 0;
+}
+
+std::vector<std::string> words_without_size(const fs::path& file) {
+    std::vector<std::string> words = words_of(file.stem().string());
+    while (!words.empty() && is_size(words.back())) words.pop_back();
+    return words;
+}
+
+// Whether the file has the name of the set alone, to which the others add a role: the picture of a
+// "Rusty_Metal_2K.png" beside "Rusty_Metal_2K_Color.png".
+bool is_picture_of_set(const fs::path& file, const std::vector<fs::path>& all) {
+    const std::vector<std::string> name = words_without_size(file);
+    return std::any_of(all.begin(), all.end(), [&](const fs::path& other) {
+        std::vector<std::string> longer = words_of(other.stem().string());
+        std::erase_if(longer, is_size);
+        return longer.size() > name.size() && map_role_of(other) &&
+               std::equal(name.begin(), name.end(), longer.begin());
+    });
+}
+
 // Takes `kept` and passes over `other` where both are there.
 void prefer(MapSet& set, MapRole kept, MapRole other) {
     const auto file = set.files.find(other);
@@ -158,8 +184,7 @@ std::string_view map_role_name(MapRole role) {
 }
 
 std::optional<MapRole> map_role_of(const fs::path& file) {
-    std::vector<std::string> words = words_of(file.stem().string());
-    while (!words.empty() && is_size(words.back())) words.pop_back();
+    const std::vector<std::string> words = words_without_size(file);
     // The longest run of last words that is a role: "base", "color" before "color". Libraries put a
     // resolution, or a kind of normal map ("nor_gl_2k"), behind the role.
     for (std::size_t first = words.size() > 3 ? words.size() - 3 : 0; first < words.size();
@@ -177,14 +202,20 @@ MapSet find_map_set(const fs::path& folder) {
         throw UsageError("maps", "", "a folder of maps of one surface", shown(folder.string()));
     MapSet set;
     std::string unknown, taken;
-    for (const fs::path& picture : pictures_in(folder)) {
+    const std::vector<fs::path> pictures = pictures_in(folder);
+    for (const fs::path& picture : pictures) {
+        if (picture.stem() == "preview") continue;  // of our own folders
         const auto role = map_role_of(picture);
-        if (!role) {
+        if (!role || is_picture_of_set(picture, pictures)) {
             unknown +=
                 fmt::format("{}{}", unknown.empty() ? "" : ", ", picture.filename().string());
             continue;
         }
         const auto [held, fresh] = set.files.emplace(*role, picture);
+        if (!fresh && held->second.stem() == picture.stem()) {
+            if (rank_of(picture) > rank_of(held->second)) held->second = picture;
+            continue;
+        }
         if (!fresh)
             throw Error(folder.string(), std::string(map_role_name(*role)), "one map of this role",
                         fmt::format("{} and {}: move one away, or name each map by its flag",

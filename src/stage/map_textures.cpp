@@ -84,7 +84,7 @@ class NumberMap {
                                    static_cast<std::size_t>(texture_.width) +
                                static_cast<std::size_t>(wrapped(x, texture_.width));
         return texel_value(texture_, at * static_cast<std::size_t>(texture_.channels) +
-                                          static_cast<std::size_t>(channel_));
+                                         static_cast<std::size_t>(channel_));
     }
 
     // At the middle of a texel of a map of another size.
@@ -205,7 +205,14 @@ class Loader {
 
     void load_base_color() {
         const fs::path* path = file(MapRole::base_color);
-        if (!path) return;
+        if (!path) {
+            if (const fs::path* alone = file(MapRole::opacity))
+                out_.notes.push_back(fmt::format(
+                    "{}: opacity without a map of the base color is not drawn: give one "
+                    "(--base-color-map)",
+                    one_line(alone->string())));
+            return;
+        }
         Texture base = read_texture(*path, ColorSpace::srgb);
         const fs::path* opacity = file(MapRole::opacity);
         out_.has_opacity = opacity || base.channels == 4 || base.channels == 2;
@@ -214,23 +221,28 @@ class Loader {
     }
 
     void load_surface() {
-        if (const fs::path* orm = file(MapRole::orm)) {
-            out_.metallic_roughness = out_.occlusion =
-                append_(read_texture(*orm, ColorSpace::linear));
-            out_.has_roughness = out_.has_metallic = true;
-            return;
-        }
+        const fs::path* orm = file(MapRole::orm);
         const fs::path* gloss = file(MapRole::glossiness);
         const fs::path* rough = gloss ? gloss : file(MapRole::roughness);
         const fs::path* metal = file(MapRole::metallic);
+        if (orm) {
+            const int whole = append_(read_texture(*orm, ColorSpace::linear));
+            out_.occlusion = whole;
+            if (!rough && !metal) {
+                out_.metallic_roughness = whole;
+                out_.has_roughness = out_.has_metallic = true;
+                return;
+            }
+        }
         if (!rough && !metal) return;
+        // What a map of its own does not say, the channel of the ORM map says.
         std::optional<NumberMap> rough_map, metal_map;
-        if (rough) rough_map.emplace(*rough);
-        if (metal) metal_map.emplace(*metal);
+        if (rough || orm) rough_map.emplace(rough ? *rough : *orm, rough ? 0 : 1);
+        if (metal || orm) metal_map.emplace(metal ? *metal : *orm, metal ? 0 : 2);
         out_.metallic_roughness =
             append_(metallic_roughness(rough_map, gloss != nullptr, metal_map));
-        out_.has_roughness = rough != nullptr;
-        out_.has_metallic = metal != nullptr;
+        out_.has_roughness = rough_map.has_value();
+        out_.has_metallic = metal_map.has_value();
     }
 
     void load_normal() {

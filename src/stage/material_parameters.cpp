@@ -35,6 +35,8 @@ void require_consistent(const ParameterValues& values) {
     if (values.is_set("scratch") && values.is_set("normal_map"))
         throw UsageError("scratch", "", "a scratch map or a normal_map, not both", "both");
     const bool weave = names_one(values, "weave"), scratch = values.is_set("scratch");
+    if (names_one(values, "roughness_map") && names_one(values, "glossiness_map"))
+        throw UsageError("glossiness_map", "", "no roughness_map beside it", "both");
     if (names_one(values, "height_map") && (weave || scratch || names_one(values, "normal_map")))
         throw UsageError("height_map", "", "no normal_map, scratch map or weave beside it", "both");
     if (weave && (scratch || names_one(values, "normal_map")))

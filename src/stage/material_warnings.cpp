@@ -59,7 +59,7 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
                  [](const Material& m, Values) { return m.brdf == Brdf::lafortune; });
     warn_if_idle("roughness", "the pair set beside it holds",
                  [](const Material&, Values v) { return !roughness_pair(v, std::nullopt); });
-    for (const std::string_view map : {"roughness_map", "glossiness_map"})
+    for (const std::string_view map : {"roughness_map", "glossiness_map", "orm_map"})
         warn_if_idle(map, "the pair set beside it holds",
                      [](const Material&, Values v) { return !roughness_pair(v, std::nullopt); });
     const auto has_normals = [](const Material& m, Values) {
@@ -70,8 +70,9 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
     warn_if_idle(
         "metallic", "a measured metal (--metal) is metallic",
         [](const Material& m, Values v) { return !m.conductor || v.real("metallic") == 1.0; });
-    warn_if_idle("height_scale", "there is no height_map",
-                 [](const Material&, Values v) { return names_one(v, "height_map"); });
+    warn_if_idle("height_scale", "there is no height_map", [](const Material&, Values v) {
+        return names_one(v, "height_map") || names_one(v, "maps");
+    });
     warn_if_idle("scratch_direction", "there is no scratch map",
                  [](const Material&, Values v) { return v.is_set("scratch"); });
 }

@@ -211,7 +211,8 @@ TabulatedMaterial patchwork() {
 // Radiance of a pixel of the plane: that of the four texels about its middle.
 double expected_at(const TabulatedMaterial& m, const std::vector<ReferenceTable>& tables,
                    int method, f64::vec3 at, f64::vec3 wi, f64::vec3 wo) {
-    const double x = (at.x + 1) / 2 * m.width - 0.5, y = (at.y + 1) / 2 * m.height - 0.5;
+    // The first row is at the top.
+    const double x = (at.x + 1) / 2 * m.width - 0.5, y = (1 - at.y) / 2 * m.height - 0.5;
     double sum = 0, weights = 0;
     for (int corner = 0; corner < 4; ++corner) {
         const int i = corner % 2, j = corner / 2;

@@ -171,5 +171,40 @@ TEST(MapSets, WhatIsMissingIsSaid) {
     EXPECT_THROW(plane_with(maps_of(folder)), UsageError);
 }
 
+TEST(MapSets, TheNameOfTheSetIsNoRole) {
+    const ScratchFolder folder;
+    for (const char* name : {"Rusty_Metal_2K.png", "Rusty_Metal_2K_Color.png", "preview.png"})
+        flat(folder / name, 0.5f, 0.5f, 0.5f);
+    const MapSet set = find_map_set(folder / "");
+    EXPECT_EQ(set.files.size(), 1U);
+    EXPECT_TRUE(set.files.contains(MapRole::base_color));
+}
+
+TEST(MapSets, OfTwoFilesOfOneNameTheFinerIsTaken) {
+    const ScratchFolder folder;
+    for (const char* name : {"x_height.png", "x_height.exr", "x_height.jpg"})
+        flat(folder / name, 0.5f, 0.5f, 0.5f);
+    EXPECT_EQ(find_map_set(folder / "").files.at(MapRole::height).extension(), ".exr");
+}
+
+TEST(MapSets, AMapOfItsOwnReplacesTheChannelOfAnOrmMap) {
+    const ScratchFolder folder;
+    flat(folder / "x_orm.png", 0.25f, 0.5f, 1.0f);
+    flat(folder / "rough.png", 0.75f, 0.75f, 0.75f);
+    ParameterValues values = maps_of(folder);
+    std::filesystem::create_directory(folder / "sub");
+    std::filesystem::rename(folder / "rough.png", folder / "sub/rough.png");
+    values.set("roughness_map", (folder / "sub/rough.png").string(), "--roughness-map");
+    const Scene scene = plane_with(values);
+    const Material& m = scene.materials.front();
+    const Texture& surface =
+        scene.textures[static_cast<std::size_t>(m.metallic_roughness_texture.texture)];
+    std::uint16_t rgb[3];
+    std::memcpy(rgb, surface.texels.data(), sizeof rgb);
+    EXPECT_NEAR(rgb[1] / 65535.0, 0.75, 0.003);
+    EXPECT_NEAR(rgb[2] / 65535.0, 1.0, 0.003);
+    EXPECT_TRUE(m.occlusion_texture);
+}
+
 }  // namespace
 }  // namespace burnish

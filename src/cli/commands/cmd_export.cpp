@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "burnish/error.hpp"
@@ -34,7 +35,7 @@ constexpr IntegerRange kTexels = {16, 16384};
 struct ExportFlags {
     ExportMaterialRequest request;
     std::string size, output, bits = "16";
-    double tile_mm = 0.0;
+    std::optional<double> tile_mm;
     bool no_preview = false, no_extras = false;
 };
 
@@ -50,12 +51,10 @@ void run_export(ExportFlags& flags, const Session& session) {
     if (flags.bits != "8" && flags.bits != "16")
         throw UsageError("--bits", "", "8 or 16", shown(flags.bits));
     request.bits = flags.bits == "8" ? 8 : 16;
-    if (flags.tile_mm != 0.0) {
-        if (!(flags.tile_mm >= 1e-3 && flags.tile_mm <= 1e6))
-            throw UsageError("--tile-mm", "", "a number from 0.001 to 1000000",
-                             fmt::format("{:g}", flags.tile_mm));
-        request.tile_mm = flags.tile_mm;
-    }
+    if (flags.tile_mm && !(*flags.tile_mm >= 1e-3 && *flags.tile_mm <= 1e6))
+        throw UsageError("--tile-mm", "", "a number from 0.001 to 1000000",
+                         fmt::format("{:g}", *flags.tile_mm));
+    request.tile_mm = flags.tile_mm;
     request.preview = !flags.no_preview;
     request.extras = !flags.no_extras;
     request.output = flags.output;
