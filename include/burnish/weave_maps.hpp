@@ -59,6 +59,9 @@ WeaveMaps bake_weave(const WeaveMapSettings& settings, std::uint64_t memory_limi
 void weave_normal_rows(const WeaveMaps& maps, int begin, int end, float* to);  // (1 + n) / 2
 // (1 + cos 2a) / 2, (1 + sin 2a) / 2, and 1 where there is a yarn.
 void weave_direction_rows(const WeaveMaps& maps, int begin, int end, float* to);
+// RGB of KHR_materials_anisotropy: the direction of stretch, across the fibers, (1 + d) / 2 with y up;
+// `strength` where there is a yarn, else 0.
+void weave_stretch_rows(const WeaveMaps& maps, float strength, int begin, int end, float* to);
 // Linear colour of a number of `yarns`; black for a hole.
 glm::vec3 weave_yarn_color(const WeaveMaps& maps, const WeaveMapSettings& settings, int yarn);
 // Display values (sRGB curve) of these.

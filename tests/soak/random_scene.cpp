@@ -67,6 +67,7 @@ ParameterValues random_values(Random& random) {
     for (const Parameter& parameter : parameter_table()) {
         const bool other_way = parameter.name.starts_with(exponents ? "alpha_" : "e_");
         if (is_set_elsewhere(parameter.name) || other_way || !one_in(random, 3)) continue;
+        if (parameter.kind == ParameterKind::text) continue;  // files
         if (parameter.belongs_to == "weave" && !woven) continue;
         // A camera at a chance place of a thousand kilometres sees nothing.
         const bool placed = parameter.name.starts_with("camera_") && !one_in(random, 8);

@@ -116,7 +116,7 @@ const std::vector<LayerWord>& layer_words() {
 
 struct ScratchFlags {
     std::string output, preset, settings, wear_mask, direction_image;
-    bool double_angle = false;
+    bool double_angle = false, orm = false;
     std::optional<int> size;
     std::optional<double> tile_mm;
     std::optional<std::uint32_t> seed;
@@ -211,7 +211,7 @@ ScratchRecipe recipe_of(const ScratchFlags& flags) {
 }
 
 void run_scratch(const ScratchFlags& flags, const Session& session) {
-    const ScratchRequest request{recipe_of(flags), flags.output, session.command_line()};
+    const ScratchRequest request{recipe_of(flags), flags.orm, flags.output, session.command_line()};
     const ScratchReport report = make_scratch_maps(request, session.progress());
     print_report(report.warnings, report.written);
 }
@@ -284,6 +284,8 @@ void add_scratch_command(CLI::App& parent, Session& session) {
         ->type_name("FILE");
     command->add_flag("--double-angle", flags->double_angle,
                       "the direction image holds cos 2a, sin 2a, as direction.png does");
+    command->add_flag("--orm", flags->orm,
+                      "also ao.png and orm.png: occlusion, roughness 0.3, metal");
     add_layer_flags(*command, flags);
     command->footer(kScratchFooter);
     command->callback([flags, &session] { run_scratch(*flags, session); });

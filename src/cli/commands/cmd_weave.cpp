@@ -91,6 +91,10 @@ void add_weave_command(CLI::App& parent, Session& session) {
         ->add_option("--yarn-mm", flags->request.yarn_mm,
                      "from yarn to yarn on the surface (default 1)")
         ->type_name("MM");
+    command->add_flag(
+        "--orm", flags->request.orm,
+        "also ao.png, orm.png (occlusion, roughness, metallic) and anisotropy.png, of "
+        "a usual cloth");
     for (const std::string_view name : weave_map_parameters())
         add_parameter_flag(*command, name, flags->request.values)->group("Yarns");
     command->footer(kWeaveFooter);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -15,8 +16,10 @@
 #include "core/files.hpp"
 #include "core/memory.hpp"
 #include "jobs/map_folder.hpp"
+#include "jobs/maps/occlusion_pictures.hpp"
 #include "jobs/maps/scratch_preview.hpp"
 #include "jobs/maps/scratch_recipe.hpp"
+#include "maps/normal/height_occlusion.hpp"
 
 namespace burnish {
 
@@ -160,9 +163,16 @@ ScratchReport make_scratch_maps(const ScratchRequest& request, const Progress& p
     others.push_back({request.output / "preview.png", [&](const fs::path& path) {
                           write_image(path, scratch_preview(maps), metadata);
                       }});
-    report.written =
-        write_map_folder(request.output, std::move(others),
-                         pictures_of(maps, settings.layers.front(), report), metadata, progress);
+    std::vector<NamedPicture> pictures = pictures_of(maps, settings.layers.front(), report);
+    Image occlusion;
+    if (request.orm) {
+        const double texel_mm = maps.tile_mm / maps.size;
+        occlusion = height_occlusion(maps.height, texel_mm, texel_mm, progress);
+        std::ranges::move(occlusion_pictures(occlusion, kScratchOrmRoughness, 1.0f),
+                          std::back_inserter(pictures));
+    }
+    report.written = write_map_folder(request.output, std::move(others), std::move(pictures),
+                                      metadata, progress);
     return report;
 }
 

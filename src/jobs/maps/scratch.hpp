@@ -25,9 +25,13 @@ ScratchRecipe load_scratch_recipe(const std::filesystem::path& file_or_folder);
 
 struct ScratchRequest {
     ScratchRecipe recipe;
+    bool orm = false;              // ao.png and orm.png too
     std::filesystem::path output;  // a folder, created if it is missing
     std::string command;           // for metadata
 };
+
+// Of the metal between the scratches, perceptual, in orm.png.
+inline constexpr float kScratchOrmRoughness = 0.3f;
 
 struct ScratchReport {
     std::vector<std::filesystem::path> written;

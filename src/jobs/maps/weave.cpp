@@ -6,12 +6,15 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
 #include "burnish/image_io.hpp"
+#include "burnish/scene.hpp"
 #include "burnish/version.hpp"
 #include "burnish/weave_maps.hpp"
 #include "burnish/wif.hpp"
@@ -19,7 +22,9 @@
 #include "core/files.hpp"
 #include "core/memory.hpp"
 #include "jobs/map_folder.hpp"
+#include "jobs/maps/occlusion_pictures.hpp"
 #include "jobs/maps/weave_preview.hpp"
+#include "maps/normal/height_occlusion.hpp"
 
 namespace burnish {
 
@@ -127,6 +132,24 @@ std::vector<NamedPicture> pictures_of(const WeaveMaps& maps, const WeaveMapSetti
     return all;
 }
 
+// The lobe of the fibers of a usual cloth, disorder included, in glTF's terms.
+void append_lobe_pictures(const WeaveMaps& maps, const Image& occlusion,
+                          std::vector<NamedPicture>& pictures) {
+    const Cloth usual;
+    const f32::Lobe lobe =
+        f32::widen_lobe(f32::lobe_from_alpha(f32::kMdfGgx, usual.alpha.x, usual.alpha.y),
+                        usual.fuzz * usual.fuzz, usual.fuzz * usual.fuzz);
+    const float along = std::min(lobe.p0, lobe.p1), across = std::max(lobe.p0, lobe.p1);
+    const float strength = std::sqrt((across - along) / (1.0f - along));
+    std::ranges::move(occlusion_pictures(occlusion, std::sqrt(along), 0.0f),
+                      std::back_inserter(pictures));
+    pictures.push_back(
+        {"anisotropy.png", picture_of_rows(DataFormat::png16, kRgb, maps.width, maps.height,
+                                           [&maps, strength](int begin, int end, float* to) {
+                                               weave_stretch_rows(maps, strength, begin, end, to);
+                                           })});
+}
+
 using Metadata = std::map<std::string, std::string>;
 
 Metadata metadata_of(const WeaveRequest& request, const WeaveMapSettings& settings,
@@ -199,8 +222,15 @@ WeaveReport make_weave_maps(const WeaveRequest& request, const Progress& progres
     others.push_back({request.output / "preview.png", [&](const fs::path& path) {
                           write_image(path, weave_preview(maps, settings), metadata);
                       }});
-    report.written = write_map_folder(request.output, std::move(others),
-                                      pictures_of(maps, settings, report), metadata, progress);
+    std::vector<NamedPicture> pictures = pictures_of(maps, settings, report);
+    Image occlusion;
+    if (request.orm) {
+        occlusion = height_occlusion(maps.heights, settings.width_mm() / maps.width,
+                                     settings.height_mm() / maps.height, progress);
+        append_lobe_pictures(maps, occlusion, pictures);
+    }
+    report.written = write_map_folder(request.output, std::move(others), std::move(pictures),
+                                      metadata, progress);
     return report;
 }
 

@@ -23,6 +23,7 @@ struct WeaveRequest {
     std::optional<int> width, height;         // texels; square texels if one or none is given
     std::optional<int> repeats_u, repeats_v;  // of the draft; default: at least 16 yarns on a side
     double yarn_mm = 1.0;
+    bool orm = false;              // ao.png and orm.png too, and anisotropy.png
     std::filesystem::path output;  // a folder, created if it is missing
     std::string command;           // for metadata
 };

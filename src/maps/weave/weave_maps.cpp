@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
@@ -172,6 +173,20 @@ void weave_direction_rows(const WeaveMaps& maps, int begin, int end, float* to) 
         *to++ = 0.5f + 0.5f * from[0];
         *to++ = 0.5f + 0.5f * from[1];
         *to++ = from[0] == 0.0f && from[1] == 0.0f ? 0.0f : 1.0f;
+    }
+}
+
+void weave_stretch_rows(const WeaveMaps& maps, float strength, int begin, int end, float* to) {
+    const float* line = maps.direction.at(0, begin);
+    const std::uint16_t* yarn = yarns_of_row(maps, begin);
+    for (int i = 0; i < (end - begin) * maps.width; ++i, line += 2, ++yarn) {
+        const bool there = *yarn != 0, warp = there && *yarn <= maps.ends;
+        float angle = 0.5f * std::atan2(line[1], line[0]);
+        // Fibers of the warp point up, of the weft to the right: arrows agree within a family.
+        if (warp && angle < 0.0f) angle += std::numbers::pi_v<float>;
+        *to++ = there ? 0.5f - 0.5f * std::sin(angle) : 1.0f;
+        *to++ = there ? 0.5f + 0.5f * std::cos(angle) : 0.5f;
+        *to++ = there ? strength : 0.0f;
     }
 }
 
