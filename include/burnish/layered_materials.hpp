@@ -41,6 +41,7 @@ class LayeredMaterials {
     std::vector<SceneFile::Layer> layers_;
     MaterialAssets assets_;
     std::vector<std::string> file_warnings_;  // of drafts and maps
+    std::vector<std::string> size_notes_;     // of physical sizes, of the last apply()
 };
 
 // The values of a lower layer under those of an upper one, which wins. A normal map that the upper

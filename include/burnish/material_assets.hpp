@@ -33,6 +33,7 @@ class MaterialAssets {
     struct ScratchMaps {
         int normal = -1;
         int anisotropy = -1;
+        double tile_mm = 0.0;  // side of the tile on the surface; 0: the folder does not say
     };
 
     // Loads what `values` name and is not here yet. Textures are appended to `textures`: the same

@@ -9,6 +9,7 @@
 #include "burnish/progress.hpp"
 #include "stage/material_parameters.hpp"
 #include "stage/material_warnings.hpp"
+#include "stage/physical_size.hpp"
 
 namespace burnish {
 namespace {
@@ -133,18 +134,21 @@ ParameterValues LayeredMaterials::values_of(std::size_t index, Scene& scene,
     }
     ParameterValues values = values_over(layer.values, flags, alpha);
     assets_.load(values, scene.textures, file_warnings_);
+    apply_physical_size(values, scene, index, assets_, size_notes_);
     return values;
 }
 
 std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
     std::vector<Material> materials;
     std::vector<ParameterValues> values;
+    size_notes_.clear();
     for (std::size_t i = 0; i < base_.size(); ++i) {
         values.push_back(values_of(i, scene, flags));
         materials.push_back(apply_parameters(base_[i], values.back(), assets_));
     }
     require_belonging(materials, values, layers_, flags);
     std::vector<std::string> warnings = file_warnings_;
+    warnings.insert(warnings.end(), size_notes_.begin(), size_notes_.end());
     std::swap(scene.materials, materials);
     append_warnings(scene, values, warnings);
     for (std::string& line : fit_tangents(scene)) warnings.push_back(std::move(line));

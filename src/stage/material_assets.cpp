@@ -94,6 +94,7 @@ void MaterialAssets::load_scratch_maps(const std::string& name, bool follow,
     ScratchMaps maps = scratch(name);
     if (maps.normal >= 0 && (!follow || maps.anisotropy >= 0)) return;
     ScratchTextures made = load_scratch(name, follow);
+    maps.tile_mm = made.tile_mm;
     if (maps.normal < 0) maps.normal = append(textures, std::move(made.normal));
     if (follow) maps.anisotropy = append(textures, std::move(made.anisotropy));
     scratch_[name] = maps;

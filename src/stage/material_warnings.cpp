@@ -73,6 +73,8 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
     warn_if_idle("height_scale", "there is no height_map", [](const Material&, Values v) {
         return names_one(v, "height_map") || names_one(v, "maps");
     });
+    warn_if_idle("physical_size", "there is no scratch map",
+                 [](const Material&, Values v) { return v.is_set("scratch"); });
     warn_if_idle("scratch_direction", "there is no scratch map",
                  [](const Material&, Values v) { return v.is_set("scratch"); });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -50,9 +51,20 @@ ScratchTextures engraved(const std::string& preset) {
     const ScratchLayer& ground = settings.layers.front();
     return {texture_of(maps.size,
                        [&](int begin, int end, float* to) { normal_rows(maps, begin, end, to); }),
-            texture_of(maps.size, [&](int begin, int end, float* to) {
-                stretch_rows(maps, ground, begin, end, to);
-            })};
+            texture_of(maps.size, [&](int begin, int end,
+                                      float* to) { stretch_rows(maps, ground, begin, end, to); }),
+            settings.tile_mm};
+}
+
+// What `burnish scratch` writes into its pictures; 0 where it is not there, or no number.
+double tile_mm_of(const fs::path& picture) {
+    const auto metadata = read_image_info(picture).metadata;
+    const auto found = metadata.find("burnish:tile_mm");
+    if (found == metadata.end()) return 0.0;
+    double value = 0.0;
+    const char* end = found->second.data() + found->second.size();
+    const auto [stop, error] = std::from_chars(found->second.data(), end, value);
+    return error == std::errc() && stop == end && value > 0.0 && value < 1e9 ? value : 0.0;
 }
 
 Texture read_map(const fs::path& file) {
@@ -82,6 +94,7 @@ ScratchTextures load_scratch(const std::string& name, bool with_anisotropy) {
                              shown(name));
         const fs::path folder = name;
         textures.normal = read_map(folder / "normal.png");
+        textures.tile_mm = tile_mm_of(folder / "normal.png");
         if (with_anisotropy) textures.anisotropy = read_map(folder / "anisotropy.png");
     }
     textures.normal.name = "scratch " + name + ": normal";

@@ -12,7 +12,8 @@ inline constexpr int kScratchPresetSize = 2048;
 
 struct ScratchTextures {
     Texture normal;
-    Texture anisotropy;  // direction of stretch, across the grooves, and strength; may be empty
+    Texture anisotropy;    // direction of stretch, across the grooves, and strength; may be empty
+    double tile_mm = 0.0;  // side of the tile; 0: unknown
 };
 
 // The maps of a preset, engraved by this call, or of a folder made by `burnish scratch`. A preset

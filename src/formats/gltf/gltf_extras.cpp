@@ -137,7 +137,9 @@ void apply_gltf_extras(std::string_view json, const std::filesystem::path& folde
                 "{}: the {} that was exported is drawn, not its maps (export with --no-extras to draw them)",
                 key, cloth_of(material) ? "weave" : "measured material"));
     } catch (const Error& error) {
-        report.warn(fmt::format("{}; the material's maps are drawn", error.what()));
+        const std::string fault = error.what();
+        report.warn(fmt::format("{}{}; the material's maps are drawn",
+                                fault.starts_with(key) ? "" : key + ": ", fault));
     }
 }
 

@@ -154,6 +154,8 @@ void add_material(Table& t) {
     t.belongs_to = "scratch";
     t.choice("scratch_direction", scratch_direction_names(), choice_of(ScratchDirection::keep),
              "grooves of the lobe: keep the material's, or follow the scratches");
+    t.boolean("physical_size", false,
+              "the scratch map as large as its tile_mm says, on a model in meters: sets uv_scale");
     t.belongs_to = "";
     t.text(
         "tabulated",
@@ -175,6 +177,8 @@ void add_cloth(Table& t) {
         "weave_yarns", 1, 100000, decimal(standard.yarns), "",
         "yarns of each family across the texture square; a multiple of the draft's repeat has no "
         "seam");
+    t.real("weave_yarns_per_cm", 0.01, 1000, {}, "1/cm",
+           "yarns a centimeter on a model in meters, in place of weave_yarns");
     t.real("weave_crimp", 0, 0.5, decimal(standard.crimp), "",
            "rise and fall of a yarn's middle line, in yarn spacings");
     t.real("weave_bulge", 0, 0.95, decimal(standard.bulge), "",

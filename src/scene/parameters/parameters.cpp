@@ -61,6 +61,8 @@ const std::vector<std::vector<Names>>& alternatives() {
     static const std::vector<std::vector<Names>> all = {
         {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
         {{"normal_map"}, height, scratch, weave},
+        {{"weave_yarns"}, {"weave_yarns_per_cm"}},
+        {{"uv_scale"}, {"physical_size"}},
         {{"tabulated"}, scratch, weave}};
     return all;
 }

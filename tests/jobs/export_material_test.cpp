@@ -1,0 +1,164 @@
+// Materials written by burnish export material and read back.
+#include "jobs/export_material.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "burnish/draft.hpp"
+#include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "burnish/load_model.hpp"
+#include "burnish/stage.hpp"
+#include "support/test_folder.hpp"
+
+namespace burnish {
+namespace {
+
+using namespace test;
+
+ExportMaterialRequest request_of(
+    const ScratchFolder& folder,
+    std::initializer_list<std::pair<const char*, const char*>> parameters) {
+    ExportMaterialRequest request;
+    request.stage.input = "builtin:plane";
+    request.stage.environment = "none";
+    for (const auto& [name, value] : parameters) request.stage.values.set(name, value, name);
+    request.width = request.height = 64;
+    request.preview = false;
+    request.output = folder / "out";
+    return request;
+}
+
+Material source_of(const ExportMaterialRequest& request) {
+    return set_stage(request.stage).scene.materials.front();
+}
+
+Material read_back(const ScratchFolder& folder) {
+    return load_model((folder / "out/material.gltf").string(), 0).materials.front();
+}
+
+nlohmann::json json_of(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    return nlohmann::json::parse(in);
+}
+
+TEST(ExportMaterial, WhatGltfCannotSayComesBack) {
+    const ScratchFolder folder;
+    const ExportMaterialRequest request = request_of(folder, {{"metal", "gold"},
+                                                              {"alpha_x", "0.08"},
+                                                              {"alpha_y", "0.3"},
+                                                              {"mdf", "beckmann"},
+                                                              {"brdf", "cook-torrance"},
+                                                              {"method", "rotate-arc"}});
+    const ExportMaterialReport report = export_material(request, {});
+    EXPECT_EQ(report.warnings.size(), 3U) << "mdf, brdf and the metal are approximated in glTF";
+    const Material from = source_of(request), to = read_back(folder);
+    EXPECT_EQ(to.mdf, from.mdf);
+    EXPECT_EQ(to.brdf, from.brdf);
+    EXPECT_EQ(to.method, from.method);
+    EXPECT_EQ(to.conductor, from.conductor);
+    EXPECT_TRUE(to.base_color_texture);
+    EXPECT_TRUE(to.anisotropy_texture);
+}
+
+TEST(ExportMaterial, WithoutExtrasItIsGltfAlone) {
+    const ScratchFolder folder;
+    ExportMaterialRequest request = request_of(folder, {{"metal", "gold"}, {"mdf", "beckmann"}});
+    request.extras = false;
+    export_material(request, {});
+    const Material to = read_back(folder);
+    EXPECT_EQ(to.mdf, Mdf::ggx);
+    EXPECT_FALSE(to.conductor);
+}
+
+TEST(ExportMaterial, AWeaveComesBackAsAWeave) {
+    const ScratchFolder folder;
+    const ExportMaterialRequest request = request_of(
+        folder, {{"weave", "satin-5"}, {"warp_color", "0.5,0.1,0.1"}, {"weave_yarns", "20"}});
+    export_material(request, {});
+    const Material from = source_of(request), to = read_back(folder);
+    const Cloth *wanted = cloth_of(from), *found = cloth_of(to);
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->draft->warp_up, wanted->draft->warp_up);
+    EXPECT_EQ(found->yarns, wanted->yarns);
+    EXPECT_EQ(found->warp_color, wanted->warp_color);
+    EXPECT_EQ(found->weft_color, wanted->weft_color);
+    EXPECT_EQ(found->alpha, wanted->alpha);
+    EXPECT_FLOAT_EQ(found->twist, wanted->twist);
+    EXPECT_FALSE(to.base_color_texture);
+}
+
+// Files of an earlier export would be taken for maps of the new material.
+TEST(ExportMaterial, ASecondExportRemovesFilesOfTheFirst) {
+    const ScratchFolder folder;
+    export_material(request_of(folder, {{"weave", "plain"}}), {});
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/draft.wif"));
+    folder.write("out/notes.txt", "mine");
+    export_material(request_of(folder, {{"metal", "gold"}}), {});
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/draft.wif"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/notes.txt"));
+}
+
+TEST(ExportMaterial, TheManifestNamesEveryMap) {
+    const ScratchFolder folder;
+    ExportMaterialRequest request = request_of(folder, {{"metal", "gold"}});
+    request.tile_mm = 50.0;
+    export_material(request, {});
+    const nlohmann::json manifest = json_of(folder / "out/material.json");
+    EXPECT_EQ(manifest["tile_mm"][0], 50.0);
+    for (const auto& [name, map] : manifest["maps"].items()) {
+        const ImageInfo info = read_image_info(folder / ("out/" + map["file"].get<std::string>()));
+        EXPECT_EQ(info.width, 64) << name;
+        EXPECT_EQ(info.pixel_type, map["bits"] == 8 ? "uint8" : "uint16") << name;
+    }
+}
+
+TEST(ExportMaterial, AMaterialThatIsNotThereIsNamed) {
+    const ScratchFolder folder;
+    ExportMaterialRequest request = request_of(folder, {});
+    request.material = "dor";
+    const std::string line = error_line<UsageError>([&] { export_material(request, {}); });
+    EXPECT_NE(line.find("--material: expected a name (default)"), line.npos) << line;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// Extras are a reader's input like any other: what is wrong is said, and the maps are drawn.
+TEST(ExportMaterial, BrokenExtrasAreWarnings) {
+    const ScratchFolder folder;
+    export_material(request_of(folder, {{"weave", "plain"}}), {});
+    const std::filesystem::path file = folder / "out/material.gltf";
+    const nlohmann::json whole = json_of(file);
+    const auto faults = {
+        R"({"mdf": "phong"})",
+        R"({"mdf": 3})",
+        R"([])",
+        R"("text")",
+        R"({"unknown": 1})",
+        R"({"conductor": {"eta": [1, 2], "k": [1, 2, 3]}})",
+        R"({"conductor": {"eta": [1, 2, -3], "k": [1, 2, 3]}})",
+        R"({"tabulated": "../material.gltf", "color": {"base": [1, 1, 1], "metallic": 1}})",
+        R"({"tabulated": "/etc/passwd", "color": {"base": [1, 1, 1], "metallic": 1}})",
+        R"({"tabulated": "gone.exr", "color": {"base": [1, 1, 1], "metallic": 1}})",
+        R"({"cloth": {"draft": "draft.wif"}})",
+        R"({"cloth": {"draft": "draft.wif", "yarns": 1e9}})",
+    };
+    for (const char* fault : faults) {
+        nlohmann::json broken = whole;
+        broken["materials"][0]["extras"]["burnish"] = nlohmann::json::parse(fault);
+        std::ofstream(file) << broken.dump();
+        const Scene scene = load_model(file.string(), 0);
+        EXPECT_TRUE(scene.materials.front().base_color_texture) << fault;
+        EXPECT_TRUE(std::any_of(scene.warnings.begin(), scene.warnings.end(),
+                                [](const std::string& line) {
+                                    return line.find("extras.burnish") != line.npos &&
+                                           line.find("maps are drawn") != line.npos;
+                                }))
+            << fault;
+    }
+}
+
+}  // namespace
+}  // namespace burnish
