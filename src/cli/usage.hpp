@@ -1,6 +1,9 @@
 // Error messages for a wrong command line.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "burnish/error.hpp"
 
 namespace CLI {

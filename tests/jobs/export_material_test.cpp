@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "burnish/image_io.hpp"
 #include "burnish/load_model.hpp"
 #include "burnish/stage.hpp"
+#include "image/texel_value.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {
@@ -113,6 +115,66 @@ TEST(ExportMaterial, TheManifestNamesEveryMap) {
         const ImageInfo info = read_image_info(folder / ("out/" + map["file"].get<std::string>()));
         EXPECT_EQ(info.width, 64) << name;
         EXPECT_EQ(info.pixel_type, map["bits"] == 8 ? "uint8" : "uint16") << name;
+    }
+}
+
+// A set of four maps dropped as a folder, against a glTF made by hand of the same four.
+TEST(ExportMaterial, AFolderOfFourMapsIsTheSameMadeByHand) {
+    const ScratchFolder folder;
+    export_material(request_of(folder, {{"scratch", "brushed"}, {"alpha_x", "0.1"}}), {});
+    std::filesystem::create_directory(folder / "set");
+    const Image orm = read_image(folder / "out/orm.png", {.as_data = true});
+    for (const auto& [name, channel] :
+         {std::pair("s_Roughness.png", 1), std::pair("s_Metalness.png", 2)}) {
+        Image one(orm.width, orm.height, 3);
+        for (std::size_t t = 0; t < orm.pixels.size(); ++t)
+            one.pixels[t] = orm.pixels[3 * (t / 3) + static_cast<std::size_t>(channel)];
+        write_image(folder / ("set/" + std::string(name)), one, {});
+    }
+    for (const auto& [from, to] :
+         {std::pair("base_color", "s_Color"), std::pair("normal", "s_NormalGL")})
+        std::filesystem::copy_file(folder / ("out/" + std::string(from) + ".png"),
+                                   folder / ("set/" + std::string(to) + ".png"));
+    // By hand: roughness and metal of 8 bits in one picture, as glTF wants them.
+    Image mine(orm.width, orm.height, 3);
+    const Image rough = read_image(folder / "set/s_Roughness.png", {.as_data = true});
+    const Image metal = read_image(folder / "set/s_Metalness.png", {.as_data = true});
+    for (std::size_t t = 0; t < mine.pixels.size(); t += 3) {
+        mine.pixels[t] = 1.0f;
+        mine.pixels[t + 1] = rough.pixels[t];
+        mine.pixels[t + 2] = metal.pixels[t];
+    }
+    write_image(folder / "out/mine.png", mine, {});
+    nlohmann::json gltf = json_of(folder / "out/material.gltf");
+    gltf["images"][1]["uri"] = "mine.png";
+    nlohmann::json& material = gltf["materials"][0];
+    for (const char* key : {"extras", "occlusionTexture", "extensions"}) material.erase(key);
+    std::ofstream(folder / "out/mine.gltf") << gltf.dump();
+
+    StageRequest request;
+    request.environment = "none";
+    request.input = (folder / "out/mine.gltf").string();
+    const Stage by_hand = set_stage(request);
+    request.values.set("maps", (folder / "set").string(), "--maps");
+    const Stage dropped = set_stage(request);
+    const Material &a = by_hand.scene.materials.front(), &b = dropped.scene.materials.front();
+    EXPECT_EQ(a.lobe, b.lobe);
+    EXPECT_EQ(a.metallic, b.metallic);
+    EXPECT_EQ(a.base_color, b.base_color);
+    EXPECT_EQ(a.flip_green, b.flip_green);
+    for (TextureUse Material::*const use :
+         {&Material::base_color_texture, &Material::normal_texture,
+          &Material::metallic_roughness_texture}) {
+        const Texture& x = by_hand.scene.textures.at(static_cast<std::size_t>((a.*use).texture));
+        const Texture& y = dropped.scene.textures.at(static_cast<std::size_t>((b.*use).texture));
+        ASSERT_EQ(x.width, y.width);
+        ASSERT_EQ(x.color_space, y.color_space);
+        double worst = 0;
+        for (std::size_t t = 0; t < x.texels.size() / (x.type == TexelType::u16 ? 2 : 1); ++t)
+            worst = std::max(worst, std::abs(static_cast<double>(texel_value(x, t)) -
+                                             static_cast<double>(texel_value(y, t))));
+        // The same codes; the joined map has 16 bits for 8.
+        EXPECT_LT(worst, 1e-5);
     }
 }
 

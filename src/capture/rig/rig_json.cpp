@@ -74,7 +74,7 @@ class Reader {
     std::filesystem::path read_file(const JsonPlace& place) const {
         const std::string name = place.text();
         require_name(file_, place.path(), name);
-        const std::filesystem::path path = request_.pictures.find_aside(place.path(), name);
+        std::filesystem::path path = request_.pictures.find_aside(place.path(), name);
         if (request_.needs_images && !is_there(path)) fail_missing(file_, place.path(), name);
         return path;
     }

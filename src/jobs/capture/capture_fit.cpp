@@ -9,6 +9,7 @@
 
 #include "burnish/coverage.hpp"
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/lobe_fit.hpp"
 #include "burnish/tabulated_file.hpp"
 #include "burnish/version.hpp"

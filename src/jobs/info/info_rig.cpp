@@ -9,6 +9,7 @@
 
 #include "burnish/coverage.hpp"
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/rig.hpp"
 #include "core/text.hpp"
 #include "jobs/info/info_scene.hpp"
