@@ -96,8 +96,16 @@ TEST_F(ClothYarn, LooksLikeItsNormalMap) {
     cloth.method = Method::rotate_exact;
     Material mapped = cloth;
     const glm::vec3 white(1.0f);
-    cloth.lobe = Cloth{std::make_shared<Draft>(settings.draft), 3.0f, 0.2f, 0.8f, 0.0f, 0.0f, 0.0f,
-                       white, white, {0.4f, 0.4f}};
+    cloth.lobe = Cloth{std::make_shared<Draft>(settings.draft),
+                       3.0f,
+                       0.2f,
+                       0.8f,
+                       0.0f,
+                       0.0f,
+                       0.0f,
+                       white,
+                       white,
+                       {0.4f, 0.4f}};
     mapped.lobe = AlphaLobe{{0.4f, 0.4f}};
     mapped.normal_texture.texture = 0;
     mapped.normal_filter = NormalFilter::mips;

@@ -133,9 +133,10 @@ void apply_gltf_extras(std::string_view json, const std::filesystem::path& folde
         material = restored(JsonPlace(key, document), folder, material, warnings);
         for (std::string& line : warnings) report.warn(std::move(line));
         if (cloth_of(material) || tabulated_of(material))
-            report.warn(fmt::format(
-                "{}: the {} that was exported is drawn, not its maps (export with --no-extras to draw them)",
-                key, cloth_of(material) ? "weave" : "measured material"));
+            report.warn(
+                fmt::format("{}: the {} that was exported is drawn, not its maps (export with "
+                            "--no-extras to draw them)",
+                            key, cloth_of(material) ? "weave" : "measured material"));
     } catch (const Error& error) {
         const std::string fault = error.what();
         report.warn(fmt::format("{}{}; the material's maps are drawn",

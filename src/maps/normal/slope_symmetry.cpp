@@ -18,8 +18,8 @@ Slopes slopes_at(const Texture& map, int x, int y) {
     const std::size_t at = static_cast<std::size_t>(map.channels) *
                            (static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
                             static_cast<std::size_t>(x));
-    const f32::vec3 v = f32::vector_of_texel(f32::vec3(
-        texel_value(map, at), texel_value(map, at + 1), texel_value(map, at + 2)));
+    const f32::vec3 v = f32::vector_of_texel(
+        f32::vec3(texel_value(map, at), texel_value(map, at + 1), texel_value(map, at + 2)));
     if (!(v.z > 0.0f)) return {0.0, 0.0};
     const f32::vec2 s = f32::slopes_of_normal(v);
     return {static_cast<double>(s.x), static_cast<double>(s.y)};
