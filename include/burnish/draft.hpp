@@ -1,8 +1,8 @@
 // Weave drafts: which yarn lies on top where two yarns cross, and the yarns' colours.
 //
-// Warp yarns (ends) run along the bitangent, up the texture square, weft yarns (picks) along u. u grows
-// with the number of the end. The first pick is at the bottom, as weavers draw it: at v = 1, as v runs
-// down.
+// Warp yarns (ends) run along the bitangent, up the texture square, weft yarns (picks) along u. u
+// grows with the number of the end. The first pick is at the bottom, as weavers draw it: at v = 1,
+// as v runs down.
 //
 // Threads and lifetime: plain values; copies are independent, and any number of threads may read
 // one.

@@ -34,19 +34,19 @@ void erase_mapped(ParameterValues& lower, const ParameterValues& upper) {
         std::string_view map;
         std::vector<std::string_view> replaced;
     };
-    static const std::vector<std::string_view> kRoughness = {
+    static const std::vector<std::string_view> roughness_names = {
         "alpha_x", "alpha_y", "e_x", "e_y", "cosine_exponent", "roughness", "orm_map"};
-    static const Row kRows[] = {{"base_color_map", {"base_color", "metal"}},
-                                {"metallic_map", {"metallic", "metal", "orm_map"}},
-                                {"anisotropy_map", {"anisotropy", "anisotropy_rotation"}},
-                                {"height_map", {"normal_scale", "flip_green"}},
-                                {"ao_map", {"orm_map"}}};
-    for (const Row& row : kRows)
+    static const Row rows[] = {{"base_color_map", {"base_color", "metal"}},
+                               {"metallic_map", {"metallic", "metal", "orm_map"}},
+                               {"anisotropy_map", {"anisotropy", "anisotropy_rotation"}},
+                               {"height_map", {"normal_scale", "flip_green"}},
+                               {"ao_map", {"orm_map"}}};
+    for (const Row& row : rows)
         if (names_one(upper, row.map))
             for (const std::string_view name : row.replaced) lower.erase(name);
     for (const std::string_view map : {"roughness_map", "glossiness_map", "orm_map"})
         if (names_one(upper, map))
-            for (const std::string_view name : kRoughness)
+            for (const std::string_view name : roughness_names)
                 if (name != map) lower.erase(name);
     if (names_one(upper, "roughness_map")) lower.erase("glossiness_map");
     if (names_one(upper, "glossiness_map")) lower.erase("roughness_map");

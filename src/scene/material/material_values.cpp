@@ -18,11 +18,11 @@ template <typename Float>
 struct SurfaceOf;
 template <>
 struct SurfaceOf<float> {
-    static constexpr auto* make = &f32::surface_material;
+    static constexpr auto* kMake = &f32::surface_material;
 };
 template <>
 struct SurfaceOf<double> {
-    static constexpr auto* make = &f64::surface_material;
+    static constexpr auto* kMake = &f64::surface_material;
 };
 
 template <typename Float>
@@ -46,8 +46,8 @@ template <typename Float>
 auto interface_of(const Material& m) {
     const Tabulated* tabulated = tabulated_of(m);
     const int brdf = tabulated ? f32::kBrdfTabulated : static_cast<int>(m.brdf);
-    auto s = SurfaceOf<Float>::make(brdf, lobe_as<Float>(m), Float{m.ks.value_or(-1.0f)},
-                                    vector_of<Float>(m.lafortune_c), Float{m.dielectric_f0});
+    auto s = SurfaceOf<Float>::kMake(brdf, lobe_as<Float>(m), Float{m.ks.value_or(-1.0f)},
+                                     vector_of<Float>(m.lafortune_c), Float{m.dielectric_f0});
     if (tabulated) {
         s.fresnel = f32::kFresnelDielectric;
         s.eta.x = static_cast<Float>(tabulated->material->eta);
