@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "burnish/api.hpp"
@@ -41,7 +42,8 @@ class LayeredMaterials {
     std::vector<SceneFile::Layer> layers_;
     MaterialAssets assets_;
     std::vector<std::string> file_warnings_;  // of drafts and maps
-    std::vector<std::string> size_notes_;     // of physical sizes, of the last apply()
+    // Of physical sizes, of the last apply(): a line and the materials that it is true of.
+    std::vector<std::pair<std::string, std::vector<std::string>>> size_notes_;
 };
 
 // The values of a lower layer under those of an upper one, which wins. A normal map that the upper

@@ -32,8 +32,10 @@ glm::vec2 of(f32::vec2 v) {
 // Everything but the lobe and the normal: the same for all kinds of material.
 class CommonPoints {
   public:
-    CommonPoints(const Material& m, std::span<const Texture> textures)
+    // `color`: the factor of the base color texture.
+    CommonPoints(const Material& m, std::span<const Texture> textures, glm::vec4 color)
         : material_(m),
+          color_(color),
           base_(m.base_color_texture, textures),
           orm_(m.metallic_roughness_texture, textures),
           occlusion_(m.occlusion_texture, textures),
@@ -42,7 +44,7 @@ class CommonPoints {
     // `roughness`: the factor of the texture.
     MaterialPoint at(glm::vec2 uv, float& roughness) const {
         MaterialPoint p;
-        p.base_color = material_.base_color * base_.at(uv);
+        p.base_color = color_ * base_.at(uv);
         const glm::vec4 orm = orm_.at(uv);
         roughness = orm.y;
         p.metallic = material_.metallic * orm.z;
@@ -56,6 +58,7 @@ class CommonPoints {
 
   private:
     const Material& material_;
+    glm::vec4 color_;
     TextureSampler base_, orm_, occlusion_, emissive_;
 };
 
@@ -183,7 +186,7 @@ MaterialPoints points_of_textures(const Material& m, std::span<const Texture> te
     out.detail = texels_of(m, textures, out.tile);
     out.has_alpha = shows_alpha(m, textures);
     out.has_emission = glows(m);
-    out.at = [common = CommonPoints(m, textures), normal = NormalPoints(m, textures),
+    out.at = [common = CommonPoints(m, textures, m.base_color), normal = NormalPoints(m, textures),
               lobe = LobePoints(m, textures), uv_of = inverse_of(out.tile)](glm::vec2 at) {
         const glm::vec2 uv(uv_of * glm::vec3(at, 1.0f));
         float roughness = 1.0f;
@@ -202,7 +205,10 @@ namespace {
 class ClothPoints {
   public:
     ClothPoints(const Material& m, std::span<const Texture> textures, bool textured)
-        : common_(m, textures), cloth_(*cloth_of(m)), yarns_(cloth_.yarns) {
+        : common_(m, textures, glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a)),
+          cloth_(*cloth_of(m)),
+          undyed_(m.base_color),
+          yarns_(cloth_.yarns) {
         const Draft& draft = *cloth_.draft;
         cells_ = weave_bits(draft);
         shape_.crimp = cloth_.crimp;
@@ -268,12 +274,13 @@ class ClothPoints {
         const std::optional<glm::vec3>& stated = warp ? cloth_.warp_color : cloth_.weft_color;
         const std::vector<glm::vec3>& drawn = warp ? draft.warp_colors : draft.weft_colors;
         if (stated) return *stated;
-        if (drawn.empty()) return glm::vec3(1.0f);
+        if (drawn.empty()) return undyed_;
         return drawn[static_cast<std::size_t>(warp ? end : pick) % drawn.size()];
     }
 
     CommonPoints common_;
     Cloth cloth_;
+    glm::vec3 undyed_;  // of yarns for which nothing states a color
     float yarns_;
     std::vector<std::uint8_t> cells_;
     f32::WeaveShape shape_;
@@ -302,7 +309,7 @@ namespace {
 class TablePoints {
   public:
     TablePoints(const Material& m, std::span<const Texture> textures)
-        : common_(m, textures),
+        : common_(m, textures, m.base_color),
           normal_(m, textures),
           table_(tabulated_of(m)->material),
           lobes_(fit_lobes(*table_, Mdf::ggx)),

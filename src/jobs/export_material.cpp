@@ -12,6 +12,7 @@
 #include "burnish/builtin_meshes.hpp"
 #include "burnish/context.hpp"
 #include "burnish/display.hpp"
+#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
 #include "burnish/gltf_material.hpp"
 #include "burnish/image_io.hpp"
@@ -25,6 +26,7 @@
 #include "export/material_points.hpp"
 #include "image/texel_value.hpp"
 #include "jobs/map_folder.hpp"
+#include "stage/scratch_material.hpp"
 
 namespace burnish {
 namespace {
@@ -140,8 +142,17 @@ Image preview_of(const GltfMaterial& baked, const Stage& stage, int gl_device,
 }
 
 // Physical width of the tile in mm, where it is known.
-std::optional<double> tile_width_mm(const ExportMaterialRequest& request, const Material& m) {
+std::optional<double> tile_width_mm(const ExportMaterialRequest& request, const Stage& stage,
+                                    const Material& m) {
     if (request.tile_mm) return request.tile_mm;
+    if (const Cloth* cloth = cloth_of(m); cloth && stage.values.is_set("weave_yarns_per_cm")) {
+        const int yarns = cloth->draft->ends * cloth_repeats(*cloth->draft).x;
+        return yarns * 10.0 / stage.values.real("weave_yarns_per_cm");
+    }
+    if (stage.values.is_set("scratch") && cloth_of(m) == nullptr && tabulated_of(m) == nullptr) {
+        const double mm = scratch_tile_mm(stage.values.text("scratch"));
+        if (mm > 0.0) return mm;
+    }
     if (const Tabulated* t = tabulated_of(m); t && t->material->width_mm > 0.0)
         return t->material->width_mm;
     return {};
@@ -196,7 +207,7 @@ class FolderWriter {
 
     // The quad shows the texture square: as many tiles as the tile's transform says.
     void size_mm() {
-        tile_mm_ = tile_width_mm(request_, source_);
+        tile_mm_ = tile_width_mm(request_, stage_, source_);
         const glm::mat3& tile = baked_.tile;
         const double across = std::hypot(tile[0][0], tile[0][1]);
         const double down = std::hypot(tile[1][0], tile[1][1]);

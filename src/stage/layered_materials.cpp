@@ -148,7 +148,7 @@ std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterVa
     }
     require_belonging(materials, values, layers_, flags);
     std::vector<std::string> warnings = file_warnings_;
-    warnings.insert(warnings.end(), size_notes_.begin(), size_notes_.end());
+    for (std::string& line : lines_of(size_notes_)) warnings.push_back(std::move(line));
     std::swap(scene.materials, materials);
     append_warnings(scene, values, warnings);
     for (std::string& line : fit_tangents(scene)) warnings.push_back(std::move(line));

@@ -199,11 +199,24 @@ std::optional<MapRole> map_role_of(const fs::path& file) {
 MapSet find_map_set(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_directory(folder, error))
-        throw UsageError("maps", "", "a folder of maps of one surface", shown(folder.string()));
+        throw UsageError(
+            "maps", "",
+            "a folder of maps of one surface (a single map has a flag of its own, such as "
+            "--base-color-map)",
+            shown(folder.string()) +
+                (fs::exists(folder, error) ? ", a file" : ", which is not there"));
     MapSet set;
     std::string unknown, taken;
     const std::vector<fs::path> pictures = pictures_in(folder);
+    const bool of_scratches = fs::exists(folder / "scratch.json", error);
     for (const fs::path& picture : pictures) {
+        // Of `burnish scratch`: directions of grooves, whose strength is no material's.
+        if (of_scratches && picture.stem() == "anisotropy") {
+            set.notes.push_back(
+                fmt::format("{}: passed over, it is for --scratch with --scratch-direction follow",
+                            one_line(picture.string())));
+            continue;
+        }
         if (picture.stem() == "preview") continue;  // of our own folders
         const auto role = map_role_of(picture);
         if (!role || is_picture_of_set(picture, pictures)) {
@@ -223,9 +236,12 @@ MapSet find_map_set(const fs::path& folder) {
                                     shown(picture.filename().string())));
     }
     if (set.files.empty())
-        throw UsageError("maps", "",
-                         "a folder with maps whose names state a role, such as color.png",
-                         shown(folder.string()));
+        throw UsageError(
+            "maps", "", "a folder with maps whose names state a role, such as color.png",
+            fmt::format("{} with {}", shown(folder.string()),
+                        unknown.empty() ? std::string("no pictures (folders in it are not "
+                                                      "looked into)")
+                                        : "these: " + one_line(unknown)));
     prefer(set, MapRole::normal, MapRole::normal_directx);
     prefer(set, MapRole::normal, MapRole::height);
     prefer(set, MapRole::normal_directx, MapRole::height);

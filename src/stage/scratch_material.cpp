@@ -102,4 +102,11 @@ ScratchTextures load_scratch(const std::string& name, bool with_anisotropy) {
     return textures;
 }
 
+double scratch_tile_mm(const std::string& name) {
+    if (is_preset(name)) return scratch_preset(name, "scratch").tile_mm;
+    const fs::path normal = fs::path(name) / "normal.png";
+    std::error_code error;
+    return fs::exists(normal, error) ? tile_mm_of(normal) : 0.0;
+}
+
 }  // namespace burnish

@@ -21,4 +21,7 @@ struct ScratchTextures {
 // for a name that is neither a preset nor a folder, Error for a folder whose maps cannot be read.
 ScratchTextures load_scratch(const std::string& name, bool with_anisotropy);
 
+// The side of the tile of a preset or a folder, in mm; 0 where nothing states it.
+double scratch_tile_mm(const std::string& name);
+
 }  // namespace burnish

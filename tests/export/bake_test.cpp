@@ -184,6 +184,25 @@ TEST(GltfBake, AWeaveIsTheTileOfItsMaps) {
     EXPECT_LT(worst, kCode);
 }
 
+// The base color is that of yarns without one of their own.
+TEST(GltfBake, YarnsHaveTheirOwnColor) {
+    Cloth cloth;
+    cloth.draft = std::make_shared<Draft>(builtin_draft("plain"));
+    cloth.gap = 0.0f;
+    cloth.warp_color = glm::vec3(1.0f, 0.0f, 0.0f);
+    Material m = material_of(cloth);
+    m.base_color = {0.0f, 0.0f, 1.0f, 1.0f};
+    const GltfMaterial baked = bake(m, 256);
+    int red = 0, blue = 0;
+    for (int x = 0; x < 256; ++x) {
+        red += code(baked.textures[0], x, 8, 0) == 1.0 ? 1 : 0;
+        blue += code(baked.textures[0], x, 8, 2) == 1.0 ? 1 : 0;
+    }
+    EXPECT_EQ(red + blue, 256);
+    EXPECT_GT(red, 100);
+    EXPECT_GT(blue, 100);
+}
+
 TEST(GltfBake, TexturesThatShareATransformAreTheTile) {
     Material m;
     m.normal_texture.texture = 0;

@@ -104,6 +104,18 @@ TEST(ExportMaterial, ASecondExportRemovesFilesOfTheFirst) {
     EXPECT_TRUE(std::filesystem::exists(folder / "out/notes.txt"));
 }
 
+// The quad is as wide as its tiles together.
+TEST(ExportMaterial, SizesThatAreStatedAreKept) {
+    const ScratchFolder folder;
+    export_material(request_of(folder, {{"scratch", "brushed"}, {"uv_scale", "4"}}), {});
+    EXPECT_EQ(json_of(folder / "out/material.json")["tile_mm"][0], 50.0);
+    const Bounds bounds = bounds_of(load_model((folder / "out/material.gltf").string(), 0));
+    EXPECT_NEAR(bounds.high.x - bounds.low.x, 0.2, 1e-6);
+    export_material(request_of(folder, {{"weave", "plain"}, {"weave_yarns_per_cm", "8"}}), {});
+    // Sixteen yarns, eight a centimeter.
+    EXPECT_EQ(json_of(folder / "out/material.json")["tile_mm"][0], 20.0);
+}
+
 TEST(ExportMaterial, TheManifestNamesEveryMap) {
     const ScratchFolder folder;
     ExportMaterialRequest request = request_of(folder, {{"metal", "gold"}});
