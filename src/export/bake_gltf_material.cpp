@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <string_view>
 
@@ -16,6 +15,7 @@
 #include "burnish/tabulated_material.hpp"
 #include "core/parallel.hpp"
 #include "export/material_points.hpp"
+#include "image/texel_value.hpp"
 #include "scene/material/material_values.hpp"
 
 namespace burnish {
@@ -146,13 +146,7 @@ class MapWriter {
     void put(std::size_t texel, int channel, float value) {
         const std::size_t at =
             texel * static_cast<std::size_t>(map.channels) + static_cast<std::size_t>(channel);
-        const float held = std::clamp(value, 0.0f, 1.0f);
-        if (map.type == TexelType::u8) {
-            map.texels[at] = static_cast<std::byte>(std::lround(held * 255.0f));
-        } else {
-            const auto code = static_cast<std::uint16_t>(std::lround(held * 65535.0f));
-            std::memcpy(map.texels.data() + at * sizeof code, &code, sizeof code);
-        }
+        set_texel_value(map, at, value);
     }
 
     void put_color(std::size_t texel, glm::vec3 linear) {

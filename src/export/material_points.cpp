@@ -21,7 +21,6 @@
 namespace burnish {
 namespace {
 
-constexpr int kUsualYarns = 16;
 // Points along a side of a weave's cell: a yarn's tilt then changes by less than 1/8 of its range.
 constexpr float kPointsAYarn = 16.0f;
 
@@ -176,8 +175,7 @@ bool has_textures(const Material& material) {
 }
 
 glm::ivec2 cloth_repeats(const Draft& draft) {
-    const auto repeats = [](int yarns) { return (kUsualYarns + yarns - 1) / yarns; };
-    return {repeats(draft.ends), repeats(draft.picks)};
+    return {usual_repeats(draft.ends), usual_repeats(draft.picks)};
 }
 
 MaterialPoints points_of_textures(const Material& m, std::span<const Texture> textures) {

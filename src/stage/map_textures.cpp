@@ -107,18 +107,12 @@ class NumberMap {
     int channel_;
 };
 
+// 16 bits: with 8, the highlight of a smooth metal would show steps.
 Texture codes(std::string name, int width, int height, int channels, ColorSpace space) {
     Texture t{std::move(name), width, height, channels, TexelType::u16, space, {}};
     t.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                     static_cast<std::size_t>(channels) * sizeof(std::uint16_t));
     return t;
-}
-
-// 16 bits: with 8, the highlight of a smooth metal would show steps.
-void put_code(Texture& t, std::size_t index, float value) {
-    const auto code = static_cast<std::uint16_t>(
-        std::lround(std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f) * 65535.0f));
-    std::memcpy(t.texels.data() + index * sizeof code, &code, sizeof code);
 }
 
 template <typename Put>
@@ -139,9 +133,9 @@ Texture metallic_roughness(const std::optional<NumberMap>& rough, bool glossy,
     Texture t = codes("roughness and metallic maps", width, height, 3, ColorSpace::linear);
     for_texels(width, height, [&](int x, int y, std::size_t i) {
         const float r = rough ? rough->at(x, y, width, height) : 1.0f;
-        put_code(t, 3 * i, 1.0f);
-        put_code(t, 3 * i + 1, glossy ? 1.0f - r : r);
-        put_code(t, 3 * i + 2, metal ? metal->at(x, y, width, height) : 1.0f);
+        set_texel_value(t, 3 * i, 1.0f);
+        set_texel_value(t, 3 * i + 1, glossy ? 1.0f - r : r);
+        set_texel_value(t, 3 * i + 2, metal ? metal->at(x, y, width, height) : 1.0f);
     });
     return t;
 }
@@ -156,9 +150,9 @@ Texture normals_of_height(const NumberMap& height, float scale, const std::strin
         const float sx = (height.texel(x - 1, y) - height.texel(x + 1, y)) * per_u;
         const float sy = (height.texel(x, y + 1) - height.texel(x, y - 1)) * per_v;
         const f32::vec3 n = f32::normal_of_slopes(sx, sy);
-        put_code(t, 3 * i, 0.5f + 0.5f * n.x);
-        put_code(t, 3 * i + 1, 0.5f + 0.5f * n.y);
-        put_code(t, 3 * i + 2, 0.5f + 0.5f * n.z);
+        set_texel_value(t, 3 * i, 0.5f + 0.5f * n.x);
+        set_texel_value(t, 3 * i + 1, 0.5f + 0.5f * n.y);
+        set_texel_value(t, 3 * i + 2, 0.5f + 0.5f * n.z);
     });
     return t;
 }
@@ -169,8 +163,9 @@ Texture with_opacity(const Texture& base, const NumberMap& opacity) {
     const auto channels = static_cast<std::size_t>(base.channels);
     for_texels(base.width, base.height, [&](int x, int y, std::size_t i) {
         for (std::size_t c = 0; c < 3; ++c)
-            put_code(t, 4 * i + c, texel_value(base, channels * i + (base.channels >= 3 ? c : 0)));
-        put_code(t, 4 * i + 3, opacity.at(x, y, base.width, base.height));
+            set_texel_value(t, 4 * i + c,
+                            texel_value(base, channels * i + (base.channels >= 3 ? c : 0)));
+        set_texel_value(t, 4 * i + 3, opacity.at(x, y, base.width, base.height));
     });
     return t;
 }

@@ -21,16 +21,8 @@ namespace {
 using nlohmann::json;
 using test::error_of;
 using test::load_bytes;
+using test::square_with;
 using test::warns;
-
-GlbWriter square_with(const json& material) {
-    GlbWriter writer;
-    writer.add_png(png_gradient(4, 2));
-    GlbPrimitive square = unit_square(1, true);
-    square.material = writer.add_material(material);
-    writer.add_node(writer.add_mesh(square));
-    return writer;
-}
 
 json anisotropic(const json& extension) {
     return {{"extensions", {{"KHR_materials_anisotropy", extension}}}};

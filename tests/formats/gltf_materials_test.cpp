@@ -12,20 +12,11 @@ namespace {
 using nlohmann::json;
 using test::error_of;
 using test::load_bytes;
+using test::square_with;
 using test::warns;
 
-// One square with the given material; texture 0 is a small picture.
-GlbWriter writer_with(const json& material) {
-    GlbWriter writer;
-    writer.add_png(png_gradient(4, 2));
-    GlbPrimitive square = unit_square(1, true);
-    square.material = writer.add_material(material);
-    writer.add_node(writer.add_mesh(square));
-    return writer;
-}
-
 Material material_of(const json& material) {
-    return load_bytes(writer_with(material)).materials.at(0);
+    return load_bytes(square_with(material)).materials.at(0);
 }
 
 TEST(GltfMaterials, DefaultsAreThoseOfTheFormat) {
@@ -84,7 +75,7 @@ TEST(GltfMaterials, EveryFactorIsRead) {
 }
 
 TEST(GltfMaterials, APictureIsDecodedOnceForEachWayItIsRead) {
-    const Scene scene = load_bytes(writer_with({{"normalTexture", {{"index", 0}}},
+    const Scene scene = load_bytes(square_with({{"normalTexture", {{"index", 0}}},
                                                 {"occlusionTexture", {{"index", 0}}},
                                                 {"emissiveTexture", {{"index", 0}}}}));
     ASSERT_EQ(scene.textures.size(), 2u);
@@ -106,7 +97,7 @@ TEST(GltfMaterials, APictureIsDecodedOnceForEachWayItIsRead) {
 }
 
 TEST(GltfMaterials, Samplers) {
-    GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}}}});
+    GlbWriter writer = square_with({{"normalTexture", {{"index", 0}}}});
     writer.root["textures"][0]["sampler"] = 0;
     writer.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
     const TextureUse use = load_bytes(writer).materials[0].normal_texture;
@@ -126,7 +117,7 @@ TEST(GltfMaterials, TextureTransform) {
     const json transform = {
         {"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", turn}, {"texCoord", 1}};
     GlbWriter writer =
-        writer_with({{"normalTexture",
+        square_with({{"normalTexture",
                       {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}}}});
     json& primitive = writer.root["meshes"][0]["primitives"][0];
     primitive["attributes"]["TEXCOORD_1"] = primitive["attributes"]["TEXCOORD_0"];
@@ -143,7 +134,7 @@ TEST(GltfMaterials, TextureTransform) {
 }
 
 TEST(GltfMaterials, TexturesWithoutCoordinatesAreDropped) {
-    GlbWriter writer = writer_with(
+    GlbWriter writer = square_with(
         {{"normalTexture", {{"index", 0}}},
          {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}}});
     Scene scene = load_bytes(writer);  // the square has only TEXCOORD_0
@@ -162,7 +153,7 @@ TEST(GltfMaterials, TexturesWithoutCoordinatesAreDropped) {
 }
 
 TEST(GltfMaterials, TangentsFollowTheNormalMapsCoordinates) {
-    GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
+    GlbWriter writer = square_with({{"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
     GlbPrimitive square = unit_square(1, false);
     square.material = 0;
     for (const glm::vec2 uv : square.texcoord0) square.texcoord1.emplace_back(-uv.x, -uv.y);
@@ -174,7 +165,7 @@ TEST(GltfMaterials, TangentsFollowTheNormalMapsCoordinates) {
 }
 
 TEST(GltfMaterials, BrokenOnesAreErrors) {
-    const auto broken = [](const json& material) { return error_of(writer_with(material)); };
+    const auto broken = [](const json& material) { return error_of(square_with(material)); };
     EXPECT_NE(broken({{"normalTexture", {{"index", 1}}}}).find("materials[0].normalTexture.index"),
               std::string::npos);
     EXPECT_NE(broken({{"normalTexture", {{"index", "a"}}}}).find("whole number"),
@@ -188,13 +179,13 @@ TEST(GltfMaterials, BrokenOnesAreErrors) {
     EXPECT_NE(broken({{"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}}).find("ior"),
               std::string::npos);
     const Scene scene =
-        load_bytes(writer_with({{"pbrMetallicRoughness", {{"metallicFactor", 1.5}}}}));
+        load_bytes(square_with({{"pbrMetallicRoughness", {{"metallicFactor", 1.5}}}}));
     EXPECT_EQ(scene.materials[0].metallic, 1.0f);
     EXPECT_TRUE(warns(scene, "metallicFactor"));
 }
 
 TEST(GltfMaterials, BrokenReferencesToPicturesAreErrorsThatNameThem) {
-    GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}}}});
+    GlbWriter writer = square_with({{"normalTexture", {{"index", 0}}}});
     writer.root["textures"][0]["source"] = 3;
     EXPECT_NE(error_of(writer).find("textures[0].source"), std::string::npos);
     writer.root["textures"][0]["source"] = 0;
@@ -206,7 +197,7 @@ TEST(GltfMaterials, BrokenReferencesToPicturesAreErrorsThatNameThem) {
 }
 
 TEST(GltfMaterials, BrokenPicturesAreWarningsThatNameThem) {
-    GlbWriter writer = writer_with({{"normalTexture", {{"index", 0}}}});
+    GlbWriter writer = square_with({{"normalTexture", {{"index", 0}}}});
     writer.root["bufferViews"][0]["byteLength"] = 40;  // shorter than the PNG
     Scene scene = load_bytes(writer);
     EXPECT_TRUE(warns(scene, "images[0]"));
@@ -218,7 +209,7 @@ TEST(GltfMaterials, BrokenPicturesAreWarningsThatNameThem) {
 }
 
 TEST(GltfExtensions, RequiredOnesWeLackAreErrorsOthersWarnings) {
-    GlbWriter writer = writer_with(json::object());
+    GlbWriter writer = square_with(json::object());
     writer.root["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_anisotropy",
                                      "ACME_sparkle", "KHR_xmp_json_ld"};
     const Scene scene = load_bytes(writer);
@@ -235,7 +226,7 @@ TEST(GltfExtensions, RequiredOnesWeLackAreErrorsOthersWarnings) {
 }
 
 GlbWriter writer_with_light(const json& light, const json& node) {
-    GlbWriter writer = writer_with(json::object());
+    GlbWriter writer = square_with(json::object());
     writer.root["extensions"]["KHR_lights_punctual"]["lights"] = {light};
     json placed = node;
     placed["extensions"]["KHR_lights_punctual"]["light"] = 0;
@@ -280,7 +271,7 @@ TEST(GltfLights, ArePlacedInTheWorld) {
 }
 
 TEST(GltfCameras, LookAlongMinusZOfTheirNode) {
-    GlbWriter writer = writer_with(json::object());
+    GlbWriter writer = square_with(json::object());
     writer.root["cameras"] = {
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}},
         {{"type", "orthographic"},

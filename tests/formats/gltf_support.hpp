@@ -31,4 +31,14 @@ inline GlbWriter writer_of(const GlbPrimitive& primitive) {
     return writer;
 }
 
+// One square with the given material; texture 0 is a small picture.
+inline GlbWriter square_with(const nlohmann::json& material) {
+    GlbWriter writer;
+    writer.add_png(png_gradient(4, 2));
+    GlbPrimitive square = unit_square(1, true);
+    square.material = writer.add_material(material);
+    writer.add_node(writer.add_mesh(square));
+    return writer;
+}
+
 }  // namespace burnish::test

@@ -25,6 +25,7 @@
 #include "jobs/maps/occlusion_pictures.hpp"
 #include "jobs/maps/weave_preview.hpp"
 #include "maps/normal/height_occlusion.hpp"
+#include "maps/weave/weave_cells.hpp"
 
 namespace burnish {
 
@@ -35,7 +36,6 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 6> kParameters = {
     "weave_crimp", "weave_bulge", "weave_gap", "weave_twist", "warp_color", "weft_color"};
 constexpr int kUsualSide = 2048;
-constexpr int kUsualYarns = 16;
 
 // A built-in draft by name, or else a file; a word that is neither is reported as a misspelled
 // name.
@@ -46,10 +46,6 @@ Draft draft_of(const std::string& weave, std::vector<std::string>& warnings) {
     const bool file = fs::exists(weave, error) || weave.find_first_of("./\\") != weave.npos;
     if (known || !file) return builtin_draft(weave, "weave");
     return load_wif(weave, warnings);
-}
-
-int usual_repeats(int yarns) {
-    return (kUsualYarns + yarns - 1) / yarns;
 }
 
 // Sets the sides that are not given, with square texels.

@@ -9,6 +9,13 @@
 
 namespace burnish {
 
+// Repeats of a draft of `yarns` ends or picks that a tile shows where nobody says how many: at least
+// 16 yarns a side.
+constexpr int usual_repeats(int yarns) {
+    constexpr int kUsualYarns = 16;
+    return (kUsualYarns + yarns - 1) / yarns;
+}
+
 // The cell at any whole numbers `end`, `pick`; the draft repeats.
 f32::WeaveCell weave_cell(const Draft& draft, int end, int pick);
 
