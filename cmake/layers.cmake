@@ -65,6 +65,13 @@ function(burnish_mpl_eigen)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_DEFINITIONS EIGEN_MPL2_ONLY)
 endfunction()
 
+# Sources of light layers that loop over pixels or texels: compiled as the layers of inner loops are.
+# GCC does not take a header that was precompiled without these options.
+function(burnish_pixel_loops)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>"
+                                SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
 # Sources of inner loops over several values at a time: no value depends on errno or traps. GCC does
 # not take a header that was precompiled without these options.
 function(burnish_vector_loops)

@@ -35,8 +35,9 @@ void* open_module(std::string& tried) {
         const fs::path file = (folder / place / kModule).lexically_normal();
         std::error_code error;
         if (!fs::exists(file, error)) continue;
-        // Local: its symbols, which are ours too, replace none of the program's.
-        if (void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
+        // Local: its symbols, which are ours too, replace none of the program's. Lazy: most functions
+        // of two hundred libraries are never called.
+        if (void* module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL)) return module;
         tried = one_line(dlerror());
         return nullptr;
     }
