@@ -16,6 +16,9 @@
 #include "shaders/lib/cloth.glsl"
 #endif
 #include "shaders/lib/shade.glsl"
+#ifdef VIEW
+#include "shaders/lib/view.glsl"
+#endif
 #include "shaders/lib/pack.glsl"
 
 in vec2 v_ndc;
@@ -51,5 +54,9 @@ void main() {
     s.color = vec4(1.0);
     s.front = true;
     s.pixel = uvec2(pixel + u_tile_origin);
+#ifdef VIEW
+    o_radiance = vec4(surface_view(s), 1.0);
+#else
     o_radiance = shade(s);
+#endif
 }

@@ -15,6 +15,9 @@
 #include "shaders/lib/cloth.glsl"
 #endif
 #include "shaders/lib/shade.glsl"
+#ifdef VIEW
+#include "shaders/lib/view.glsl"
+#endif
 
 in vec3 v_position;
 in vec3 v_normal;
@@ -52,5 +55,9 @@ void main() {
 #endif
     s.front = gl_FrontFacing;
     s.pixel = uvec2(ivec2(gl_FragCoord.xy) + u_tile_origin);
+#ifdef VIEW
+    o_radiance = vec4(surface_view(s), 1.0);
+#else
     o_radiance = shade(s);
+#endif
 }

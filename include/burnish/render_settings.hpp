@@ -6,10 +6,12 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "burnish/api.hpp"
+#include "burnish/shading_names.hpp"
 
 namespace BURNISH_API burnish {
 
@@ -35,6 +37,26 @@ enum class SurfacePass {
     deferred
 };
 
+// What a picture shows of every surface: the radiance towards the eye, or a quantity behind it, for
+// looking for the cause of a picture. A quantity is shown as a color that tone map `linear`
+// and exposure 0 display: vectors v as (v + 1) / 2, numbers from dark blue (0) to light yellow (the
+// highest value named below). Blended surfaces are drawn as opaque ones, and there is no background.
+enum class SurfaceView {
+    radiance,
+    normal,            // geometric, of the world
+    perturbed_normal,  // n~, of the world
+    tangent,           // of the world
+    grain,    // along the grooves: hue by its angle to the tangent, saturated by anisotropy
+    alpha_x,  // roughness along the lobe's x axis, widened by the normal map: 0 to 1
+    alpha_y,  // across
+    tilt,     // |d|, the sine of the angle between n and n~: 0 to 1
+    texture_coordinates,  // (u, v) modulo 1 in red and green, a checker of whole units
+    slope_variance,       // that the normal map adds, square root along the larger axis: 0 to 1
+    not_finite,           // magenta where the radiance is infinite or no number, else gray
+    highlight_error  // angle from the peak of the lobe to that of follow-grain: 0 to 45 degrees
+};
+std::span<const std::string_view> surface_view_names();  // in the order of the enumeration
+
 // The defaults are those of the parameters of the same names: the parameter table reads them here.
 struct RenderSettings {
     int width = 1280;
@@ -54,6 +76,8 @@ struct RenderSettings {
     unsigned seed = 0;
     int tile_size = 0;  // pixels a side; 0: chosen, so that memory is bounded
     SurfacePass surface_pass = SurfacePass::automatic;
+    SurfaceView view = SurfaceView::radiance;
+    std::optional<Method> method;  // of all materials, in place of their own
 
     bool operator==(const RenderSettings&) const = default;
 };

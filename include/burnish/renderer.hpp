@@ -46,6 +46,15 @@ struct FrameTimes {
     std::optional<double> device_s;  // as the device's timer says, true or not (device_timer.hpp)
 };
 
+// Pixels of a picture; (0, 0) is the lower left one.
+struct PixelRegion {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool operator==(const PixelRegion&) const = default;
+};
+
 class Renderer {
   public:
     // Of an empty scene without light.
@@ -92,12 +101,21 @@ class Renderer {
     // stays, and the renderer draws what it drew before.
     void prepare(const RenderSettings& settings, const Progress& progress = {});
 
+    // Several series may go on side by side, each with images of its own: views of one scene that are
+    // shown together. begin, add_sample, samples_done, present and picture speak of the selected
+    // one, number 0 at first. Numbers from 0 to 15; Error for another. end_series frees the images
+    // of the selected one.
+    void select_series(int number);
+    void end_series();
+
     // A series of samples of one picture, whose mean may be shown after each. `settings.samples` is
     // the number that the series is meant to reach: textures are read as finely as so many samples
     // allow. Another size than the last series had makes new images to draw into. The number of
-    // lights is no part of the shaders: another number compiles nothing. Throws Error for settings
-    // out of range.
-    void begin(const Camera& camera, const RenderSettings& settings);
+    // lights is no part of the shaders: another number compiles nothing. `region`: only these pixels
+    // are drawn, and present and picture give them alone. Throws Error for settings out of range and
+    // for a region that is empty or leaves the picture.
+    void begin(const Camera& camera, const RenderSettings& settings,
+               const std::optional<PixelRegion>& region = {});
     void add_sample();  // Error when nothing was begun
     int samples_done() const;
     // The mean so far as a display shows it, sRGB-encoded RGBA, into the lower left width x height

@@ -72,3 +72,12 @@ FN vec3 perturb_forward(Perturbation p, vec3 m) {
     }
     return h;
 }
+
+// The half vector at which the perturbed lobe is highest. normal-map reads the unperturbed axes, whose
+// components vanish at the unperturbed normal: its highlight stays where it is without the map.
+FN vec3 lobe_peak(Perturbation p) {
+    vec3 pole = vec3(Float(0), Float(0), Float(1));
+    vec3 peak = pole;
+    if (p.method != kMethodNone && p.method != kMethodNormalMap) { peak = perturb_forward(p, pole); }
+    return peak;
+}

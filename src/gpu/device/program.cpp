@@ -190,6 +190,25 @@ void Program::set(const char* name, std::span<const glm::vec4> values) {
     glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values[0].x);
 }
 
+void Program::swap(Program& other) noexcept {
+    std::swap(program_, other.program_);
+    std::swap(unfinished_, other.unfinished_);
+    std::swap(locations_, other.locations_);
+    std::swap(versions_, other.versions_);
+}
+
+void ProgramCache::reload() {
+    ProgramCache fresh(dialect_, parallel_);
+    for (const auto& [key, program] : programs_) {
+        const std::size_t first = key.find('\n'), second = key.find('\n', first + 1);
+        fresh.start(std::string_view(key).substr(0, first),
+                    std::string_view(key).substr(first + 1, second - first - 1),
+                    key.substr(second + 1));
+    }
+    for (const auto& [key, program] : fresh.programs_) program->finish();
+    for (const auto& [key, program] : programs_) program->swap(*fresh.programs_.at(key));
+}
+
 Program& ProgramCache::start(std::string_view vertex, std::string_view fragment,
                              const std::string& defines) {
     const std::string key = std::string(vertex) + "\n" + std::string(fragment) + "\n" + defines;

@@ -37,6 +37,7 @@ class Program {
     // Whether finish() would return without waiting. Requires KHR_parallel_shader_compile.
     bool is_compiled() const;
     void finish();  // throws as the constructor
+    void swap(Program& other) noexcept;
 
     void use() const { glUseProgram(program_); }
 
@@ -88,6 +89,10 @@ class ProgramCache {
     Program& get(std::string_view vertex, std::string_view fragment, const std::string& defines);
     // As get, without waiting for the compiler: call finish() before use.
     Program& start(std::string_view vertex, std::string_view fragment, const std::string& defines);
+
+    // Compiles every program again from the texts as they are now (BURNISH_SHADER_DIR). Throws Error
+    // with the first that does not compile, and all programs are then what they were.
+    void reload();
 
     bool parallel() const { return parallel_; }
     std::size_t size() const { return programs_.size(); }  // number of programs compiled

@@ -61,6 +61,7 @@ std::vector<SurfaceVariant> variants() {
             v.cloth_colors = v.metal = image_light % 2 == 1;
             v.lights = image_light;
             v.image_light = image_light;
+            v.view = image_light == 3;
             list.push_back(v);
         }
     }
@@ -73,6 +74,7 @@ std::vector<SurfaceVariant> variants() {
         v.image_light = method % 2 == 0 ? 1 : 0;
         v.lights = method;
         v.uv_per_texture = method == 4;
+        v.view = method == 6;
         list.push_back(v);
     }
     SurfaceVariant v = with_everything();
@@ -82,6 +84,9 @@ std::vector<SurfaceVariant> variants() {
         v.normal_moments = true;
         list.push_back(v);
     }
+    v.view = true;
+    list.push_back(v);
+    v.view = false;
     v.normal_moments = false;
     v.uv_per_texture = v.vertex_color = v.normal_map_xy = true;
     v.alpha_mode = AlphaMode::mask;

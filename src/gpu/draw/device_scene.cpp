@@ -1,9 +1,13 @@
 #include "gpu/draw/device_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
+#include "burnish/shading_names.hpp"
 #include "gpu/draw/material_state.hpp"
 
 namespace burnish::gpu {
@@ -137,6 +141,7 @@ void DeviceScene::set_scene(const Scene& scene, const Progress& progress) {
             materials.push_back(make_slot(m, textures, progress));
         place(std::move(placed));
         materials_ = std::move(materials);
+        under_methods_.clear();
     } catch (...) {
         std::swap(name, name_);
         std::swap(light_list, light_list_);
@@ -183,6 +188,7 @@ void DeviceScene::update_materials(std::span<const Material> materials, const Pr
         if (fresh[i].blended() != materials_[i].blended()) ground_.invalidate();
     textures_.set_slots(std::move(textures));
     materials_ = std::move(fresh);
+    under_methods_.clear();
 }
 
 void DeviceScene::update_material(int id, const Material& material, const Progress& progress) {
@@ -192,6 +198,26 @@ void DeviceScene::update_material(int id, const Material& material, const Progre
     if (fresh.blended() != slot.blended()) ground_.invalidate();
     textures_.set_slots(std::move(textures));
     slot = std::move(fresh);
+    std::erase_if(under_methods_, [id](const auto& entry) { return entry.first.first == id; });
+}
+
+MaterialSlot& DeviceScene::material(int id, std::optional<Method> method) {
+    MaterialSlot& own = material(id);
+    if (!method || own.material.method == *method) return own;
+    const std::pair key{id, *method};
+    const auto found = under_methods_.find(key);
+    if (found != under_methods_.end()) return found->second;
+    Material material = own.material;
+    material.method = *method;
+    const Brdf brdf = drawn_material(material).brdf;
+    if (!f32::brdf_takes_method(static_cast<int>(brdf), static_cast<int>(*method)))
+        throw Error(name_, "method",
+                    fmt::format("one that brdf {} takes, such as follow-grain", name_of(brdf)),
+                    std::string(name_of(*method)));
+    TextureStore::Slots textures = textures_.slots();
+    MaterialSlot slot = make_slot(material, textures, {});
+    textures_.set_slots(std::move(textures));
+    return under_methods_.emplace(key, std::move(slot)).first->second;
 }
 
 int DeviceScene::add_material(const Material& material, const Progress& progress) {
@@ -218,6 +244,7 @@ void DeviceScene::update_texture(int id, Texture texture, const Progress& progre
             changed.emplace_back(&slot, make_slot(slot.material, textures, progress));
     textures_.set_slots(std::move(textures));
     for (auto& [slot, fresh] : changed) *slot = std::move(fresh);
+    under_methods_.clear();
 }
 
 int DeviceScene::add_mesh(const Mesh& mesh) {

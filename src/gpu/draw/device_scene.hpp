@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "burnish/context.hpp"
@@ -73,6 +75,9 @@ class DeviceScene {
 
     // Access for drawing.
     MaterialSlot& material(int id) { return materials_[static_cast<std::size_t>(id)]; }
+    // The material as `method` draws it; none: its own. Made when it is first asked for, and kept
+    // until the material changes. Throws as an edit.
+    MaterialSlot& material(int id, std::optional<Method> method);
     const MaterialSlot& material(int id) const { return materials_[static_cast<std::size_t>(id)]; }
     std::span<MaterialSlot> materials() { return materials_; }
     const MeshBuffers& mesh(int id) const { return *meshes_[static_cast<std::size_t>(id)].buffers; }
@@ -105,6 +110,7 @@ class DeviceScene {
     std::string name_ = "scene";
     TextureStore textures_;
     std::vector<MaterialSlot> materials_;
+    std::map<std::pair<int, Method>, MaterialSlot> under_methods_;  // of materials_
     std::vector<MeshSlot> meshes_;
     Instances instances_;
     std::vector<Light> light_list_;

@@ -43,6 +43,7 @@ void Painter::set_frame(Program& program, const Frame& frame) {
                                              static_cast<float>(std::max(o.samples, 1))
                                        : kSharp);
     program.set("u_seed", o.seed);
+    program.set("u_view", static_cast<int>(o.view));
     scene_.lights().set(program);
     if (needs_.shadows) scene_.shadows().bind(program);
     if (const EnvironmentMaps* environment = scene_.environment()) {
@@ -53,7 +54,7 @@ void Painter::set_frame(Program& program, const Frame& frame) {
 // Binds textures when the last draw had another material, and sets uniforms when the program holds
 // those of another version.
 void Painter::set_surface(Program& program, const Frame& frame, int material) {
-    const MaterialSlot& slot = scene_.material(material);
+    const MaterialSlot& slot = slot_of(frame, material);
     const Material& m = slot.material;
     const RenderSettings& o = *frame.options;
     set_frame(program, frame);
@@ -177,7 +178,7 @@ void Painter::write_gbuffer(const Frame& frame, const DrawItem& item) {
 
 void Painter::resolve_material(const Frame& frame, Targets& targets, int material,
                                const DrawState& state) {
-    MaterialSlot& slot = scene_.material(material);
+    MaterialSlot& slot = slot_of(frame, material);
     Program& program = surface_program(slot, variant_of(frame, slot, false), true, true);
     program.use();
     set_surface(program, frame, material);
@@ -196,7 +197,7 @@ void Painter::draw_item(Program& program, const DrawItem& item) {
 }
 
 void Painter::paint_item(const Frame& frame, const DrawItem& item) {
-    MaterialSlot& slot = scene_.material(item.material);
+    MaterialSlot& slot = slot_of(frame, item.material);
     const SurfaceVariant variant = variant_of(frame, slot, scene_.mesh(item.mesh).has_color());
     Program& program = surface_program(slot, variant, false, true);
     program.use();

@@ -49,6 +49,7 @@ class Painter {
     GLuint empty_vertex_array() const { return empty_.get(); }
 
   private:
+    MaterialSlot& slot_of(const Frame& frame, int material);
     // Properties of the scene that a frame needs, determined once.
     struct Needs {
         bool defers = false;
@@ -71,7 +72,7 @@ class Painter {
     Program& gbuffer_program(const MaterialSlot& slot, bool wait);
     Program& gouraud_program(bool wait);
     Program& plain_program(const char* vertex, const char* fragment, bool wait);
-    bool can_defer(const Frame& frame, const DrawItem& item) const;
+    bool can_defer(const Frame& frame, const DrawItem& item);
     bool defers(const Frame& frame, bool shape) const;
     bool shows_environment(const Frame& frame) const;
 

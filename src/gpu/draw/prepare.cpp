@@ -26,14 +26,18 @@ Program& of(ProgramCache& programs, bool wait, const char* vertex, const char* f
 
 }  // namespace
 
+MaterialSlot& Painter::slot_of(const Frame& frame, int material) {
+    return scene_.material(material, frame.options->method);
+}
+
 bool Painter::shows_environment(const Frame& frame) const {
-    return scene_.environment() != nullptr &&
+    return scene_.environment() != nullptr && frame.options->view == SurfaceView::radiance &&
            frame.options->background == BackgroundKind::environment;
 }
 
 bool Painter::sees_ground(const Frame& frame) {
-    return frame.options->ground && frame.variant != ShadingVariant::gouraud &&
-           scene_.ground().faces(frame.view.eye);
+    return frame.options->ground && frame.options->view == SurfaceView::radiance &&
+           frame.variant != ShadingVariant::gouraud && scene_.ground().faces(frame.view.eye);
 }
 
 bool Painter::defers(const Frame& frame, bool shape) const {
@@ -80,13 +84,15 @@ SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot,
     }
     const bool lit = scene_.environment() != nullptr && frame.options->environment_intensity > 0.0f;
     v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
+    v.view = frame.options->view != SurfaceView::radiance;
+    if (v.view && v.alpha_mode == AlphaMode::blend) v.alpha_mode = AlphaMode::opaque;
     return v;
 }
 
-bool Painter::can_defer(const Frame& frame, const DrawItem& item) const {
+bool Painter::can_defer(const Frame& frame, const DrawItem& item) {
     // 254: the stencil has one number per material.
     return item.material < 254 &&
-           variant_of(frame, scene_.material(item.material), scene_.mesh(item.mesh).has_color())
+           variant_of(frame, slot_of(frame, item.material), scene_.mesh(item.mesh).has_color())
                .can_resolve();
 }
 
@@ -137,7 +143,7 @@ void Painter::start_programs(const Frame& frame, std::vector<Program*>& programs
     for (const DrawItem& item : scene_.items()) {
         const bool color = scene_.mesh(item.mesh).has_color();
         if (!done.emplace(item.material, color).second) continue;
-        MaterialSlot& slot = scene_.material(item.material);
+        MaterialSlot& slot = slot_of(frame, item.material);
         const bool resolve = needs_.defers && can_defer(frame, item);
         programs.push_back(&surface_program(slot, variant_of(frame, slot, color), resolve, false));
         if (resolve) programs.push_back(&gbuffer_program(slot, false));

@@ -1,6 +1,9 @@
 #include "burnish/renderer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
@@ -46,9 +49,19 @@ void require_drawable(const DeviceScene& scene, const RenderSettings& o) {
                 o.image_light == ImageLight::prefiltered ? "prefiltered" : "bent-normal");
 }
 
-void require_one_tile(const char* doing, const RenderSettings& o, const Context& context) {
+Tile tile_of(const PixelRegion& region, const RenderSettings& o) {
+    const bool inside = region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0 &&
+                        region.x <= o.width - region.width && region.y <= o.height - region.height;
+    if (!inside)
+        throw Error(
+            "begin", "region", fmt::format("a part of {} x {} pixels", o.width, o.height),
+            fmt::format("{} x {} at ({}, {})", region.width, region.height, region.x, region.y));
+    return {region.x, region.y, region.width, region.height};
+}
+
+void require_one_tile(const char* doing, int width, int height, const Context& context) {
     const int side = std::min(context.max_texture_size(), kLargestPicture);
-    if (o.width <= side && o.height <= side) return;
+    if (width <= side && height <= side) return;
     throw Error(doing, "size", "at most " + std::to_string(side), "more");
 }
 
@@ -102,13 +115,23 @@ struct Renderer::Impl {
         bool stale = false;  // the scene was edited
     };
 
+    // A series and the images that it is drawn into.
+    struct Slot {
+        std::optional<Targets> targets;
+        std::optional<Series> series;
+    };
+
     Targets& targets_for(int width, int height) {
+        std::optional<Targets>& targets = slot().targets;
         if (!targets || targets->width() != width || targets->height() != height) {
             targets.reset();
             targets.emplace(context, width, height);
         }
         return *targets;
     }
+
+    Slot& slot() { return slots[selected]; }
+    const Slot& slot() const { return slots[selected]; }
 
     Frame frame_of(const Series& s) {
         Frame frame;
@@ -128,25 +151,32 @@ struct Renderer::Impl {
 
     // Clears the sum, prepares the frame and starts the series at sample 0.
     void start(const Progress& progress) {
-        require_drawable(scene, series->settings);
-        series->samples = 0;
-        const Frame frame = frame_of(*series);
+        Series& series = *slot().series;
+        require_drawable(scene, series.settings);
+        series.samples = 0;
+        const Frame frame = frame_of(series);
         painter.prepare(frame, painter.sees_ground(frame), progress);
-        targets->clear_sum();
-        series->stale = false;
+        slot().targets->clear_sum();
+        series.stale = false;
     }
 
     void add() {
-        painter.paint(frame_of(*series), *targets);
-        painter.accumulate(*targets);
-        ++series->samples;
+        Series& series = *slot().series;
+        painter.paint(frame_of(series), *slot().targets);
+        painter.accumulate(*slot().targets);
+        ++series.samples;
     }
 
-    // Writes the mean to its place in the picture.
-    void store_into(Image& image) {
-        const Tile& tile = series->tile;
-        store(targets->read_sum(tile.width, tile.height), tile, series->samples,
-              series->settings.background == BackgroundKind::transparent, image);
+    // Writes the mean of the tile to `place` of a picture.
+    void store_into(Image& image, const Tile& place) {
+        const Series& series = *slot().series;
+        store(slot().targets->read_sum(place.width, place.height), place, series.samples,
+              series.settings.background == BackgroundKind::transparent, image);
+    }
+
+    void make_stale() {
+        for (Slot& slot : slots)
+            if (slot.series) slot.series->stale = true;
     }
 
     struct EndOfSeries {
@@ -159,24 +189,24 @@ struct Renderer::Impl {
         const Use use(*this);
         if constexpr (std::is_void_v<decltype(change(scene))>) {
             change(scene);
-            if (series) series->stale = true;
+            make_stale();
         } else {
             const auto id = change(scene);
-            if (series) series->stale = true;
+            make_stale();
             return id;
         }
     }
 
     void require_samples(const char* doing) const {
-        if (series && series->samples > 0) return;
+        if (slot().series && slot().series->samples > 0) return;
         throw Error(doing, "samples", "one at least: begin and add_sample", "none");
     }
 
     Context& context;
     DeviceScene scene;
     Painter painter;
-    std::optional<Targets> targets;
-    std::optional<Series> series;
+    std::array<Slot, 16> slots;
+    std::size_t selected = 0;
 };
 
 Renderer::Renderer(Context& context) {
@@ -267,34 +297,50 @@ void Renderer::prepare(const RenderSettings& settings, const Progress& progress)
     impl_->context.programs().get("fullscreen.vert", "display.frag", "");
 }
 
-void Renderer::begin(const Camera& camera, const RenderSettings& settings) {
+void Renderer::select_series(int number) {
+    if (number < 0 || number >= static_cast<int>(impl_->slots.size()))
+        throw Error("series", "", fmt::format("a number below {}", impl_->slots.size()),
+                    std::to_string(number));
+    impl_->selected = static_cast<std::size_t>(number);
+}
+
+void Renderer::end_series() {
+    const Impl::Use use(*impl_);
+    impl_->slot() = {};
+}
+
+void Renderer::begin(const Camera& camera, const RenderSettings& settings,
+                     const std::optional<PixelRegion>& region) {
     require_sound(settings);
     require_drawable(impl_->scene, settings);
-    require_one_tile("begin", settings, impl_->context);
+    const Tile tile =
+        region ? tile_of(*region, settings) : Tile{0, 0, settings.width, settings.height};
+    require_one_tile("begin", tile.width, tile.height, impl_->context);
     const Impl::Use use(*impl_);
-    impl_->targets_for(settings.width, settings.height);
-    impl_->series = Impl::Series{
-        camera, settings, {0, 0, settings.width, settings.height}, LightCount::at_run_time};
+    impl_->targets_for(tile.width, tile.height);
+    impl_->slot().series = Impl::Series{camera, settings, tile, LightCount::at_run_time};
     impl_->start({});
 }
 
 void Renderer::add_sample() {
-    if (!impl_->series) throw Error("add_sample", "", "begin before it", "none");
+    std::optional<Impl::Series>& series = impl_->slot().series;
+    if (!series) throw Error("add_sample", "", "begin before it", "none");
     const Impl::Use use(*impl_);
-    if (impl_->series->stale) impl_->start({});
+    if (series->stale) impl_->start({});
     impl_->add();
     check_gl("drawing a sample");
 }
 
 int Renderer::samples_done() const {
-    return impl_->series && !impl_->series->stale ? impl_->series->samples : 0;
+    const std::optional<Impl::Series>& series = impl_->slot().series;
+    return series && !series->stale ? series->samples : 0;
 }
 
 void Renderer::present(unsigned framebuffer, int width, int height, double exposure_ev,
                        ToneMap tone_map) {
     impl_->require_samples("present");
     const Impl::Use use(*impl_);
-    const Impl::Series& series = *impl_->series;
+    const Impl::Series& series = *impl_->slot().series;
     Program& program = impl_->context.programs().get("fullscreen.vert", "display.frag", "");
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width, height);
@@ -305,16 +351,16 @@ void Renderer::present(unsigned framebuffer, int width, int height, double expos
     program.set("u_tone_map", static_cast<int>(tone_map));
     program.set("u_transparent",
                 series.settings.background == BackgroundKind::transparent ? 1.0f : 0.0f);
-    impl_->targets->show_sum(program, impl_->painter.empty_vertex_array());
+    impl_->slot().targets->show_sum(program, impl_->painter.empty_vertex_array());
     check_gl("presenting a picture");
 }
 
 Image Renderer::picture() {
     impl_->require_samples("picture");
     const Impl::Use use(*impl_);
-    const RenderSettings& settings = impl_->series->settings;
-    Image image(settings.width, settings.height, 4);
-    impl_->store_into(image);
+    const Tile& tile = impl_->slot().series->tile;
+    Image image(tile.width, tile.height, 4);
+    impl_->store_into(image, {0, 0, tile.width, tile.height});
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     check_gl("reading a picture");
     return image;
@@ -331,9 +377,9 @@ Image Renderer::render(const Camera& camera, const RenderSettings& settings,
     Image image(settings.width, settings.height, 4);
     const double total = static_cast<double>(tiles.size()) * settings.samples;
     double done = 0;
-    const Impl::EndOfSeries end{impl_->series};
+    const Impl::EndOfSeries end{impl_->slot().series};
     for (const Tile& tile : tiles) {
-        impl_->series = Impl::Series{camera, settings, tile};
+        impl_->slot().series = Impl::Series{camera, settings, tile};
         impl_->start(progress);
         for (int sample = 0; sample < settings.samples; ++sample) {
             // Progress at every fourth sample: cancellation is prompt, and the device rarely waits.
@@ -344,7 +390,7 @@ Image Renderer::render(const Camera& camera, const RenderSettings& settings,
             impl_->add();
             done += 1;
         }
-        impl_->store_into(image);
+        impl_->store_into(image, tile);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     check_gl("rendering");
@@ -356,9 +402,9 @@ FrameTimes Renderer::measure_frames(const Camera& camera, const RenderSettings& 
                                     int frames, int warm_up, ShadingVariant variant) {
     require_sound(settings);
     require_drawable(impl_->scene, settings);
-    require_one_tile("measure_frames", settings, impl_->context);
+    require_one_tile("measure_frames", settings.width, settings.height, impl_->context);
     const Impl::Use use(*impl_);
-    const Impl::EndOfSeries end{impl_->series};
+    const Impl::EndOfSeries end{impl_->slot().series};
     Impl::Series once{camera, settings, {0, 0, settings.width, settings.height}};
     once.settings.samples = 1;
     Targets& targets = impl_->targets_for(settings.width, settings.height);

@@ -44,6 +44,7 @@ std::string SurfaceVariant::defines() const {
         {vertex_color, "VERTEX_COLOR"},
         {light_count_at_run_time, "LIGHT_COUNT_AT_RUN_TIME"},
         {position, "POSITION"},
+        {view, "VIEW"},
         {alpha_mode == AlphaMode::mask, "MASK"},
         {alpha_mode == AlphaMode::blend, "BLEND"},
     };

@@ -37,6 +37,7 @@ struct SurfaceVariant {
     bool position = false;  // a light needs the position of the surface
     int shadow_maps = 0;
     int image_light = 0;  // 0 off, 1 importance, 2 bent normal, 3 prefiltered
+    bool view = false;    // a SurfaceView in place of the radiance
 
     // Whether gbuffer.frag stores all that shading needs.
     bool can_resolve() const {
