@@ -26,7 +26,7 @@ struct LobeDisk {
 };
 // `side`: texels, at least 1. A lobe that is narrower than a texel may fall between them: its peak is
 // put into the texel that holds it.
-LobeDisk lobe_disk(const PointLobe& lobe, const SurfaceAt& at, glm::dvec3 to_eye, int side = 65);
+LobeDisk lobe_disk(const PointLobe& lobe, glm::dvec3 to_eye, int side = 65);
 
 // The lobe of a light: vertices at f (n~.wi) (luminance) times the direction to the eye, per unit of
 // irradiance of a surface that faces the light. The rows of the mesh are circles about the direction in which

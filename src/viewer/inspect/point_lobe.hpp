@@ -18,7 +18,7 @@
 
 namespace burnish::viewer {
 
-struct TableLobe;  // a table, its areas and its draws
+class TableLobe;  // table_lobe.hpp
 
 class PointLobe {
   public:
@@ -38,6 +38,9 @@ class PointLobe {
 
     // D, Int D (n.h) dw = 1 of the unperturbed lobe, at a half vector; NaN for phong and lafortune.
     double D(glm::dvec3 half, glm::dvec3 to_eye) const;
+    // How the cell of the table nearest to a half vector is known; none for other lobes, and where the
+    // method says D = 0.
+    std::optional<NdfOrigin> origin(glm::dvec3 half, glm::dvec3 to_eye) const;
     // Masking and shadowing of the pair, including what the model has in its place: f_s 4 (n~.wi) (n~.wo) /
     // (F D) where it has no Smith term; NaN for phong and lafortune, and where that D is 0.
     double G(glm::dvec3 to_light, glm::dvec3 to_eye) const;
@@ -46,9 +49,8 @@ class PointLobe {
     // below the surface's.
     glm::dvec3 specular(glm::dvec3 to_light, glm::dvec3 to_eye) const;
     glm::dvec3 eval(glm::dvec3 to_light, glm::dvec3 to_eye) const;  // and the diffuse term
-    // Density of sample(), per steradian.
-    double pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const;
-
+    // eval times the cosine n~.wi: radiance under unit irradiance of a surface that faces the light.
+    glm::dvec3 eval_cos(glm::dvec3 to_light, glm::dvec3 to_eye) const;
     struct Sample {
         glm::dvec3 to_light{0.0};
         double pdf = 0;  // per steradian
@@ -57,7 +59,8 @@ class PointLobe {
     enum class Terms { all, specular };
     std::optional<Sample> sample(glm::dvec3 to_eye, const std::array<double, 3>& uniform,
                                  Terms terms) const;
-    double pdf(glm::dvec3 to_light, glm::dvec3 to_eye, Terms terms) const;
+    // Its density, per steradian.
+    double pdf(glm::dvec3 to_light, glm::dvec3 to_eye, Terms terms = Terms::all) const;
 
     // The half vector where D is highest, as this eye sees the surface: n~ for the rotations and the
     // deformations, the geometric normal for `none`; for normal-map found by search, to 1e-6; of a
@@ -75,12 +78,13 @@ class PointLobe {
     f64::Perturbation seen_from(glm::dvec3 to_eye) const;
 
   private:
+    // The values of the three lines below are against the lobe's axes.
+    bool sees(glm::dvec3 to_eye) const;
     f64::LobeValues values(const f64::Perturbation& p, f64::vec3 wi, f64::vec3 wo) const;
     double lobe_at(const f64::Perturbation& p, f64::vec3 h) const;
     f64::vec3 highest(const f64::Perturbation& p) const;
-    f64::vec3 searched(const f64::Perturbation& p) const;
 
-    f64::SurfaceMaterial surface_;
+    f64::SurfaceMaterial surface_, specular_surface_;  // the latter without a diffuse term
     f64::vec3 n_;
     f64::vec2 stretch_{1, 0};
     Method drawn_ = Method::none;

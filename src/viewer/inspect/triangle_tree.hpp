@@ -22,9 +22,9 @@ struct TreeRay {
 
 struct TreeHit {
     double t = 0;
-    std::uint32_t triangle = 0;     // three of Mesh::indices
-    glm::dvec3 barycentric{0.0};    // weights of the three corners
-    bool counter_clockwise = true;  // as the ray sees the corners
+    std::uint32_t triangle = 0;   // three of Mesh::indices
+    glm::dvec3 barycentric{0.0};  // weights of the three corners
+    bool front = true;
 };
 
 class TriangleTree {
@@ -33,8 +33,8 @@ class TriangleTree {
     // Triangles with a position that is not finite are left out.
     explicit TriangleTree(const Mesh& mesh);
 
-    // `faces`: which sides of the triangles count.
-    enum class Faces { both, counter_clockwise, clockwise };
+    // Which sides of the triangles count; the front shows its corners counter-clockwise.
+    enum class Faces { front, both };
     std::optional<TreeHit> nearest(const TreeRay& ray, Faces faces) const;
 
     std::size_t triangles() const { return triangles_.size(); }

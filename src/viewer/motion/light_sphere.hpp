@@ -1,5 +1,5 @@
-// Lights on the sphere of directions: azimuth and elevation, dragging, and the light that puts a
-// highlight at a point.
+// Lights on the sphere of directions: dragging, and the light that puts a highlight at a point.
+// scene/camera/angles.hpp has azimuth and elevation, as parse_light reads them.
 //
 // Directions are unit, in world space, from the surface to the light: the negative of Light::direction.
 //
@@ -14,15 +14,6 @@
 #include "viewer/inspect/pick.hpp"
 
 namespace burnish::viewer {
-
-// As parse_light and cameras have it: azimuth 0 is +z, 90 degrees is +x; elevation is above the
-// horizon, -90 to 90.
-struct LightAngles {
-    double azimuth_deg = 0;  // (-180, 180]; 0 at the zenith and the nadir
-    double elevation_deg = 0;
-};
-LightAngles angles_of_light(glm::dvec3 to_light);
-glm::dvec3 towards_light(LightAngles angles);
 
 // Direction of a light as seen from `point`.
 glm::dvec3 towards_light(const Light& light, glm::dvec3 point);
