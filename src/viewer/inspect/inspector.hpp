@@ -38,9 +38,9 @@ struct MethodReport {
     glm::dvec3 peak{0.0};            // half vector of the highest D
     glm::dvec3 peak_to_light{0.0};   // direction of the light whose highlight the point would be
     double highlight_error_deg = 0;  // angle between this peak and that of follow-grain
-    LobeDisk disk;
-    LobeMesh mesh;
-    PolarCuts cuts;
+    LobeDisk disk{};
+    LobeMesh mesh{};
+    PolarCuts cuts{};
 };
 
 struct LobeReport {

@@ -44,7 +44,7 @@ class TableLobe {
     mutable TabulatedDraws draws_;
 };
 
-// The exemplar's TableLobe, which is shared as long as it is among the last of 64 that were asked for.
+// The exemplar's TableLobe: the same one as long as anybody holds it, so that its areas are made once.
 // A table must not be changed in place. Thread-safe.
 std::shared_ptr<const TableLobe> table_lobe(
     const std::shared_ptr<const TabulatedMaterial>& material, int exemplar);

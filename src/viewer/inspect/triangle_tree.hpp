@@ -49,6 +49,7 @@ class TriangleTree {
         std::array<glm::vec3, 3> corners;
         std::uint32_t index = 0;
     };
+    struct Box;
     struct Build;
 
     std::uint32_t add_node(Build& build, std::uint32_t begin, std::uint32_t end);
