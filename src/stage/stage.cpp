@@ -17,6 +17,8 @@
 #include "burnish/load_model.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene_file.hpp"
+#include "scene/camera/angles.hpp"
+#include "scene/camera/framing.hpp"
 #include "stage/normal_map_check.hpp"
 
 namespace burnish {
@@ -25,14 +27,6 @@ namespace {
 
 // A white plate facing the light has radiance 1.
 constexpr double kDefaultLightIntensity = 3.14159265;
-
-// +y up; azimuth 0 is +z, 90 degrees is +x (docs/theory/conventions.md).
-glm::vec3 direction_at(double azimuth_deg, double elevation_deg) {
-    const double azimuth = glm::radians(azimuth_deg);
-    const double elevation = glm::radians(elevation_deg);
-    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-            std::cos(azimuth) * std::cos(elevation)};
-}
 
 std::vector<double> parse_numbers(std::string_view text, std::string_view whole) {
     std::vector<double> numbers;
@@ -83,32 +77,18 @@ std::vector<glm::vec3> ground_corners(const Bounds& bounds) {
     return corners;
 }
 
-// The least distance from `target` towards `away` (unit) at which every vertex and every point of
-// `more` lies within the view, with a small margin.
+// The distance at which a camera towards `away` (unit) sees every vertex and every point of `more`.
 double framing_distance(const Scene& scene, std::span<const glm::vec3> more, glm::vec3 target,
                         glm::vec3 away, double yfov, double aspect) {
     const glm::vec3 up_hint = std::abs(away.y) < 0.999f ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
-    const glm::vec3 right = glm::normalize(glm::cross(up_hint, away));
-    const glm::vec3 up = glm::cross(away, right);
-    constexpr double kAir = 1.06;
-    const double tan_y = std::tan(yfov / 2) / kAir;
-    const double tan_x = tan_y * aspect;
-    double distance = 0;
-    const auto include = [&](glm::vec3 p) {
-        const glm::vec3 v = p - target;
-        const double depth = glm::dot(v, away);
-        const double reach =
-            std::max(std::abs(glm::dot(v, right)) / tan_x, std::abs(glm::dot(v, up)) / tan_y);
-        distance = std::max(distance, depth + reach);
-    };
+    Framing framing(target, away, up_hint, yfov, aspect);
     for (const Instance& instance : scene.instances) {
         if (instance.mesh < 0) continue;
         for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions)
-            include(glm::vec3(instance.transform * glm::vec4(p, 1.0f)));
+            framing.include(glm::vec3(instance.transform * glm::vec4(p, 1.0f)));
     }
-    std::for_each(more.begin(), more.end(), include);
-    // The camera must differ from the target for a single point too.
-    return std::max(distance, 1e-6);
+    for (const glm::vec3& p : more) framing.include(p);
+    return framing.distance();
 }
 
 // Warns of values that other values, or their absence, make ineffective.
@@ -183,7 +163,7 @@ Light parse_light(std::string_view word) {
             throw UsageError("--light", "elevation", "a number from -90 to 90",
                              fmt::format("{:g}", n[1]));
         light.type = LightType::directional;
-        light.direction = -direction_at(n[0], n[1]);
+        light.direction = -glm::vec3(direction_at({n[0], n[1]}));
         light.intensity = static_cast<float>(light_intensity(n, 2));
     }
     return light;
@@ -214,7 +194,7 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
     } else {
         const double azimuth = values.real("camera_azimuth");
         const double elevation = values.real("camera_elevation");
-        const glm::vec3 away = direction_at(azimuth, elevation);
+        const glm::vec3 away(direction_at({azimuth, elevation}));
         double distance = 0;
         if (values.is_set("camera_distance")) {
             distance = values.real("camera_distance");
@@ -223,7 +203,7 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
             const std::vector<glm::vec3> ground =
                 values.boolean("ground") ? ground_corners(bounds) : std::vector<glm::vec3>{};
             for (int i = 0; i < views; ++i) {
-                const glm::vec3 from = direction_at(azimuth + 360.0 * i / views, elevation);
+                const glm::vec3 from(direction_at({azimuth + 360.0 * i / views, elevation}));
                 distance = std::max(distance, framing_distance(scene, ground, camera.target, from,
                                                                camera.yfov, aspect));
             }

@@ -12,34 +12,11 @@
 namespace burnish {
 namespace {
 
-struct Basis {
-    glm::dvec3 right, up, back, position;
-};
-
-Basis basis_of(const Camera& camera) {
-    const glm::dvec3 position(camera.position);
-    const glm::dvec3 back = position - glm::dvec3(camera.target);
-    const double distance = glm::length(back);
-    if (!(distance > 0) || !std::isfinite(distance)) {
-        throw Error("camera", "target", "a place other than the camera's", "the same or no place");
-    }
-    Basis b;
-    b.position = position;
-    b.back = back / distance;
-    const glm::dvec3 helper = std::abs(b.back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
-    const glm::dvec3 wished = glm::cross(glm::dvec3(camera.up), b.back);
-    // 1e-9: `up` is parallel to the view direction; the helper axis replaces it.
-    b.right = glm::length(wished) > 1e-9 ? wished : glm::cross(helper, b.back);
-    b.right = glm::normalize(b.right);
-    b.up = glm::cross(b.back, b.right);
-    return b;
-}
-
 struct Planes {
     double near_plane, far_plane;
 };
 
-Planes planes_of(const Camera& camera, const Bounds& bounds, const Basis& basis) {
+Planes planes_of(const Camera& camera, const Bounds& bounds, const CameraBasis& basis) {
     const double radius = std::max(static_cast<double>(bounds.radius()), 1e-6);
     const double depth = glm::dot(basis.position - glm::dvec3(bounds.center()), basis.back);
     Planes p;
@@ -60,6 +37,35 @@ Planes planes_of(const Camera& camera, const Bounds& bounds, const Basis& basis)
 
 }  // namespace
 
+CameraBasis camera_basis(const Camera& camera) {
+    const glm::dvec3 position(camera.position);
+    const glm::dvec3 back = position - glm::dvec3(camera.target);
+    const double distance = glm::length(back);
+    if (!(distance > 0) || !std::isfinite(distance)) {
+        throw Error("camera", "target", "a place other than the camera's", "the same or no place");
+    }
+    CameraBasis b;
+    b.position = position;
+    b.back = back / distance;
+    const glm::dvec3 helper = std::abs(b.back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    const glm::dvec3 wished = glm::cross(glm::dvec3(camera.up), b.back);
+    // 1e-9: `up` is parallel to the view direction; the helper axis replaces it.
+    b.right = glm::length(wished) > 1e-9 ? wished : glm::cross(helper, b.back);
+    b.right = glm::normalize(b.right);
+    b.up = glm::cross(b.back, b.right);
+    return b;
+}
+
+double half_height_of(const Camera& camera) {
+    const double half_height =
+        camera.orthographic ? camera.ymag : std::tan(0.5 * static_cast<double>(camera.yfov));
+    if (!(half_height > 0) || !(half_height < 1e9)) {
+        throw Error("camera", camera.orthographic ? "ymag" : "yfov", "a view of some height",
+                    std::to_string(camera.orthographic ? camera.ymag : camera.yfov));
+    }
+    return half_height;
+}
+
 std::vector<Tile> tiles_of(int width, int height, int side) {
     std::vector<Tile> tiles;
     for (int y = 0; y < height; y += side) {
@@ -72,14 +78,9 @@ std::vector<Tile> tiles_of(int width, int height, int side) {
 
 View make_view(const Camera& camera, const Bounds& bounds, int width, int height, const Tile& tile,
                glm::dvec2 offset_px) {
-    const Basis basis = basis_of(camera);
+    const CameraBasis basis = camera_basis(camera);
     const Planes planes = planes_of(camera, bounds, basis);
-    const double half_height =
-        camera.orthographic ? camera.ymag : std::tan(0.5 * static_cast<double>(camera.yfov));
-    if (!(half_height > 0) || !(half_height < 1e9)) {
-        throw Error("camera", camera.orthographic ? "ymag" : "yfov", "a view of some height",
-                    std::to_string(camera.orthographic ? camera.ymag : camera.yfov));
-    }
+    const double half_height = half_height_of(camera);
     // The tile's window on the image plane at distance 1, moved by the offset.
     const double pixel = 2 * half_height / height;
     const double left = (tile.x + offset_px.x - 0.5 * width) * pixel;

@@ -23,6 +23,18 @@ struct Tile {
 // Tiles of at most `side` pixels a side, row by row from the bottom.
 std::vector<Tile> tiles_of(int width, int height, int side);
 
+// Unit axes of a camera: it looks along -back.
+struct CameraBasis {
+    glm::dvec3 right, up, back, position;
+};
+
+// Throws Error for a camera whose target is its position.
+CameraBasis camera_basis(const Camera& camera);
+
+// Half the height of the picture: of an orthographic view in meters, else on the plane at distance 1.
+// Throws Error for a view without height.
+double half_height_of(const Camera& camera);
+
 struct View {
     glm::mat4 clip_from_world{1.0f};
     glm::vec4 eye{0.0f};  // position, 1; orthographic: direction to the viewer, 0
