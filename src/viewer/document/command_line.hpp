@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "burnish/stage.hpp"
@@ -29,8 +28,5 @@ CommandLine render_command(const Document& document, const Stage& stage,
 
 // The word of --light that gives this light, within 1e-6 of its direction; "" where there is none.
 std::string light_word(const Light& light);
-
-// The word in single quotes if a POSIX shell would interpret any of its characters.
-std::string shell_quoted(std::string_view word);
 
 }  // namespace burnish::viewer

@@ -102,5 +102,7 @@ void require_valid(const Light& light);
 // Throws UsageError when compare settings or bookmarks are outside the ranges that are stated above.
 void require_valid(const Compare& compare);
 void require_valid(const Bookmark& bookmark);
+// All lights, compare settings and bookmarks of a document.
+void require_valid(const Document& document);
 
 }  // namespace burnish::viewer

@@ -75,19 +75,17 @@ class Editor {
 
   private:
     struct Change;
-    Change change_to(const Document& document);
-    void commit(Change change);
+    Change change_to(const Document& document) const;
     void adopt(Stage stage);
+    void go_to(const Document& document);
     void update_to(const Document& document);
-    void replace_warnings(std::vector<std::string> lines);
+    void apply_materials(const Document& document, const ParameterValues& values);
+    void replace_warnings();
 
     History history_;
     Stage stage_;
     Revisions revisions_;
-    // Mesh ids of all instances as they are when nothing is hidden.
-    std::vector<int> shown_meshes_;
     std::vector<std::string> new_warnings_;
-    std::vector<std::string> environment_warnings_, normal_map_warnings_;
     std::vector<std::pair<int, bool>> checked_normal_maps_;  // texture, flip_green
 };
 

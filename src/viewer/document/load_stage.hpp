@@ -4,6 +4,7 @@
 // else.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@
 namespace burnish::viewer {
 
 // The stage that the document describes. Reports the stages "model", "materials" and "environment";
-// a cancellation is noticed between them. Throws as set_stage does, and UsageError for materials and
-// instances that the input does not have.
+// a cancellation is noticed between them. Throws as set_stage does, and UsageError for what
+// require_valid refuses. Materials and instances that the input does not have (any more) are passed
+// over with a warning.
 Stage load_stage(const Document& document, const Progress& progress = {});
 
 // Whether going from one document to the other reads the input anew; all other changes are quick
@@ -25,5 +27,10 @@ bool needs_load(const Document& from, const Document& to);
 // The document with what the input says and the document leaves empty: hidden parts, bookmarks and
 // compare settings of a scene file. Throws Error for a broken "viewer" section.
 Document with_state_of_input(Document document, const Stage& stage);
+
+// The document's values for the materials that the stage has, and lines about those and about hidden
+// parts that it does not have.
+std::map<int, ParameterValues> values_of_materials(const Document& document, const Stage& stage);
+std::vector<std::string> warnings_of_missing(const Document& document, const Stage& stage);
 
 }  // namespace burnish::viewer
