@@ -7,7 +7,7 @@ set(BURNISH_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fmt/format.
     <vector>)
 
 # Layers without inner loops of their own: a Release compiles them for a short build.
-set(BURNISH_LIGHT_LAYERS formats stage plot export jobs)
+set(BURNISH_LIGHT_LAYERS formats stage plot export jobs viewer)
 set(BURNISH_LIGHT_OPTIONS $<$<CONFIG:Release>:-O1>)
 
 # burnish_headers(<target> [<headers>]) adds the target that compiles BURNISH_COMMON_HEADERS and

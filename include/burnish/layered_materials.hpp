@@ -5,6 +5,7 @@
 // appended to its scene.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,14 +33,27 @@ class LayeredMaterials {
     // materials read normals with (fit_tangents). Returns warnings. Throws UsageError for flags, Error for values
     // of the file that cannot be applied; scene.materials are then what they were.
     std::vector<std::string> apply(Scene& scene, const ParameterValues& flags);
+    // The same with one more layer: `upper` lies over `flags`, for single materials by index. Textures
+    // and maps that failed to apply are not kept. Throws UsageError too for an index without a material.
+    std::vector<std::string> apply(Scene& scene, const ParameterValues& flags,
+                                   const std::map<int, ParameterValues>& upper);
 
     const std::vector<Material>& base() const { return base_; }
+    // The scene file's layers, one a material.
+    const std::vector<SceneFile::Layer>& layers() const { return layers_; }
+    // All layers of each material in one, as the last apply() made them: as the only layer over the
+    // base it gives the same material. Sizes in meters are not yet put into numbers of repeats.
+    const std::vector<ParameterValues>& values() const { return values_; }
 
   private:
-    ParameterValues values_of(std::size_t index, Scene& scene, const ParameterValues& flags);
+    ParameterValues values_of(std::size_t index, Scene& scene, const ParameterValues& flags,
+                              const ParameterValues* upper);
+    std::vector<std::string> apply_layers(Scene& scene, const ParameterValues& flags,
+                                          const std::map<int, ParameterValues>& upper);
 
     std::vector<Material> base_;
     std::vector<SceneFile::Layer> layers_;
+    std::vector<ParameterValues> values_;
     MaterialAssets assets_;
     std::vector<std::string> file_warnings_;  // of drafts and maps
     // Of physical sizes, of the last apply(): a line and the materials that it is true of.

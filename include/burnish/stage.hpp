@@ -15,6 +15,7 @@
 #include "burnish/parameters.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene.hpp"
+#include "burnish/scene_file.hpp"
 
 namespace BURNISH_API burnish {
 
@@ -31,6 +32,9 @@ inline constexpr std::string_view kDefaultEnvironment = "builtin:studio";
 // A plain value, but for `materials`, which knows the textures that it has appended to `scene`.
 struct Stage {
     Scene scene;
+    // What the input is, for those who write it as a scene file again: objects, values, environment,
+    // hidden parts. Of its scene it has lights and warnings alone, and no layers (`materials` has them).
+    SceneFile file;
     LayeredMaterials materials;  // materials.apply(scene, values): the scene under other values
     Environment environment;     // empty radiance: none
     ParameterValues values;      // everything that was set, for metadata
@@ -38,6 +42,15 @@ struct Stage {
     RenderSettings settings;
     double exposure_ev = 0;
     ToneMap tone_map = ToneMap::khronos_neutral;
+
+    // The mesh of every instance of the scene, those too that are hidden there (a mesh of -1).
+    std::vector<int> shown_meshes;
+
+    // The parts of scene.warnings, for those who change a stage; those of the input's readers are
+    // file.scene.warnings.
+    struct Warnings {
+        std::vector<std::string> materials, normal_maps, environment, values;
+    } warnings;
 };
 
 // `all_around`: a framed camera keeps its distance for a full turn. Throws UsageError for values

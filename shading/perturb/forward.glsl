@@ -74,7 +74,8 @@ FN vec3 perturb_forward(Perturbation p, vec3 m) {
 }
 
 // The half vector at which the perturbed lobe is highest. normal-map reads the unperturbed axes, whose
-// components vanish at the unperturbed normal: its highlight stays where it is without the map.
+// components vanish at the unperturbed normal: its highlight stays there but for less than the lobe's
+// width, where the factor of the cosine to n~ grows faster than the lobe falls.
 FN vec3 lobe_peak(Perturbation p) {
     vec3 pole = vec3(Float(0), Float(0), Float(1));
     vec3 peak = pole;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace burnish::cli {
@@ -65,9 +66,11 @@ CLI::Option* add_parameter_flag(CLI::App& command, std::string_view name, Parame
     const auto set = [&values, key = std::string(name), flag](const std::string& text) {
         values.set(key, text, flag);
     };
+    // "--shadows" and "--shadows=false", which CLI11 counts as -1.
     if (parameter.kind == ParameterKind::boolean)
-        return command.add_flag_callback(
-            flag, [set] { set("true"); }, help_of(parameter));
+        return command.add_flag_function(
+            flag, [set](std::int64_t count) { set(count > 0 ? "true" : "false"); },
+            help_of(parameter));
     return command.add_option_function<std::string>(flag, set, help_of(parameter))
         ->type_name(value_name(parameter));
 }

@@ -11,31 +11,6 @@
 #include "core/text.hpp"
 
 namespace burnish::cli {
-namespace {
-
-bool is_plain(char c) {
-    constexpr std::string_view kPlain = "_@%+=:,./-";
-    const bool alphanumeric =
-        (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-    return alphanumeric || kPlain.find(c) != std::string_view::npos;
-}
-
-// The word in single quotes if a POSIX shell would interpret any of its characters.
-std::string shell_quoted(std::string_view word) {
-    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
-    std::string quoted = "'";
-    for (const char c : word) {
-        if (c == '\'') {
-            quoted += "'\\''";
-        } else {
-            quoted += c;
-        }
-    }
-    return quoted + "'";
-}
-
-}  // namespace
-
 const CancelToken& interrupt_token() {
     static const CancelToken token;
     return token;

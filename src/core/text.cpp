@@ -60,7 +60,28 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+bool is_plain_in_shell(char c) {
+    constexpr std::string_view kPlain = "_@%+=:,./-";
+    const bool alphanumeric =
+        (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    return alphanumeric || kPlain.find(c) != std::string_view::npos;
+}
+
 }  // namespace
+
+std::string shell_quoted(std::string_view word) {
+    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain_in_shell))
+        return std::string(word);
+    std::string quoted = "'";
+    for (const char c : word) {
+        if (c == '\'') {
+            quoted += "'\\''";
+        } else {
+            quoted += c;
+        }
+    }
+    return quoted + "'";
+}
 
 bool natural_less(std::string_view a, std::string_view b) {
     std::string_view left = a, right = b;

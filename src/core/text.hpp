@@ -11,6 +11,9 @@ namespace burnish {
 // The count with its noun: "1 mesh", "2 meshes".
 std::string plural(std::size_t count, std::string_view word);
 
+// The word in single quotes if a POSIX shell would interpret any of its characters.
+std::string shell_quoted(std::string_view word);
+
 // Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'? known: ..."
 // when it is not there.
 int index_of_name(std::span<const std::string_view> names, std::string_view name,

@@ -7,22 +7,18 @@
 #include <array>
 #include <cstddef>
 #include <fstream>
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
 #include "burnish/load_model.hpp"
-#include "burnish/scratch_settings.hpp"
 #include "burnish/shading_names.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
 #include "formats/json_text.hpp"
+#include "formats/scene_parts.hpp"
 
 namespace burnish {
 
@@ -32,37 +28,12 @@ constexpr std::string_view kFormat = "burnish-scene";
 // Ten thousand objects with every key take two megabytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kMostObjects = 10000, kMostLights = 1000;
-constexpr double kFar = 1e6;                        // meters, as in the parameter table
-constexpr double kSmallest = 1e-6, kLargest = 1e6;  // scale factors
 constexpr std::string_view kBuiltinPrefix = "builtin:";
-
-// Throws Error for a name that is not in `known`; suggests the nearest one.
-[[noreturn]] void refuse_name(const JsonPlace& place, std::span<const std::string_view> known,
-                              const std::string& kind) {
-    const std::string_view nearest = nearest_name(known, place.text());
-    throw Error(
-        place.file(), place.path(),
-        fmt::format("{} ({})", kind,
-                    known.empty() ? "there are none" : fmt::to_string(fmt::join(known, " "))),
-        nearest.empty() ? shown(place.text())
-                        : fmt::format("{}; did you mean '{}'?", shown(place.text()), nearest));
-}
 
 // Resolves a file name in a scene file relative to the scene file; absolute paths stay.
 std::string beside(const std::filesystem::path& scene_file, const std::string& name) {
     if (name.starts_with(kBuiltinPrefix) || name == "none") return name;
     return (scene_file.parent_path() / name).string();
-}
-
-bool is_among(std::span<const std::string_view> names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// Whether the value `name` of the text parameter `key` is a file name.
-bool names_file(std::string_view key, std::string_view name) {
-    if (key == "scratch") return !is_among(scratch_preset_names(), name);
-    if (key == "weave") return !is_among(draft_names(), name);
-    return key.ends_with("_map") || key == "maps" || key == "tabulated";
 }
 
 // --- parameters -------------------------------------------------------------------------------
@@ -121,6 +92,7 @@ ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::p
     place.require_object();
     ParameterValues values;
     for (const std::string& key : place.keys()) {
+        if (only_material && key == "name") continue;  // no parameter, but of the set itself
         const Parameter* parameter = find_parameter(key);
         try {
             if (!parameter) values.set(key, "", place.file() + ": " + place.path());
@@ -135,100 +107,37 @@ ParameterValues read_parameters(const JsonPlace& place, const std::filesystem::p
     return values;
 }
 
-// --- lights -----------------------------------------------------------------------------------
-
-glm::vec3 read_color(const JsonPlace& place) {
-    if (!place.is_text()) return place.triple(0.0, 1.0);
-    ParameterValues parser;
-    try {
-        parser.set("base_color", place.text(), "");
-    } catch (const UsageError&) {
-        place.fail("[r, g, b] from 0 to 1 or \"#rrggbb\"");
-    }
-    return parser.vec3("base_color");
-}
-
-glm::vec3 read_direction(const JsonPlace& place) {
-    const glm::vec3 direction = place.triple(-kFar, kFar);
-    // The square of a shorter vector would underflow, and no such vector is an intended direction.
-    if (glm::length(direction) < 1e-12f) place.fail("a direction that is not zero");
-    return glm::normalize(direction);
-}
-
-LightType read_light_type(const JsonPlace& place) {
-    constexpr std::array<std::string_view, 3> kTypes = {"directional", "point", "spot"};
-    const std::string name = place.text();
-    const auto found = std::find(kTypes.begin(), kTypes.end(), name);
-    if (found == kTypes.end()) refuse_name(place, kTypes, "a type of light");
-    return static_cast<LightType>(found - kTypes.begin());
-}
-
-Light read_light(const JsonPlace& place) {
-    using Keys = std::vector<std::string_view>;
-    static const Keys directional_keys = {"type", "color", "intensity", "direction"};
-    static const Keys point_keys = {"type", "color", "intensity", "position", "range"};
-    static const Keys spot_keys = {"type",  "color",     "intensity",      "position",
-                                   "range", "direction", "inner_cone_deg", "outer_cone_deg"};
-    place.require_object();
-    Light light;
-    light.type = read_light_type(place.at("type"));
-    const bool directional = light.type == LightType::directional;
-    const bool spot = light.type == LightType::spot;
-    place.require_object(directional ? directional_keys : spot ? spot_keys : point_keys);
-    if (place.has("color")) light.color = read_color(place.at("color"));
-    if (place.has("intensity"))
-        light.intensity = static_cast<float>(place.at("intensity").number(0.0, 1e9));
-    if (directional || spot) light.direction = read_direction(place.at("direction"));
-    if (directional) return light;
-    light.position = place.at("position").triple(-kFar, kFar);
-    if (place.has("range")) light.range = static_cast<float>(place.at("range").number(0.0, kFar));
-    if (!spot) return light;
-    const double outer =
-        place.has("outer_cone_deg") ? place.at("outer_cone_deg").number(0.1, 90.0) : 45.0;
-    const double inner =
-        place.has("inner_cone_deg") ? place.at("inner_cone_deg").number(0.0, outer) : 0.0;
-    light.outer_cone = static_cast<float>(glm::radians(outer));
-    light.inner_cone = static_cast<float>(glm::radians(inner));
-    return light;
-}
-
 // --- objects ----------------------------------------------------------------------------------
-
-glm::mat4 read_transform(const JsonPlace& place) {
-    glm::mat4 m(1.0f);
-    if (place.has("translate")) m = glm::translate(m, place.at("translate").triple(-kFar, kFar));
-    if (place.has("rotate_deg")) {
-        const glm::vec3 turn = glm::radians(place.at("rotate_deg").triple(-3600.0, 3600.0));
-        m = glm::rotate(m, turn.z, glm::vec3(0, 0, 1));  // rotates about x first, then y, then z
-        m = glm::rotate(m, turn.y, glm::vec3(0, 1, 0));
-        m = glm::rotate(m, turn.x, glm::vec3(1, 0, 0));
-    }
-    if (place.has("scale")) {
-        const JsonPlace scale = place.at("scale");
-        const glm::vec3 factors =
-            scale.value().is_array()
-                ? scale.triple(kSmallest, kLargest)
-                : glm::vec3(static_cast<float>(scale.number(kSmallest, kLargest)));
-        m = glm::scale(m, factors);
-    }
-    return m;
-}
 
 // A model that is already in the scene: its first mesh and texture there, and its other data.
 struct LoadedModel {
     int first_mesh = 0, first_texture = 0;
     Scene rest;                                 // without meshes and textures
-    std::map<std::string, int> first_material;  // by name of the parameter set, "" for none
+    std::map<std::string, int> first_material;  // by the text of the member "material", "" for none
 };
+
+// A set of parameters under "materials".
+struct ParameterSet {
+    ParameterValues values;
+    std::string name;  // of the materials that it is laid over; "": the usual one
+};
+
+// A key of the object form of "material" that stands for one material by its place: "#12".
+bool is_index(std::string_view key) {
+    return key.size() > 1 && key.size() <= 6 && key.front() == '#' &&
+           std::all_of(key.begin() + 1, key.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
 
 class SceneFileReader {
   public:
-    SceneFileReader(const std::filesystem::path& path, const nlohmann::json& document)
-        : path_(path), file_(path.string()), root_(file_, document) {}
+    SceneFileReader(const std::filesystem::path& path, const nlohmann::json& document,
+                    const ParameterValues& over)
+        : path_(path), file_(path.string()), root_(file_, document), over_(over) {}
 
     SceneFile read() {
-        constexpr std::array<std::string_view, 7> kKeys = {
-            "format", "version", "objects", "materials", "lights", "environment", "parameters"};
+        constexpr std::array<std::string_view, 9> kKeys = {
+            "format",       "version",     "objects",    "materials", "lights",
+            "model_lights", "environment", "parameters", "viewer"};
         root_.require_object();
         if (!root_.has("format"))
             throw Error(file_, "format", fmt::format("\"{}\"", kFormat), "none");
@@ -237,11 +146,17 @@ class SceneFileReader {
         root_.require_object(kKeys);
         out_.scene.name = path_.stem().string();
         read_parameter_sets();
+        if (root_.has("model_lights")) {
+            if (!root_.at("model_lights").value().is_boolean())
+                root_.at("model_lights").fail("true or false");
+            out_.drops_lights = !root_.at("model_lights").value().get<bool>();
+        }
         if (root_.has("objects")) {
             const JsonPlace objects = root_.at("objects");
             objects.require_array(kMostObjects);
             for (std::size_t i = 0; i < objects.size(); ++i) add_object(objects.at(i));
         }
+        out_.model_lights = static_cast<int>(out_.scene.lights.size());
         if (root_.has("lights")) {
             const JsonPlace lights = root_.at("lights");
             lights.require_array(kMostLights);
@@ -250,6 +165,10 @@ class SceneFileReader {
         }
         if (root_.has("environment"))
             out_.environment = beside(path_, root_.at("environment").text());
+        if (root_.has("viewer")) {
+            root_.at("viewer").require_object();
+            out_.viewer = root_.at("viewer").value().dump();
+        }
         return std::move(out_);
     }
 
@@ -267,37 +186,48 @@ class SceneFileReader {
         if (!root_.has("materials")) return;
         const JsonPlace materials = root_.at("materials");
         materials.require_object();
-        for (const std::string& name : materials.keys())
-            sets_.emplace(name, read_parameters(materials.at(name), path_, true));
+        for (const std::string& name : materials.keys()) {
+            const JsonPlace place = materials.at(name);
+            ParameterSet set{read_parameters(place, path_, true), ""};
+            if (place.has("name")) set.name = place.at("name").text();
+            sets_.emplace(name, std::move(set));
+        }
     }
 
     void add_object(const JsonPlace& place) {
-        constexpr std::array<std::string_view, 5> kKeys = {"model", "material", "translate",
-                                                           "rotate_deg", "scale"};
+        constexpr std::array<std::string_view, 6> kKeys = {"model",      "material", "translate",
+                                                           "rotate_deg", "scale",    "hidden"};
         place.require_object(kKeys);
-        std::string set;
-        if (place.has("material")) {
-            set = place.at("material").text();
-            if (!sets_.contains(set)) {
-                std::vector<std::string_view> names;
-                for (const auto& [name, values] : sets_) names.push_back(name);
-                refuse_name(place.at("material"), names, "a name under \"materials\"");
-            }
-        }
         LoadedModel& model = loaded(place.at("model"));
-        const int first_material = materials_of(model, set, place);
-        add_instances(model, first_material, read_transform(place));
+        SceneFile::Object object;
+        object.model = model_name(place.at("model"));
+        object.first_material = materials_of(model, place);
+        object.materials = static_cast<int>(model.rest.materials.size());
+        object.first_instance = static_cast<int>(out_.scene.instances.size());
+        object.instances = static_cast<int>(model.rest.instances.size());
+        read_placing(place, object);
+        add_instances(model, object);
+        if (place.has("hidden")) read_hidden(place.at("hidden"), object);
+        out_.objects.push_back(std::move(object));
+    }
+
+    // A file that is spelled in two ways is one model.
+    std::string model_name(const JsonPlace& place) const {
+        const std::string name = beside(path_, place.text());
+        if (name.starts_with(kBuiltinPrefix)) return name;
+        return std::filesystem::path(name).lexically_normal().string();
     }
 
     LoadedModel& loaded(const JsonPlace& place) {
-        const std::string name = beside(path_, place.text());
+        const std::string name = model_name(place);
         if (name.ends_with(".json"))
             throw Error(place.file(), place.path(), "a model: scenes hold no scenes",
                         shown(place.text()));
         if (const auto found = models_.find(name); found != models_.end()) return found->second;
         LoadedModel model;
         try {
-            model.rest = load_model(name, out_.values.integer("triangles"));
+            const bool above = over_.is_set("triangles");
+            model.rest = load_model(name, (above ? over_ : out_.values).integer("triangles"));
         } catch (const Interrupted&) {
             throw;
         } catch (const Error& error) {
@@ -316,26 +246,99 @@ class SceneFileReader {
         return models_.emplace(name, std::move(model)).first->second;
     }
 
-    // Index of the first of the model's materials with the named set of parameters.
-    int materials_of(LoadedModel& model, const std::string& set, const JsonPlace& place) {
-        const auto [found, is_new] =
-            model.first_material.try_emplace(set, static_cast<int>(out_.scene.materials.size()));
-        if (!is_new) return found->second;
-        for (Material material : model.rest.materials) {
-            for (TextureUse* use :
-                 {&material.base_color_texture, &material.metallic_roughness_texture,
-                  &material.normal_texture, &material.occlusion_texture, &material.emissive_texture,
-                  &material.anisotropy_texture})
-                if (*use) use->texture += model.first_texture;
-            if (!set.empty() && model.rest.materials.size() == 1) material.name = set;
-            if (!set.empty() && model.rest.materials.size() > 1) material.name += " as " + set;
-            out_.scene.materials.push_back(material);
+    // The name of a set of parameters, held against "materials".
+    std::string set_named_at(const JsonPlace& place) const {
+        std::string set = place.text();
+        if (sets_.contains(set)) return set;
+        std::vector<std::string_view> names;
+        for (const auto& [name, values] : sets_) names.push_back(name);
+        refuse_name(place, names, "a name under \"materials\"");
+    }
+
+    // The set of every material of the model, "" for none. Of the keys of an object, "#index" is the
+    // most particular, then come a material's name and "*".
+    std::vector<std::string> sets_of(const LoadedModel& model, const JsonPlace& place) const {
+        const std::vector<Material>& materials = model.rest.materials;
+        if (place.is_text()) return {materials.size(), set_named_at(place)};
+        if (!place.value().is_object())
+            place.fail("a name under \"materials\", or an object {...}");
+        std::vector<std::string> sets(materials.size());
+        for (const int pass : {0, 1, 2}) {
+            for (const std::string& key : place.keys()) {
+                if (pass != (key == "*" ? 0 : is_index(key) ? 2 : 1)) continue;
+                const std::string set = set_named_at(place.at(key));
+                const std::vector<std::size_t> named = materials_named(model, place, key);
+                for (const std::size_t i : named) sets[i] = set;
+            }
         }
-        ParameterValues values = common_;
-        if (!set.empty()) values.merge(sets_.at(set));
-        out_.layers.resize(out_.scene.materials.size(), {values, file_ + ": " + place.path()});
-        require_consistent(values, out_.layers.back().place);
-        return found->second;
+        return sets;
+    }
+
+    static std::vector<std::size_t> materials_named(const LoadedModel& model,
+                                                    const JsonPlace& place,
+                                                    const std::string& key) {
+        const std::vector<Material>& materials = model.rest.materials;
+        std::vector<std::size_t> named;
+        if (is_index(key)) {
+            const std::size_t index = std::stoul(key.substr(1));
+            if (index >= materials.size())
+                throw Error(place.file(), place.path(),
+                            fmt::format("an index below {}, as the model has {}", materials.size(),
+                                        plural(materials.size(), "material")),
+                            shown(key));
+            return {index};
+        }
+        for (std::size_t i = 0; i < materials.size(); ++i)
+            if (key == "*" || materials[i].name == key) named.push_back(i);
+        if (!named.empty() || key == "*") return named;
+        std::vector<std::string_view> names;
+        for (const Material& material : materials) names.push_back(material.name);
+        const std::string_view nearest = nearest_name(names, key);
+        throw Error(place.file(), place.path(),
+                    "the name of a material of the model, \"#index\" or \"*\"",
+                    nearest.empty() ? shown(key)
+                                    : fmt::format("{}; did you mean '{}'?", shown(key), nearest));
+    }
+
+    // Index of the first of the model's materials with the named sets of parameters.
+    int materials_of(LoadedModel& model, const JsonPlace& object) {
+        const bool has_sets = object.has("material");
+        const std::string key = has_sets ? object.at("material").value().dump() : "";
+        const auto found = model.first_material.find(key);
+        if (found != model.first_material.end()) return found->second;
+        const std::vector<std::string> sets =
+            has_sets ? sets_of(model, object.at("material"))
+                     : std::vector<std::string>(model.rest.materials.size());
+        const int first = static_cast<int>(out_.scene.materials.size());
+        const bool one_for_all = has_sets && object.at("material").is_text();
+        for (std::size_t i = 0; i < sets.size(); ++i)
+            add_material(model, i, sets[i], one_for_all, object);
+        model.first_material.emplace(key, first);
+        return first;
+    }
+
+    // `one_for_all`: the set is laid over the whole model, which names its materials.
+    void add_material(const LoadedModel& model, std::size_t index, const std::string& set,
+                      bool one_for_all, const JsonPlace& object) {
+        Material material = model.rest.materials[index];
+        for (TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
+                                &material.normal_texture, &material.occlusion_texture,
+                                &material.emissive_texture, &material.anisotropy_texture})
+            if (*use) use->texture += model.first_texture;
+        SceneFile::Layer layer{common_, file_ + ": " + object.path(), false};
+        if (!set.empty()) {
+            const ParameterSet& named = sets_.at(set);
+            layer.values.merge(named.values);
+            layer.renamed = one_for_all || !named.name.empty();
+            if (!named.name.empty())
+                material.name = named.name;
+            else if (one_for_all)
+                material.name =
+                    model.rest.materials.size() == 1 ? set : material.name + " as " + set;
+        }
+        require_consistent(layer.values, layer.place);
+        out_.scene.materials.push_back(std::move(material));
+        out_.layers.push_back(std::move(layer));
     }
 
     static void require_consistent(const ParameterValues& values, const std::string& place) {
@@ -346,11 +349,12 @@ class SceneFileReader {
         }
     }
 
-    void add_instances(const LoadedModel& model, int first_material, const glm::mat4& placing) {
+    void add_instances(const LoadedModel& model, const SceneFile::Object& object) {
         Scene& scene = out_.scene;
+        const glm::mat4 placing = placing_of(object);
         for (Instance instance : model.rest.instances) {
             instance.mesh += model.first_mesh;
-            instance.material += first_material;
+            instance.material += object.first_material;
             instance.transform = placing * instance.transform;
             scene.instances.push_back(instance);
         }
@@ -359,33 +363,62 @@ class SceneFileReader {
             return glm::vec3(placing * glm::vec4(p, 1));
         };
         for (Light light : model.rest.lights) {
+            if (out_.drops_lights) break;
             light.position = placed(light.position);
-            light.direction = glm::normalize(turn * light.direction);
+            light.direction = unit(turn * light.direction);
             scene.lights.push_back(light);
         }
         for (Camera camera : model.rest.cameras) {
             camera.position = placed(camera.position);
             camera.target = placed(camera.target);
-            camera.up = glm::normalize(turn * camera.up);
+            camera.up = unit(turn * camera.up);
             scene.cameras.push_back(camera);
         }
+    }
+
+    void read_hidden(const JsonPlace& place, const SceneFile::Object& object) {
+        place.require_array(static_cast<std::size_t>(object.instances));
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const nlohmann::json& index = place.value()[i];
+            if (!index.is_number_integer() || index < 0 || index >= object.instances)
+                place.at(i).fail(
+                    fmt::format("the index of a part of the model, below {}", object.instances));
+            out_.hidden.push_back(object.first_instance + index.get<int>());
+        }
+        const auto of_object = std::find_if(out_.hidden.begin(), out_.hidden.end(),
+                                            [&](int i) { return i >= object.first_instance; });
+        std::sort(of_object, out_.hidden.end());
+        out_.hidden.erase(std::unique(of_object, out_.hidden.end()), out_.hidden.end());
     }
 
     std::filesystem::path path_;
     std::string file_;
     JsonPlace root_;
+    const ParameterValues& over_;
     SceneFile out_;
     ParameterValues common_;
-    std::map<std::string, ParameterValues> sets_;
+    std::map<std::string, ParameterSet> sets_;
     std::map<std::string, LoadedModel> models_;
 };
 
 }  // namespace
 
-SceneFile load_scene_file(const std::filesystem::path& path) {
+SceneFile load_scene_file(const std::filesystem::path& path, const ParameterValues& over) {
     const std::string text = read_text_file(path, kMostBytes);
     const nlohmann::json document = parse_json(path.string(), text);
-    return SceneFileReader(path, document).read();
+    return SceneFileReader(path, document, over).read();
+}
+
+SceneFile scene_file_of_model(const std::string& path_or_builtin, int triangles) {
+    SceneFile file;
+    file.scene = load_model(path_or_builtin, triangles);
+    SceneFile::Object& object = file.objects.emplace_back();
+    object.model = path_or_builtin;
+    object.materials = static_cast<int>(file.scene.materials.size());
+    object.instances = static_cast<int>(file.scene.instances.size());
+    file.layers.resize(file.scene.materials.size());
+    file.model_lights = static_cast<int>(file.scene.lights.size());
+    return file;
 }
 
 bool is_scene_file(const std::filesystem::path& path) {

@@ -1,5 +1,7 @@
 #include "burnish/layered_materials.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -119,40 +121,86 @@ LayeredMaterials::LayeredMaterials(std::vector<Material> base, std::vector<Scene
     layers_.resize(base_.size());
 }
 
-// The values of one loaded material. Errors in the file's values name their place in the file.
+// The values of one loaded material. Errors in the file's values name their place in the file, those
+// of the uppermost layer the material.
 ParameterValues LayeredMaterials::values_of(std::size_t index, Scene& scene,
-                                            const ParameterValues& flags) {
+                                            const ParameterValues& flags,
+                                            const ParameterValues* upper) {
     const SceneFile::Layer& layer = layers_[index];
+    const auto alpha_under = [&](const ParameterValues& values) {
+        assets_.load(values, scene.textures, file_warnings_);
+        return stated_alpha(apply_parameters(base_[index], values, assets_));
+    };
     std::optional<glm::vec2> alpha;
     try {
-        assets_.load(layer.values, scene.textures, file_warnings_);
-        alpha = stated_alpha(apply_parameters(base_[index], layer.values, assets_));
+        alpha = alpha_under(layer.values);
     } catch (const Interrupted&) {
         throw;
     } catch (const Error& error) {
         throw Error(layer.place + ": " + error.what());
     }
     ParameterValues values = values_over(layer.values, flags, alpha);
-    assets_.load(values, scene.textures, file_warnings_);
-    apply_physical_size(values, scene, index, assets_, size_notes_);
+    if (upper == nullptr) {
+        assets_.load(values, scene.textures, file_warnings_);
+        return values;
+    }
+    alpha = alpha_under(values);
+    try {
+        values = values_over(values, *upper, alpha);
+        assets_.load(values, scene.textures, file_warnings_);
+    } catch (const UsageError& error) {
+        throw UsageError(fmt::format("{}: {}", one_line(base_[index].name), error.what()));
+    }
     return values;
 }
 
-std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
+std::vector<std::string> LayeredMaterials::apply_layers(
+    Scene& scene, const ParameterValues& flags, const std::map<int, ParameterValues>& upper) {
     std::vector<Material> materials;
-    std::vector<ParameterValues> values;
+    std::vector<ParameterValues> layered, sized;
     size_notes_.clear();
     for (std::size_t i = 0; i < base_.size(); ++i) {
-        values.push_back(values_of(i, scene, flags));
-        materials.push_back(apply_parameters(base_[i], values.back(), assets_));
+        const auto own = upper.find(static_cast<int>(i));
+        layered.push_back(values_of(i, scene, flags, own == upper.end() ? nullptr : &own->second));
+        sized.push_back(layered.back());
+        apply_physical_size(sized.back(), scene, i, assets_, size_notes_);
+        materials.push_back(apply_parameters(base_[i], sized.back(), assets_));
     }
-    require_belonging(materials, values, layers_, flags);
+    ParameterValues asked = flags;
+    for (const auto& [index, values] : upper)
+        for (const auto& [name, value] : values.set_values()) asked.set_value(name, value);
+    require_belonging(materials, sized, layers_, asked);
     std::vector<std::string> warnings = file_warnings_;
     for (std::string& line : lines_of(size_notes_)) warnings.push_back(std::move(line));
     std::swap(scene.materials, materials);
-    append_warnings(scene, values, warnings);
+    std::swap(values_, layered);
+    append_warnings(scene, sized, warnings);
     for (std::string& line : fit_tangents(scene)) warnings.push_back(std::move(line));
     return warnings;
+}
+
+std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
+    return apply(scene, flags, {});
+}
+
+std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags,
+                                                 const std::map<int, ParameterValues>& upper) {
+    if (!upper.empty() &&
+        (upper.begin()->first < 0 || upper.rbegin()->first >= static_cast<int>(base_.size())))
+        throw UsageError("material", "", fmt::format("an index below {}", base_.size()),
+                         std::to_string(upper.begin()->first < 0 ? upper.begin()->first
+                                                                 : upper.rbegin()->first));
+    const MaterialAssets assets = assets_;
+    const std::vector<std::string> file_warnings = file_warnings_;
+    const std::size_t textures = scene.textures.size();
+    try {
+        return apply_layers(scene, flags, upper);
+    } catch (...) {
+        assets_ = assets;
+        file_warnings_ = file_warnings;
+        scene.textures.resize(textures);
+        throw;
+    }
 }
 
 void apply_material_parameters(Scene& scene, const ParameterValues& values) {

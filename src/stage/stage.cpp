@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <iterator>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "scene/camera/angles.hpp"
 #include "scene/camera/framing.hpp"
 #include "stage/normal_map_check.hpp"
+#include "stage/stage_parts.hpp"
 
 namespace burnish {
 
@@ -91,41 +93,6 @@ double framing_distance(const Scene& scene, std::span<const glm::vec3> more, glm
     return framing.distance();
 }
 
-// Warns of values that other values, or their absence, make ineffective.
-void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
-                         std::vector<std::string>& warnings) {
-    const bool shows_environment =
-        values.choice("background") == static_cast<int>(BackgroundKind::environment) &&
-        !environment.radiance.pixels.empty();
-    if (values.is_set("background_color") && shows_environment)
-        warnings.push_back(
-            "background_color: the environment stands before it: nothing changes "
-            "(--background color)");
-    if (values.is_set("camera_zoom") &&
-        any_set(values, {"camera_position", "camera_distance", "camera_index"}))
-        warnings.push_back(
-            "camera_zoom: the camera's distance is stated: nothing changes (it scales the view "
-            "that "
-            "frames the scene)");
-    if (values.is_set("camera_position") &&
-        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
-        warnings.push_back(
-            "camera_position: it holds; azimuth, elevation and distance change nothing");
-}
-
-Environment load_environment_of(const StageRequest& request, const std::string& of_file,
-                                std::vector<std::string>& warnings) {
-    const std::string& name = request.environment.empty() ? of_file : request.environment;
-    if (name == "none") return {};
-    if (name.empty()) return load_environment(std::string(kDefaultEnvironment));
-    if (!request.environment.empty()) return load_environment(name, &warnings);
-    try {
-        return load_environment(name, &warnings);
-    } catch (const Error& error) {
-        throw Error(request.input + ": environment: " + error.what());
-    }
-}
-
 }  // namespace
 
 RenderSettings render_settings(const ParameterValues& values) {
@@ -186,7 +153,9 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
     if (!asked && !scene.cameras.empty()) return scene.cameras.front();
 
     Camera camera;
-    const Bounds bounds = bounds_of(scene);
+    // A camera that is placed by numbers alone needs no look at the vertices.
+    const bool placed = values.is_set("camera_position") && values.is_set("camera_target");
+    const Bounds bounds = placed ? Bounds{} : bounds_of(scene);
     camera.yfov = static_cast<float>(glm::radians(values.real("camera_fov")));
     camera.target = values.is_set("camera_target") ? values.vec3("camera_target") : bounds.center();
     if (values.is_set("camera_position")) {
@@ -233,43 +202,116 @@ Camera turned(const Camera& camera, double angle_rad) {
     return result;
 }
 
-Stage set_stage(const StageRequest& request, bool all_around) {
-    require_one_roughness(request.values, true);
+Stage open_stage(const std::string& input, const ParameterValues& values) {
+    require_one_roughness(values, true);
     Stage stage;
-    std::string environment;
-    std::vector<SceneFile::Layer> layers;
-    if (!is_builtin(request.input) && is_scene_file(request.input)) {
-        SceneFile file = load_scene_file(request.input);
-        stage.scene = std::move(file.scene);
-        stage.values = std::move(file.values);
-        layers = std::move(file.layers);
-        environment = file.environment;
-        stage.values.merge(request.values);
-    } else {
-        stage.values = request.values;
-        stage.scene = load_model(request.input, stage.values.integer("triangles"));
+    const bool scene_file = !is_builtin(input) && is_scene_file(input);
+    stage.file = scene_file ? load_scene_file(input, values)
+                            : scene_file_of_model(input, values.integer("triangles"));
+    stage.values = stage.file.values;
+    stage.values.merge(values);
+    stage.scene = std::move(stage.file.scene);
+    stage.file.scene = Scene{};
+    stage.file.scene.lights = stage.scene.lights;
+    stage.file.scene.warnings = stage.scene.warnings;
+    stage.materials = LayeredMaterials(stage.scene.materials, std::move(stage.file.layers));
+    stage.file.layers.clear();
+    if (stage.scene.instances.empty()) throw Error(input, "", "something to draw", "no triangles");
+    return stage;
+}
+
+// Warns of values that other values, or their absence, make ineffective.
+void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
+                         std::vector<std::string>& warnings) {
+    const bool shows_environment =
+        values.choice("background") == static_cast<int>(BackgroundKind::environment) &&
+        !environment.radiance.pixels.empty();
+    if (values.is_set("background_color") && shows_environment)
+        warnings.push_back(
+            "background_color: the environment stands before it: nothing changes "
+            "(--background color)");
+    if (values.is_set("camera_zoom") &&
+        any_set(values, {"camera_position", "camera_distance", "camera_index"}))
+        warnings.push_back(
+            "camera_zoom: the camera's distance is stated: nothing changes (it scales the view "
+            "that "
+            "frames the scene)");
+    if (values.is_set("camera_position") &&
+        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
+        warnings.push_back(
+            "camera_position: it holds; azimuth, elevation and distance change nothing");
+}
+
+Environment load_environment_of(const Stage& stage, const std::string& input,
+                                const std::string& asked, std::vector<std::string>& warnings) {
+    const std::string& name = asked.empty() ? stage.file.environment : asked;
+    if (name == "none") return {};
+    if (name.empty()) return load_environment(std::string(kDefaultEnvironment));
+    if (!asked.empty()) return load_environment(name, &warnings);
+    try {
+        return load_environment(name, &warnings);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error& error) {
+        throw Error(input + ": environment: " + error.what());
     }
-    stage.materials = LayeredMaterials(stage.scene.materials, std::move(layers));
-    std::vector<std::string>& warnings = stage.scene.warnings;
-    for (std::string& line : stage.materials.apply(stage.scene, stage.values))
-        if (std::ranges::find(warnings, line) == warnings.end())
-            warnings.push_back(std::move(line));  // else the model's reader has said it
+}
+
+void find_odd_normal_maps(Stage& stage) {
+    std::vector<std::string> others;
+    std::swap(others, stage.scene.warnings);
     warn_of_odd_normal_maps(stage.scene);
-    if (stage.scene.instances.empty())
-        throw Error(request.input, "", "something to draw", "no triangles");
-    if (!request.lights.empty()) {
-        stage.scene.lights.clear();
-        for (const std::string& word : request.lights)
-            if (word != "none") stage.scene.lights.push_back(parse_light(word));
-    }
-    stage.environment = load_environment_of(request, environment, warnings);
+    std::swap(others, stage.scene.warnings);
+    stage.warnings.normal_maps = std::move(others);
+}
+
+std::vector<std::string> all_warnings(const Stage& stage) {
+    std::vector<std::string> all;
+    for (const std::vector<std::string>* part :
+         {&stage.file.scene.warnings, &stage.warnings.materials, &stage.warnings.normal_maps,
+          &stage.warnings.environment, &stage.warnings.values})
+        for (const std::string& line : *part)
+            if (std::ranges::find(all, line) == all.end()) all.push_back(line);
+    return all;
+}
+
+void set_values_of_picture(Stage& stage, bool all_around) {
     stage.settings = render_settings(stage.values);
-    warn_of_idle_values(stage.values, stage.environment, warnings);
     stage.camera =
         place_camera(stage.scene, stage.values,
                      static_cast<double>(stage.settings.width) / stage.settings.height, all_around);
     stage.exposure_ev = stage.values.real("exposure");
     stage.tone_map = static_cast<ToneMap>(stage.values.choice("tone_map"));
+}
+
+void hide_instances(Stage& stage, const std::set<int>& hidden) {
+    for (std::size_t i = 0; i < stage.shown_meshes.size(); ++i)
+        stage.scene.instances[i].mesh =
+            hidden.contains(static_cast<int>(i)) ? -1 : stage.shown_meshes[i];
+}
+
+void remember_meshes(Stage& stage) {
+    stage.shown_meshes.clear();
+    for (const Instance& instance : stage.scene.instances)
+        stage.shown_meshes.push_back(instance.mesh);
+}
+
+Stage set_stage(const StageRequest& request, bool all_around) {
+    Stage stage = open_stage(request.input, request.values);
+    stage.warnings.materials = stage.materials.apply(stage.scene, stage.values);
+    remember_meshes(stage);
+    find_odd_normal_maps(stage);
+    if (!request.lights.empty()) {
+        stage.scene.lights.clear();
+        for (const std::string& word : request.lights)
+            if (word != "none") stage.scene.lights.push_back(parse_light(word));
+    }
+    stage.environment =
+        load_environment_of(stage, request.input, request.environment, stage.warnings.environment);
+    set_values_of_picture(stage, all_around);
+    warn_of_idle_values(stage.values, stage.environment, stage.warnings.values);
+    hide_instances(stage, {stage.file.hidden.begin(), stage.file.hidden.end()});
+    stage.scene.warnings = all_warnings(stage);
     return stage;
 }
 

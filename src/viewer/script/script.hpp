@@ -1,0 +1,153 @@
+// The text of `burnish view --script FILE` as commands: one a line, words separated by blanks, "quoted
+// words" with \" and \\ inside, # before a comment.
+//
+// Threads: functions may be called from any thread. Lifetime: what they return refers to nothing
+// else.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "burnish/scene.hpp"
+#include "viewer/document/document.hpp"
+
+namespace burnish::viewer {
+
+struct Size {
+    int width = 0, height = 0;  // pixels, 1 to 16384
+    bool operator==(const Size&) const = default;
+};
+
+// open FILE...
+struct OpenCommand {
+    std::vector<std::string> files;  // at least one
+};
+// set NAME VALUE [MATERIAL]: the name is in the parameter table, and the value suits it.
+struct SetCommand {
+    std::string name, value;
+    std::optional<std::string> material;  // a name, or "#" and an index; none: all materials
+};
+// unset NAME [MATERIAL]
+struct UnsetCommand {
+    std::string name;
+    std::optional<std::string> material;
+};
+// light AZIMUTH,ELEVATION[,INTENSITY], light point:X,Y,Z[,INTENSITY] or light none: in place of all
+// lights.
+struct LightCommand {
+    std::optional<Light> light;  // none: no light
+};
+// environment NAME: a file, builtin:<name> or none
+struct EnvironmentCommand {
+    std::string name;
+};
+enum class DragKind { orbit, pan, zoom, light, environment };
+// drag KIND DX DY [FRAMES]
+struct DragCommand {
+    DragKind kind = DragKind::orbit;
+    double dx = 0, dy = 0;  // pixels, right and down
+    int frames = 1;         // over which the way is spread evenly, 1 to 100000
+};
+// move X Y
+struct MoveCommand {
+    double x = 0, y = 0;  // pixels from the upper left corner of the window
+};
+// click X Y [shift]
+struct ClickCommand {
+    double x = 0, y = 0;
+    bool shift = false;
+};
+// key KEYS: such as "ctrl+z", "f", "?"
+struct KeyCommand {
+    std::string keys;
+};
+enum class WaitKind { frames, rest, seconds };
+// wait FRAMES | wait rest | wait seconds N. rest: until the picture is refined and nothing is drawn.
+struct WaitCommand {
+    WaitKind kind = WaitKind::frames;
+    double amount = 0;  // frames (whole, 1 to 1000000) or seconds (0 to 86400); 0 for rest
+};
+// pick X Y
+struct PickCommand {
+    double x = 0, y = 0;
+};
+// compare MODE [METHOD...]: 2 to 4 different methods; none: those that are set
+struct CompareCommand {
+    CompareMode mode = CompareMode::off;
+    std::vector<Method> methods;
+};
+// view NAME: a view of what is behind the picture
+struct ViewCommand {
+    std::string name;
+};
+// panel NAME on|off
+struct PanelCommand {
+    std::string name;
+    bool open = false;
+};
+// undo [N], redo [N]
+struct UndoCommand {
+    int steps = 1;  // 1 to 1000
+};
+struct RedoCommand {
+    int steps = 1;
+};
+enum class SaveKind { scene, picture, maps, gltf };
+// save KIND FILE [WxH]: a size goes with a picture alone
+struct SaveCommand {
+    SaveKind kind = SaveKind::scene;
+    std::string file;
+    std::optional<Size> size;  // none: that of the view
+};
+// turntable N FILE
+struct TurntableCommand {
+    int frames = 1;  // 1 to 9999
+    std::string file;
+};
+// screenshot FILE: of the whole window
+struct ScreenshotCommand {
+    std::string file;
+};
+enum class Comparison { equal, unequal, less, at_most, greater, at_least };
+// expect NAME OP VALUE [TOLERANCE]: OP is one of = != < <= > >=. The script fails where it does not
+// hold.
+struct ExpectCommand {
+    std::string name;  // "fps", "samples", "picked.D", a parameter ...
+    Comparison comparison = Comparison::equal;
+    std::string value;
+    std::optional<double> number;  // `value` where it is a number; set for < <= > >=
+    double tolerance = 0;          // absolute, >= 0; of = and != with a number
+};
+// resize WxH: the window
+struct ResizeCommand {
+    Size size;
+};
+struct QuitCommand {};
+
+using Action =
+    std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
+                 DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand, PickCommand,
+                 CompareCommand, ViewCommand, PanelCommand, UndoCommand, RedoCommand, SaveCommand,
+                 TurntableCommand, ScreenshotCommand, ExpectCommand, ResizeCommand, QuitCommand>;
+
+struct Command {
+    int line = 0;      // from 1
+    std::string text;  // the line without its comment, for logs and messages
+    Action action;
+};
+
+// Throws Error "<name>: line 7: expected ..., found ...", with the nearest known word where one is
+// misspelt. Names of views, panels, keys and measurements are checked when the script runs.
+std::vector<Command> parse_script(std::string_view text, const std::string& name);
+// Throws Error too for a file that cannot be read or has more than 16 MB.
+std::vector<Command> load_script(const std::filesystem::path& path);
+
+// Whether `found` meets the expectation. A text is compared with = and != as it is.
+bool meets(const ExpectCommand& expected, double found);
+bool meets(const ExpectCommand& expected, std::string_view found);
+
+}  // namespace burnish::viewer
