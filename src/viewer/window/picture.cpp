@@ -1,0 +1,273 @@
+#include "viewer/window/picture.hpp"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "burnish/error.hpp"
+
+namespace burnish::viewer {
+namespace {
+
+constexpr int kLargestSide = 8192;
+// Shares of the resolution between which a moving picture chooses.
+constexpr std::array<double, 6> kScales = {1.0, 0.75, 0.55, 0.4, 0.3, 0.2};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+struct Picture::Shown {
+    unsigned framebuffer = 0, texture = 0;
+    int width = 0, height = 0;
+
+    Shown() {
+        glGenFramebuffers(1, &framebuffer);
+        glGenTextures(1, &texture);
+    }
+    ~Shown() {
+        glDeleteFramebuffers(1, &framebuffer);
+        glDeleteTextures(1, &texture);
+    }
+    Shown(const Shown&) = delete;
+    Shown& operator=(const Shown&) = delete;
+
+    void resize(int w, int h) {
+        if (w == width && h == height) return;
+        width = w;
+        height = h;
+        glBindTexture(GL_TEXTURE_2D, texture);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, w, h, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        glBindTexture(GL_TEXTURE_2D, 0);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+};
+
+Picture::Picture(gpu::Context& context)
+    : context_(context), renderer_(std::make_unique<gpu::Renderer>(context)) {}
+
+Picture::~Picture() = default;
+
+void Picture::follow(const Editor& editor) {
+    const Revisions& now = editor.revisions();
+    if (followed_ == now) return;
+    const Stage& stage = editor.stage();
+    const bool first = !followed_;
+    const Revisions before = followed_.value_or(Revisions{});
+    if (first || now.scene != before.scene || now.geometry != before.geometry ||
+        now.textures != before.textures) {
+        renderer_->set_scene(stage.scene);
+    } else {
+        if (now.materials != before.materials) renderer_->set_materials(stage.scene.materials);
+        if (now.lights != before.lights) renderer_->set_lights(stage.scene.lights);
+    }
+    if (first || now.environment != before.environment)
+        renderer_->set_environment(stage.environment.radiance.empty() ? nullptr
+                                                                      : &stage.environment);
+    any_tabulated_ = std::ranges::any_of(stage.scene.materials, [](const Material& m) {
+        return tabulated_of(m) != nullptr;
+    });
+    Revisions as_before = now;
+    as_before.display = before.display;
+    const bool display_only = !first && as_before == before;
+    camera_ = stage.camera;
+    settings_ = stage.settings;
+    exposure_ev_ = stage.exposure_ev;
+    tone_map_ = stage.tone_map;
+    display_changed_ = true;
+    if (!display_only) begun_ = false;
+    followed_ = now;
+}
+
+void Picture::set_size(int width, int height) {
+    width = std::clamp(width, 1, kLargestSide);
+    height = std::clamp(height, 1, kLargestSide);
+    if (width == width_ && height == height_) return;
+    width_ = width;
+    height_ = height;
+    begun_ = false;
+}
+
+void Picture::set_panes(std::vector<Pane> panes) {
+    if (panes == panes_ || panes.empty()) return;
+    for (std::size_t i = panes.size(); i < panes_.size(); ++i) {
+        renderer_->select_series(static_cast<int>(i));
+        renderer_->end_series();
+    }
+    panes_ = std::move(panes);
+    begun_ = false;
+}
+
+void Picture::set_moving(bool moving) {
+    if (moving == moving_) return;
+    moving_ = moving;
+    last_moving_frame_.reset();
+    begun_ = false;
+}
+
+void Picture::restart() {
+    begun_ = false;
+}
+
+RenderSettings Picture::pane_settings(const Pane& pane) const {
+    RenderSettings o = settings_;
+    const double scale = moving_ ? moving_scale_ : 1.0;
+    o.width = std::max(1, static_cast<int>(std::lround(width_ * scale)));
+    o.height = std::max(1, static_cast<int>(std::lround(height_ * scale)));
+    o.method = pane.method;
+    o.view = pane.view;
+    if (!moving_) return o;
+    o.samples = 1;
+    if (o.image_light == ImageLight::importance) {
+        // Tables have no prefiltered light.
+        if (any_tabulated_) {
+            o.image_light_samples = std::min(o.image_light_samples, 2);
+        } else {
+            o.image_light = ImageLight::prefiltered;
+        }
+    }
+    return o;
+}
+
+gpu::PixelRegion Picture::region_of(const Pane& pane, int width, int height) const {
+    const auto edge = [width](double part) {
+        return std::clamp(static_cast<int>(std::lround(part * width)), 0, width);
+    };
+    const int left = std::min(edge(pane.left), width - 1);
+    return {left, 0, std::max(edge(pane.right) - left, 1), height};
+}
+
+void Picture::begin_panes() {
+    samples_.assign(panes_.size(), 0);
+    while (shown_.size() < panes_.size()) shown_.push_back(std::make_unique<Shown>());
+    shown_.resize(panes_.size());
+    shown_scale_ = moving_ ? moving_scale_ : 1.0;
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        const RenderSettings o = pane_settings(panes_[i]);
+        const gpu::PixelRegion region = region_of(panes_[i], o.width, o.height);
+        renderer_->select_series(static_cast<int>(i));
+        renderer_->begin(camera_, o, region);
+    }
+    begun_ = true;
+}
+
+bool Picture::is_done(std::size_t index) const {
+    return samples_[index] >= (moving_ ? 1 : settings_.samples);
+}
+
+bool Picture::at_rest() const {
+    if (!begun_ || moving_ || display_changed_) return false;
+    for (std::size_t i = 0; i < panes_.size(); ++i)
+        if (!is_done(i)) return false;
+    return true;
+}
+
+int Picture::samples() const {
+    return begun_ && !samples_.empty() ? *std::ranges::min_element(samples_) : 0;
+}
+
+// The time between frames of a moving picture decides the next one's resolution.
+void Picture::adapt_scale() {
+    if (!moving_) return;
+    const Clock::time_point now = Clock::now();
+    if (last_moving_frame_) {
+        const double period = std::chrono::duration<double>(now - *last_moving_frame_).count();
+        const auto place = std::ranges::find(kScales, moving_scale_);
+        const auto index = static_cast<std::size_t>(
+            place == kScales.end() ? 2 : place - kScales.begin());
+        // Between 0.6 and 1 periods of the rate nothing changes, so that it does not swing.
+        if (period > 1.0 / rate_ && index + 1 < kScales.size()) {
+            moving_scale_ = kScales[index + 1];
+        } else if (period < 0.6 / rate_ && index > 0) {
+            moving_scale_ = kScales[index - 1];
+        }
+    }
+    last_moving_frame_ = now;
+}
+
+bool Picture::refine(double budget_s) {
+    if (!followed_) return false;
+    if (moving_) {
+        adapt_scale();
+        begun_ = false;  // every frame of a motion is a picture of its own
+    }
+    if (at_rest()) return false;
+    if (!begun_) begin_panes();
+    const auto start = Clock::now();
+    bool added = true;
+    while (added) {
+        added = false;
+        for (std::size_t i = 0; i < panes_.size(); ++i) {
+            if (is_done(i)) continue;
+            renderer_->select_series(static_cast<int>(i));
+            renderer_->add_sample();
+            ++samples_[i];
+            added = true;
+        }
+        if (!moving_) glFinish();
+        sample_s_ = seconds_since(start);
+        if (sample_s_ > budget_s) break;
+    }
+    present_panes();
+    display_changed_ = false;
+    return true;
+}
+
+void Picture::present_panes() {
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        const RenderSettings o = pane_settings(panes_[i]);
+        const gpu::PixelRegion region = region_of(panes_[i], o.width, o.height);
+        shown_[i]->resize(region.width, region.height);
+        renderer_->select_series(static_cast<int>(i));
+        const bool radiance = panes_[i].view == SurfaceView::radiance;
+        renderer_->present(shown_[i]->framebuffer, region.width, region.height,
+                           radiance ? exposure_ev_ : 0.0, radiance ? tone_map_ : ToneMap::linear);
+    }
+}
+
+unsigned Picture::texture(std::size_t index) const {
+    return index < shown_.size() && shown_[index]->width > 0 ? shown_[index]->texture : 0;
+}
+
+Image Picture::shown(std::size_t index) const {
+    const Shown& shown = *shown_.at(index);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(shown.width) *
+                                    static_cast<std::size_t>(shown.height) * 4);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, shown.framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, shown.width, shown.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    Image image(shown.width, shown.height, 3);
+    for (int y = 0; y < shown.height; ++y) {
+        const std::uint8_t* from = bytes.data() + static_cast<std::size_t>(shown.height - 1 - y) *
+                                                      static_cast<std::size_t>(shown.width) * 4;
+        float* to = image.at(0, y);
+        for (int x = 0; x < shown.width; ++x)
+            for (int c = 0; c < 3; ++c) to[3 * x + c] = static_cast<float>(from[4 * x + c]) / 255.0f;
+    }
+    return image;
+}
+
+Image Picture::linear(std::size_t index) {
+    renderer_->select_series(static_cast<int>(index));
+    return renderer_->picture();
+}
+
+Image Picture::render(const Camera& camera, const RenderSettings& settings,
+                      const Progress& progress) {
+    begun_ = false;
+    renderer_->select_series(0);
+    return renderer_->render(camera, settings, progress);
+}
+
+}  // namespace burnish::viewer

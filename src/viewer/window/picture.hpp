@@ -1,0 +1,97 @@
+// The picture of the viewer: panes drawn by one renderer, quickly while things move and refined at rest
+// until they are what `burnish render` gives.
+//
+// Threads: the one on which the window's context is current. Lifetime: destroy it before the context.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/context.hpp"
+#include "burnish/renderer.hpp"
+#include "viewer/document/editor.hpp"
+
+namespace burnish::viewer {
+
+// A view of the scene: the whole picture or a part of it.
+struct Pane {
+    std::optional<Method> method;  // in place of the materials' own
+    SurfaceView view = SurfaceView::radiance;
+    double left = 0, right = 1;  // in parts of the picture's width
+    bool operator==(const Pane&) const = default;
+};
+
+class Picture {
+  public:
+    explicit Picture(gpu::Context& context);
+    ~Picture();
+    Picture(const Picture&) = delete;
+    Picture& operator=(const Picture&) = delete;
+
+    // Uploads what the editor has changed since the last call, and starts the picture anew where it
+    // changes. Throws Error for what the device cannot take; the picture is then what it was.
+    void follow(const Editor& editor);
+    // Size in device pixels, at most 8192 a side. `rate`: frames a second to hold while things move.
+    void set_size(int width, int height);
+    void set_panes(std::vector<Pane> panes);
+    void set_rate(double frames_per_second) { rate_ = frames_per_second; }
+    // While true, resolution and samples drop to hold the rate.
+    void set_moving(bool moving);
+    // Draws again from the first sample (shaders were reloaded).
+    void restart();
+
+    // Adds samples to panes for about `budget_s`, one at the least, and shows them in the textures.
+    // Returns false when every pane was at rest.
+    bool refine(double budget_s);
+    bool at_rest() const;
+    int samples() const;  // of the pane that has fewest
+    int wanted_samples() const { return settings_.samples; }
+    double scale() const { return shown_scale_; }  // of the resolution shown
+    double last_sample_s() const { return sample_s_; }
+
+    std::size_t pane_count() const { return panes_.size(); }
+    const Pane& pane(std::size_t index) const { return panes_[index]; }
+    // A texture whose lower left corner is that of the pane; 0: nothing was drawn yet.
+    unsigned texture(std::size_t index) const;
+    // Colors of a pane as the display has them, 8 bits, and the linear mean.
+    Image shown(std::size_t index) const;
+    Image linear(std::size_t index);
+
+    gpu::Renderer& renderer() { return *renderer_; }
+    // Another picture of the scene, of any size. Ends and restarts the panes.
+    Image render(const Camera& camera, const RenderSettings& settings, const Progress& progress);
+
+  private:
+    struct Shown;  // framebuffer and texture of a pane
+    using Clock = std::chrono::steady_clock;
+
+    RenderSettings pane_settings(const Pane& pane) const;
+    gpu::PixelRegion region_of(const Pane& pane, int width, int height) const;
+    void begin_panes();
+    void present_panes();
+    void adapt_scale();
+    bool is_done(std::size_t index) const;
+
+    gpu::Context& context_;
+    std::unique_ptr<gpu::Renderer> renderer_;
+    std::optional<Revisions> followed_;
+    Camera camera_;
+    RenderSettings settings_;
+    double exposure_ev_ = 0;
+    ToneMap tone_map_ = ToneMap::khronos_neutral;
+    bool any_tabulated_ = false;
+    std::vector<Pane> panes_{Pane{}};
+    std::vector<std::unique_ptr<Shown>> shown_;
+    std::vector<int> samples_;
+    int width_ = 1, height_ = 1;
+    bool moving_ = false, begun_ = false, display_changed_ = false;
+    double rate_ = 30, moving_scale_ = 0.5, shown_scale_ = 1, sample_s_ = 0;
+    std::optional<Clock::time_point> last_moving_frame_;
+};
+
+}  // namespace burnish::viewer

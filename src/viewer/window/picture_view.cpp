@@ -1,0 +1,255 @@
+// The picture: its panes, dividers, labels, and the mouse.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+
+#include "viewer/inspect/ray.hpp"
+#include "viewer/motion/light_sphere.hpp"
+#include "viewer/window/panels.hpp"
+
+namespace burnish::viewer {
+namespace {
+
+constexpr double kBlink_s = 0.7;
+
+ImTextureID id_of(unsigned texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+std::vector<double> dividers_of(const Compare& compare) {
+    if (compare.dividers.size() + 1 == compare.methods.size()) return compare.dividers;
+    std::vector<double> even;
+    for (std::size_t i = 1; i < compare.methods.size(); ++i)
+        even.push_back(static_cast<double>(i) / static_cast<double>(compare.methods.size()));
+    return even;
+}
+
+std::vector<Pane> panes_of(const App& app) {
+    const Compare& compare = app.document().compare;
+    if (compare.mode == CompareMode::off) return {Pane{std::nullopt, app.view, 0, 1}};
+    std::vector<Pane> panes;
+    const bool split = compare.mode == CompareMode::split;
+    const bool two = compare.mode == CompareMode::difference || compare.mode == CompareMode::flip;
+    const std::vector<double> dividers = dividers_of(compare);
+    for (std::size_t i = 0; i < compare.methods.size() && !(two && i >= 2); ++i) {
+        Pane pane{compare.methods[i], app.view, 0, 1};
+        if (split) {
+            pane.left = i == 0 ? 0.0 : dividers[i - 1];
+            pane.right = i < dividers.size() ? dividers[i] : 1.0;
+        }
+        panes.push_back(pane);
+    }
+    return panes;
+}
+
+void label(ImDrawList& draw, ImVec2 at, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float pad = ImGui::GetStyle().FramePadding.x;
+    draw.AddRectFilled(at, {at.x + size.x + 2 * pad, at.y + size.y + pad}, IM_COL32(20, 20, 20, 190),
+                       3.0f);
+    draw.AddText({at.x + pad, at.y + 0.5f * pad}, IM_COL32(235, 235, 235, 255), text.c_str());
+}
+
+// The index of the pane that a blink shows now.
+std::size_t blinking(std::size_t count) {
+    return static_cast<std::size_t>(ImGui::GetTime() / kBlink_s) % std::max<std::size_t>(count, 1);
+}
+
+void draw_pane(App& app, ImDrawList& draw, std::size_t index) {
+    const unsigned texture = app.picture.texture(index);
+    if (texture == 0) return;
+    const Pane& pane = app.picture.pane(index);
+    const auto x = static_cast<float>(app.picture_x), y = static_cast<float>(app.picture_y);
+    const auto w = static_cast<float>(app.picture_width), h = static_cast<float>(app.picture_height);
+    const float left = std::round(static_cast<float>(pane.left) * w);
+    const float right = std::round(static_cast<float>(pane.right) * w);
+    // Textures have their first row at the bottom.
+    draw.AddImage(id_of(texture), {x + left, y}, {x + right, y + h}, {0, 1}, {1, 0});
+    if (pane.method)
+        label(draw, {x + left + 8, y + 8}, std::string(name_of(*pane.method)));
+}
+
+void draw_panes(App& app, ImDrawList& draw) {
+    const Compare& compare = app.document().compare;
+    const auto x = static_cast<float>(app.picture_x), y = static_cast<float>(app.picture_y);
+    const auto w = static_cast<float>(app.picture_width), h = static_cast<float>(app.picture_height);
+    switch (compare.mode) {
+        case CompareMode::blink:
+            return draw_pane(app, draw, blinking(app.picture.pane_count()));
+        case CompareMode::difference:
+        case CompareMode::flip: {
+            app.compared.update(app.picture, compare);
+            if (compare.mode == CompareMode::flip && !app.picture.at_rest()) {
+                draw_pane(app, draw, 1);
+                return label(draw, {x + 8, y + h - 32}, "FLIP is computed at rest");
+            }
+            if (app.compared.texture() == 0) return;
+            draw.AddImage(id_of(app.compared.texture()), {x, y}, {x + w, y + h});
+            const std::string names = fmt::format("{} against {}", name_of(compare.methods[1]),
+                                                  name_of(compare.methods[0]));
+            label(draw, {x + 8, y + 8},
+                  compare.mode == CompareMode::flip
+                      ? fmt::format("FLIP of {}: mean {:.4f}, highest {:.3f}", names,
+                                    app.compared.mean(), app.compared.most())
+                      : fmt::format("{}, x {:g}: orange brighter, blue darker; mean {:.4f}", names,
+                                    compare.gain, app.compared.mean()));
+            return;
+        }
+        case CompareMode::split:
+        case CompareMode::off:
+            for (std::size_t i = 0; i < app.picture.pane_count(); ++i) draw_pane(app, draw, i);
+    }
+}
+
+// Returns true while a divider is dragged or hovered.
+bool dividers(App& app, ImDrawList& draw) {
+    const Compare& compare = app.document().compare;
+    if (compare.mode != CompareMode::split) return false;
+    static int held = -1;
+    const auto scale = static_cast<float>(app.ui_scale);
+    const auto y = static_cast<float>(app.picture_y);
+    const auto h = static_cast<float>(app.picture_height);
+    std::vector<double> places = dividers_of(compare);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    int near_one = -1;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const float x = static_cast<float>(app.picture_x) +
+                        static_cast<float>(places[i] * app.picture_width);
+        if (std::abs(mouse.x - x) < 6 * scale && mouse.y > y && mouse.y < y + h)
+            near_one = static_cast<int>(i);
+        const bool lit = held == static_cast<int>(i) || near_one == static_cast<int>(i);
+        draw.AddLine({x, y}, {x, y + h}, lit ? IM_COL32(255, 255, 255, 255) : IM_COL32(255, 255, 255, 170),
+                     (lit ? 2.5f : 1.5f) * scale);
+        draw.AddCircleFilled({x, y + 0.5f * h}, 5 * scale, IM_COL32(255, 255, 255, 220));
+    }
+    if (near_one >= 0 && ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse)
+        held = near_one;
+    if (!ImGui::IsMouseDown(0) && held >= 0) {
+        held = -1;
+        app.end_drag();
+    }
+    if (held >= 0 && static_cast<std::size_t>(held) < places.size()) {
+        const auto i = static_cast<std::size_t>(held);
+        const double low = i == 0 ? 0.02 : places[i - 1] + 0.02;
+        const double high = i + 1 < places.size() ? places[i + 1] - 0.02 : 0.98;
+        places[i] = std::clamp(
+            static_cast<double>(mouse.x - static_cast<float>(app.picture_x)) / app.picture_width,
+            std::min(low, high), high);
+        app.edit("divider", "divider", [&](Document& d) { d.compare.dividers = places; });
+    }
+    if (held >= 0 || near_one >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    return held >= 0 || near_one >= 0;
+}
+
+Drag drag_of(int button) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (button == 0) {
+        if (io.KeyShift) return Drag::highlight;
+        if (io.KeyCtrl) return Drag::light;
+        if (io.KeyAlt) return Drag::environment;
+        return Drag::orbit;
+    }
+    if (button == 2 && io.KeyShift) return Drag::pan;
+    if (button == 2 && io.KeyCtrl) return Drag::zoom;
+    return button == 2 ? Drag::orbit : Drag::pan;
+}
+
+glm::dvec2 in_picture(const App& app, ImVec2 mouse) {
+    return {static_cast<double>(mouse.x) - app.picture_x, static_cast<double>(mouse.y) - app.picture_y};
+}
+
+void mouse_in_picture(App& app) {
+    static Drag drag = Drag::none;
+    static int button = -1;
+    static ImVec2 pressed_at{};
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 at = in_picture(app, io.MousePos);
+    const bool inside = at.x >= 0 && at.y >= 0 && at.x < app.picture_width && at.y < app.picture_height;
+    if (button < 0 && inside && !io.WantCaptureMouse) {
+        for (int b = 0; b < 3; ++b)
+            if (ImGui::IsMouseClicked(b)) {
+                button = b;
+                drag = drag_of(b);
+                pressed_at = io.MousePos;
+            }
+        if (io.MouseWheel != 0.0f) {
+            app.zoom_at(at, static_cast<double>(io.MouseWheel));
+            app.end_drag();
+        }
+    }
+    if (button < 0) return;
+    const float way = std::hypot(io.MousePos.x - pressed_at.x, io.MousePos.y - pressed_at.y);
+    const bool moved = io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f;
+    if (drag == Drag::highlight) {
+        if (ImGui::IsMouseClicked(button) || moved) app.put_highlight(at);
+    } else if (moved && way > 3.0f) {
+        app.drag(drag, {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
+    }
+    if (ImGui::IsMouseDown(button)) return;
+    if (button == 0 && drag == Drag::orbit && way <= 3.0f) app.pick(at);
+    button = -1;
+    drag = Drag::none;
+    app.end_drag();
+}
+
+// Where the lights are: a small ball in the corner of the picture.
+void light_ball(App& app, ImDrawList& draw) {
+    const auto scale = static_cast<float>(app.ui_scale);
+    const float radius = 34 * scale;
+    const ImVec2 center{static_cast<float>(app.picture_x + app.picture_width) - radius - 12 * scale,
+                        static_cast<float>(app.picture_y + app.picture_height) - radius - 12 * scale};
+    const std::vector<Light>& lights = app.scene().lights;
+    if (lights.empty()) return;
+    draw.AddCircleFilled(center, radius, IM_COL32(30, 30, 30, 150), 48);
+    draw.AddCircle(center, radius, IM_COL32(200, 200, 200, 150), 48, 1.2f * scale);
+    const glm::dvec3 pivot(bounds_of(app.scene()).center());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const BallPlace place =
+            place_on_ball(app.editor.stage().camera, towards_light(lights[i], pivot));
+        const ImVec2 at{center.x + radius * static_cast<float>(place.at.x),
+                        center.y - radius * static_cast<float>(place.at.y)};
+        const bool selected = static_cast<int>(i) == app.light;
+        const ImU32 color = selected ? IM_COL32(255, 225, 140, 255) : IM_COL32(200, 200, 200, 255);
+        if (place.front)
+            draw.AddCircleFilled(at, (selected ? 5.0f : 3.5f) * scale, color);
+        else
+            draw.AddCircle(at, (selected ? 5.0f : 3.5f) * scale, color, 0, 1.5f * scale);
+    }
+}
+
+void picked_mark(App& app, ImDrawList& draw) {
+    if (!app.picked || !app.panels.inspector) return;
+    const auto pixel =
+        pixel_of(app.editor.stage().camera, app.picked->hit.position, app.picture_size());
+    if (!pixel) return;
+    const auto scale = static_cast<float>(app.ui_scale);
+    const ImVec2 at{static_cast<float>(app.picture_x + pixel->x),
+                    static_cast<float>(app.picture_y + pixel->y)};
+    draw.AddCircle(at, 7 * scale, IM_COL32(0, 0, 0, 200), 0, 3.5f * scale);
+    draw.AddCircle(at, 7 * scale, IM_COL32(255, 255, 255, 255), 0, 1.5f * scale);
+}
+
+}  // namespace
+
+void picture_view(App& app) {
+    app.picture.set_size(app.picture_width, app.picture_height);
+    app.picture.set_panes(panes_of(app));
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const auto x = static_cast<float>(app.picture_x), y = static_cast<float>(app.picture_y);
+    draw.PushClipRect({x, y}, {x + static_cast<float>(app.picture_width),
+                               y + static_cast<float>(app.picture_height)});
+    draw_panes(app, draw);
+    if (!dividers(app, draw)) mouse_in_picture(app);
+    light_ball(app, draw);
+    picked_mark(app, draw);
+    if (app.view != SurfaceView::radiance)
+        label(draw, {x + 8, y + static_cast<float>(app.picture_height) - 32},
+              "view: " + std::string(surface_view_names()[static_cast<std::size_t>(app.view)]));
+    draw.PopClipRect();
+}
+
+}  // namespace burnish::viewer
