@@ -480,7 +480,7 @@ void App::pick_again() {
 // --- once a frame ---------------------------------------------------------------------------------
 
 bool App::needs_frames() const {
-    return !picture.at_rest() || turntable || loader_.running() ||
+    return (!picture.at_rest() && refused_ != editor.revisions()) || turntable || loader_.running() ||
            seconds_since(last_motion_) < kSettle_s + 0.1 || dragging_ != Drag::none ||
            document().compare.mode == CompareMode::blink ||
            (!messages.empty() && seconds_since(messages.back().since) < 6.0);
@@ -523,6 +523,28 @@ void App::update() {
     picture.set_moving(seconds_since(last_motion_) < kSettle_s || dragging_ != Drag::none);
     follow_files();
     autosave_now_and_then();
+}
+
+void App::draw_picture(double budget_s) {
+    if (refused_ == editor.revisions()) return;
+    try {
+        picture.refine(budget_s);
+        refused_.reset();
+    } catch (const std::exception& error) {
+        say(one_line(error.what()), true);
+        refused_ = editor.revisions();
+    }
+}
+
+void App::count_frame() {
+    const double period = seconds_since(last_frame_);
+    last_frame_ = Clock::now();
+    if (period > 0.5) return;  // the window was at rest
+    const double now = 1 / std::max(period, 1e-4);
+    // A mean over about ten frames.
+    frames_per_second = frames_per_second > 0 ? 0.9 * frames_per_second + 0.1 * now : now;
+    if (dragging_ != Drag::none)
+        lowest_frames_per_second = lowest_frames_per_second > 0 ? std::min(lowest_frames_per_second, now) : now;
 }
 
 void App::reload_shaders() {

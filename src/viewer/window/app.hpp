@@ -97,6 +97,10 @@ class App {
     void update();  // settles background work, uploads changes, follows files
     bool needs_frames() const;  // something moves or refines
     void reload_shaders();
+    // Refines the picture for about `budget_s`. A device that refuses is said once, until the document
+    // changes.
+    void draw_picture(double budget_s);
+    void count_frame();  // after each frame that was shown
 
     Window& window;
     gpu::Context& context;
@@ -139,6 +143,8 @@ class App {
         last_turn_{};
     std::vector<std::pair<std::string, std::filesystem::file_time_type>> watched_;
     std::string saved_scene_;
+    std::optional<Revisions> refused_;  // those that the device could not draw
+    std::chrono::steady_clock::time_point last_frame_{};
 };
 
 }  // namespace burnish::viewer

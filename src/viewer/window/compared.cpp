@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/flip.hpp"
+#include "burnish/compare.hpp"
 
 namespace burnish::viewer {
 namespace {

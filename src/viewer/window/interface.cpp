@@ -1,0 +1,515 @@
+// The frame of the window: menu, panels at both sides, the picture between them, the status bar, keys.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "core/text.hpp"
+#include "viewer/document/open_files.hpp"
+#include "viewer/window/panels.hpp"
+#include "viewer/window/theme.hpp"
+
+namespace burnish::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar |
+                                    ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+// --- a small dialog for names of files ------------------------------------------------------------
+
+enum class Ask { none, open, scene, picture, turntable, gltf };
+
+struct Dialog {
+    Ask ask = Ask::none;
+    std::string path;
+    std::string failed;
+    bool opened = false;
+};
+
+Dialog& dialog() {
+    static Dialog one;
+    return one;
+}
+
+const char* title_of(Ask ask) {
+    switch (ask) {
+        case Ask::open: return "Open a file";
+        case Ask::scene: return "Save the scene";
+        case Ask::picture: return "Save the picture";
+        case Ask::turntable: return "Save a turntable of 48 frames";
+        case Ask::gltf: return "Export the materials as glTF";
+        case Ask::none: break;
+    }
+    return "";
+}
+
+void ask_for(Ask ask, std::string path) {
+    dialog() = {ask, std::move(path), {}, true};
+}
+
+void run_dialog(App& app, const Dialog& d) {
+    if (d.ask == Ask::open) return app.open({d.path});
+    if (d.ask == Ask::scene) return app.save_scene(d.path);
+    if (d.ask == Ask::picture) return app.save_picture(d.path, std::nullopt);
+    if (d.ask == Ask::turntable) return app.save_turntable(d.path, 48);
+    app.save_gltf(d.path);
+}
+
+// Files and folders beside the path that begin as it does.
+std::vector<std::string> completions(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> found;
+    std::error_code error;
+    const fs::path given(path.empty() ? "./" : path);
+    const fs::path folder = given.has_parent_path() ? given.parent_path() : fs::path(".");
+    const std::string begins = given.filename().string();
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        const std::string name = it->path().filename().string();
+        if (name.starts_with('.') || !name.starts_with(begins)) continue;
+        std::error_code ignored;
+        found.push_back((folder / name).string() + (it->is_directory(ignored) ? "/" : ""));
+        if (found.size() >= 200) break;
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+void draw_dialog(App& app) {
+    Dialog& d = dialog();
+    if (d.ask == Ask::none) return;
+    if (d.opened) ImGui::OpenPopup(title_of(d.ask));
+    const auto scale = static_cast<float>(app.ui_scale);
+    ImGui::SetNextWindowSize({560 * scale, 380 * scale}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
+                            ImGuiCond_Appearing, {0.5f, 0.5f});
+    bool open = true;
+    if (!ImGui::BeginPopupModal(title_of(d.ask), &open)) {
+        if (!d.opened) d.ask = Ask::none;
+        return;
+    }
+    if (d.opened) ImGui::SetKeyboardFocusHere();
+    d.opened = false;
+    ImGui::SetNextItemWidth(-1);
+    const bool entered =
+        ImGui::InputText("##path", &d.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const float bottom = 2.4f * ImGui::GetFrameHeightWithSpacing();
+    if (ImGui::BeginChild("list", {0, -bottom}, true))
+        for (const std::string& name : completions(d.path))
+            if (ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_DontClosePopups))
+                d.path = name;
+    ImGui::EndChild();
+    ImGui::TextColored({0.95f, 0.6f, 0.5f, 1}, "%s", d.failed.c_str());
+    const bool pressed = ImGui::Button(d.ask == Ask::open ? "Open" : "Save", {100 * scale, 0});
+    ImGui::SameLine();
+    const bool cancelled = ImGui::Button("Cancel", {100 * scale, 0}) || !open ||
+                           ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (pressed || entered) {
+        try {
+            run_dialog(app, d);
+            d.ask = Ask::none;
+            ImGui::CloseCurrentPopup();
+        } catch (const std::exception& error) {
+            d.failed = one_line(error.what());
+        }
+    } else if (cancelled) {
+        d.ask = Ask::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+// --- menu -----------------------------------------------------------------------------------------
+
+std::string short_name(const std::string& path) {
+    return path.starts_with("builtin:") ? path : std::filesystem::path(path).filename().string();
+}
+
+void file_menu(App& app) {
+    if (ImGui::MenuItem("Open ...", "Ctrl+O")) press_key(app, "ctrl+o");
+    if (ImGui::BeginMenu("Open recent", !app.remembered.recent.empty())) {
+        const std::vector<std::string> recent = app.remembered.recent;
+        for (const std::string& path : recent) {
+            if (ImGui::MenuItem(short_name(path).c_str())) app.open({path});
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
+        }
+        ImGui::EndMenu();
+    }
+    if (ImGui::BeginMenu("Built in")) {
+        for (const char* name : {"builtin:sphere", "builtin:torus", "builtin:cylinder",
+                                 "builtin:plane", "builtin:drape"})
+            if (ImGui::MenuItem(name)) app.open({name});
+        ImGui::EndMenu();
+    }
+    ImGui::Separator();
+    if (ImGui::MenuItem("Save scene ...", "Ctrl+S")) press_key(app, "ctrl+s");
+    if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) press_key(app, "ctrl+p");
+    if (ImGui::MenuItem("Save turntable ...")) ask_for(Ask::turntable, "turn.png");
+    if (ImGui::MenuItem("Export materials as glTF ...")) ask_for(Ask::gltf, "material");
+    if (ImGui::MenuItem("Copy command line", "Ctrl+Shift+C")) app.copy_command_line();
+    ImGui::Separator();
+    if (ImGui::MenuItem("Quit", "Ctrl+Q")) app.window.close();
+}
+
+void edit_menu(App& app) {
+    const History& history = app.editor.history();
+    const std::string undo = fmt::format("Undo {}", history.undo_name());
+    const std::string redo = fmt::format("Redo {}", history.redo_name());
+    if (ImGui::MenuItem(undo.c_str(), "Ctrl+Z", false, history.can_undo())) app.undo();
+    if (ImGui::MenuItem(redo.c_str(), "Ctrl+Y", false, history.can_redo())) app.redo();
+    ImGui::Separator();
+    if (ImGui::MenuItem("Reload shaders", "F5")) app.reload_shaders();
+}
+
+void view_menu(App& app) {
+    if (ImGui::MenuItem("Frame everything", "F")) app.frame_all();
+    if (ImGui::MenuItem("Camera of the file", "Home"))
+        app.edit({}, "camera", [](Document& d) { unset_camera(d); });
+    ImGui::MenuItem("Turntable", "T", &app.turntable);
+    ImGui::Separator();
+    for (std::size_t i = 0; i < surface_view_names().size(); ++i) {
+        std::string name(surface_view_names()[i]);
+        std::replace(name.begin(), name.end(), '-', ' ');
+        if (ImGui::MenuItem(name.c_str(), nullptr, static_cast<std::size_t>(app.view) == i))
+            app.view = static_cast<SurfaceView>(i);
+    }
+    ImGui::Separator();
+    ImGui::MenuItem("All panels", "Tab", &app.show_panels);
+    ImGui::MenuItem("Parameters", "1", &app.panels.parameters);
+    ImGui::MenuItem("Scene", "2", &app.panels.scene);
+    ImGui::MenuItem("Compare", "3", &app.panels.compare);
+    ImGui::MenuItem("Lobe inspector", "4", &app.panels.inspector);
+    ImGui::MenuItem("Messages", "5", &app.panels.messages);
+    ImGui::MenuItem("Costs", "6", &app.panels.costs);
+}
+
+void compare_menu(App& app) {
+    const Compare& now = app.document().compare;
+    for (std::size_t i = 0; i < compare_mode_names().size(); ++i) {
+        const auto mode = static_cast<CompareMode>(i);
+        const std::string name(compare_mode_names()[i]);
+        if (ImGui::MenuItem(name.c_str(), nullptr, now.mode == mode))
+            app.edit({}, "compare", [&](Document& d) { d.compare.mode = mode; });
+    }
+    ImGui::Separator();
+    if (ImGui::MenuItem("Choose methods ...", "3")) app.panels.compare = true;
+}
+
+float menu_bar(App& app) {
+    float height = 0;
+    if (!ImGui::BeginMainMenuBar()) return height;
+    height = ImGui::GetWindowSize().y;
+    if (ImGui::BeginMenu("File")) file_menu(app), ImGui::EndMenu();
+    if (ImGui::BeginMenu("Edit")) edit_menu(app), ImGui::EndMenu();
+    if (ImGui::BeginMenu("View")) view_menu(app), ImGui::EndMenu();
+    if (ImGui::BeginMenu("Compare")) compare_menu(app), ImGui::EndMenu();
+    if (ImGui::BeginMenu("Help")) {
+        ImGui::MenuItem("Keys", "?", &app.panels.keys);
+        ImGui::EndMenu();
+    }
+    ImGui::EndMainMenuBar();
+    return height;
+}
+
+// --- status bar -----------------------------------------------------------------------------------
+
+void status_bar(App& app) {
+    if (app.loading()) {
+        const auto [stage, done] = app.loader().progress();
+        ImGui::ProgressBar(static_cast<float>(done), {120 * static_cast<float>(app.ui_scale), 0}, "");
+        ImGui::SameLine();
+        ImGui::Text("%s: %s", short_name(app.loader().name()).c_str(), stage.c_str());
+        ImGui::SameLine();
+        if (ImGui::SmallButton("cancel")) app.loader().stop();
+        return;
+    }
+    const bool fresh = !app.messages.empty() &&
+                       std::chrono::steady_clock::now() - app.messages.back().since <
+                           std::chrono::seconds(6);
+    if (fresh) {
+        const Message& last = app.messages.back();
+        ImGui::TextColored(last.is_error ? ImVec4{1.0f, 0.55f, 0.45f, 1} : ImVec4{0.95f, 0.88f, 0.7f, 1},
+                           "%s", last.text.c_str());
+        return;
+    }
+    const std::string hint =
+        app.editor.history().can_undo()
+            ? std::string("drag: orbit    shift+drag: put the highlight there    click: the lobe at a point    ?: keys")
+            : std::string("Drag to turn it. Shift+drag on the surface puts the highlight there. Drop a model or a picture on the window.");
+    ImGui::TextDisabled("%s", hint.c_str());
+    const std::string right =
+        app.picture.at_rest()
+            ? fmt::format("{} samples", app.picture.samples())
+            : fmt::format("{}/{} samples  {:.0f} %  {:.0f} fps", app.picture.samples(),
+                          app.picture.wanted_samples(), 100 * app.picture.scale(), app.frames_per_second);
+    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - 12 * static_cast<float>(app.ui_scale));
+    ImGui::TextUnformatted(right.c_str());
+}
+
+void recovery(App& app) {
+    if (!app.recovered) return;
+    ImGui::OpenPopup("Recover");
+    ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
+                            ImGuiCond_Appearing, {0.5f, 0.5f});
+    if (!ImGui::BeginPopupModal("Recover", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    ImGui::TextUnformatted("The last session ended without saving. Its scene was kept.");
+    std::error_code error;
+    if (ImGui::Button("Open it")) {
+        const std::string file = app.recovered->file.string();
+        app.recovered.reset();
+        app.open({file});
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Later")) {
+        app.recovered.reset();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Delete it")) {
+        std::filesystem::remove(app.recovered->file, error);
+        app.recovered.reset();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+// --- keys -----------------------------------------------------------------------------------------
+
+struct KeyBinding {
+    std::string_view keys, does;
+    void (*run)(App&);
+};
+
+template <bool Panels::*Panel>
+void toggle(App& app) {
+    app.panels.*Panel = !(app.panels.*Panel);
+}
+
+void cycle_compare(App& app) {
+    app.edit({}, "compare", [](Document& d) {
+        d.compare.mode = static_cast<CompareMode>((static_cast<int>(d.compare.mode) + 1) % 5);
+    });
+}
+
+void cycle_view(App& app) {
+    app.view = static_cast<SurfaceView>((static_cast<std::size_t>(app.view) + 1) %
+                                        surface_view_names().size());
+}
+
+void cycle_method(App& app) {
+    const Parameter& p = *find_parameter("method");
+    const auto now = parameter_of(app.document(), "method", app.material);
+    const int index = now ? std::get<ParameterChoice>(*now).index : 0;
+    app.set_parameter("method", ParameterChoice{(index + 1) % static_cast<int>(p.choices.size())});
+    app.editor.close_step();
+}
+
+const std::vector<KeyBinding>& bindings() {
+    static const std::vector<KeyBinding> all = {
+        {"f", "frame everything", [](App& a) { a.frame_all(); }},
+        {"home", "the camera of the file", [](App& a) { a.edit({}, "camera", [](Document& d) { unset_camera(d); }); }},
+        {"t", "turntable", [](App& a) { a.turntable = !a.turntable; }},
+        {"m", "next method", cycle_method},
+        {"c", "next way to compare", cycle_compare},
+        {"v", "next view of what is behind", cycle_view},
+        {"g", "the ground's shadow", [](App& a) {
+             a.set_parameter("ground", !a.document().values.boolean("ground"));
+             a.editor.close_step();
+         }},
+        {"[", "darker by 1/3 EV", [](App& a) { a.set_parameter("exposure", std::max(-20.0, a.document().values.real("exposure") - 1.0 / 3)); }},
+        {"]", "brighter by 1/3 EV", [](App& a) { a.set_parameter("exposure", std::min(20.0, a.document().values.real("exposure") + 1.0 / 3)); }},
+        {"tab", "panels away and back", [](App& a) { a.show_panels = !a.show_panels; }},
+        {"1", "parameters", toggle<&Panels::parameters>},
+        {"2", "scene", toggle<&Panels::scene>},
+        {"3", "compare", toggle<&Panels::compare>},
+        {"4", "lobe inspector", toggle<&Panels::inspector>},
+        {"5", "messages", toggle<&Panels::messages>},
+        {"6", "costs", toggle<&Panels::costs>},
+        {"?", "these keys", toggle<&Panels::keys>},
+        {"ctrl+z", "undo", [](App& a) { a.undo(); }},
+        {"ctrl+y", "redo", [](App& a) { a.redo(); }},
+        {"ctrl+o", "open a file", [](App& a) {
+             ask_for(Ask::open, std::filesystem::current_path().string() + "/");
+             (void)a;
+         }},
+        {"ctrl+s", "save the scene", [](App& a) { ask_for(Ask::scene, "scene.json"); (void)a; }},
+        {"ctrl+p", "save the picture", [](App& a) { ask_for(Ask::picture, "picture.png"); (void)a; }},
+        {"ctrl+shift+c", "copy the command line", [](App& a) { a.copy_command_line(); }},
+        {"f5", "reload shaders (BURNISH_SHADER_DIR)", [](App& a) { a.reload_shaders(); }},
+        {"ctrl+q", "quit", [](App& a) { a.window.close(); }},
+    };
+    return all;
+}
+
+// GLFW's numbers of keys without a letter.
+constexpr int kTab = 258, kHome = 268, kF5 = 294;
+
+bool is_pressed(std::string_view keys) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool ctrl = keys.starts_with("ctrl+");
+    if (ctrl) keys.remove_prefix(5);
+    const bool shift = keys.starts_with("shift+");
+    if (shift) keys.remove_prefix(6);
+    if (io.KeyCtrl != ctrl) return false;
+    if (keys == "?") {
+        // Wherever the keyboard has it.
+        return std::any_of(io.InputQueueCharacters.begin(), io.InputQueueCharacters.end(),
+                           [](ImWchar c) { return c == '?'; });
+    }
+    if (io.KeyShift != shift) return false;
+    int key = 0;
+    if (keys == "tab") key = kTab;
+    else if (keys == "home") key = kHome;
+    else if (keys == "f5") key = kF5;
+    else if (keys.size() == 1) key = keys[0] >= 'a' && keys[0] <= 'z' ? keys[0] - 32 : keys[0];
+    return ImGui::IsKeyPressed(key, false);
+}
+
+void handle_keys(App& app) {
+    if (ImGui::GetIO().WantTextInput || dialog().ask != Ask::none) return;
+    for (const KeyBinding& binding : bindings())
+        if (is_pressed(binding.keys)) binding.run(app);
+}
+
+using PanelFunction = void (*)(App&);
+
+// The panels of the right side share its place: opening one closes the others.
+struct Tab {
+    bool Panels::*open;
+    const char* title;
+    PanelFunction draw;
+};
+constexpr Tab kTabs[] = {{&Panels::scene, "Scene", scene_panel},
+                         {&Panels::compare, "Compare", compare_panel},
+                         {&Panels::inspector, "Lobe", inspector_panel},
+                         {&Panels::costs, "Costs", costs_panel},
+                         {&Panels::messages, "Log", message_panel}};
+
+void leave_one_open(Panels& panels) {
+    static Panels before;
+    for (const Tab& tab : kTabs) {
+        if (!(panels.*tab.open) || before.*tab.open) continue;
+        for (const Tab& other : kTabs) panels.*other.open = &other == &tab;
+        break;
+    }
+    bool found = false;
+    for (const Tab& tab : kTabs) {
+        if (found) panels.*tab.open = false;
+        found = found || panels.*tab.open;
+    }
+    before = panels;
+}
+
+// Return the width that they take.
+float left_side(App& app, float top, float width, float height) {
+    if (!app.show_panels || !app.panels.parameters) return 0;
+    ImGui::SetNextWindowPos({0, top});
+    ImGui::SetNextWindowSize({width, height});
+    if (ImGui::Begin("##left", nullptr, kFixed)) parameter_panel(app);
+    ImGui::End();
+    return width;
+}
+
+float right_side(App& app, float x, float top, float width, float height) {
+    leave_one_open(app.panels);
+    const bool open = std::ranges::any_of(kTabs, [&](const Tab& t) { return app.panels.*t.open; });
+    if (!app.show_panels || !open) return 0;
+    ImGui::SetNextWindowPos({x, top});
+    ImGui::SetNextWindowSize({width, height});
+    if (ImGui::Begin("##right", nullptr, kFixed)) {
+        const Tab* shown = nullptr;
+        for (const Tab& tab : kTabs) {
+            const bool on = app.panels.*tab.open;
+            ImGui::PushStyleColor(ImGuiCol_Button,
+                                  ImGui::GetStyleColorVec4(on ? ImGuiCol_TabActive : ImGuiCol_WindowBg));
+            if (ImGui::Button(tab.title)) app.panels.*tab.open = !on;
+            ImGui::PopStyleColor();
+            ImGui::SameLine(0, 2);
+            if (on) shown = &tab;
+        }
+        ImGui::NewLine();
+        ImGui::Separator();
+        if (shown != nullptr) {
+            if (ImGui::BeginChild(shown->title)) shown->draw(app);
+            ImGui::EndChild();
+        }
+    }
+    ImGui::End();
+    return width;
+}
+
+}  // namespace
+
+bool press_key(App& app, std::string_view keys) {
+    for (const KeyBinding& binding : bindings())
+        if (binding.keys == keys) {
+            binding.run(app);
+            return true;
+        }
+    return false;
+}
+
+void keys_panel(App& app) {
+    const auto scale = static_cast<float>(app.ui_scale);
+    ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
+                            ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({620 * scale, 0});
+    if (ImGui::Begin("Keys", &app.panels.keys, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+        static constexpr std::pair<const char*, const char*> kMouse[] = {
+            {"drag, middle drag", "orbit"},
+            {"right drag, shift+middle drag", "pan"},
+            {"wheel, ctrl+middle drag", "zoom"},
+            {"shift+drag", "put the highlight there"},
+            {"ctrl+drag", "move the light"},
+            {"alt+drag", "turn the environment"},
+            {"click", "the lobe at this point"},
+        };
+        ImGui::Columns(2, nullptr, false);
+        ImGui::SetColumnWidth(0, 330 * scale);
+        for (const auto& [keys, does] : kMouse) {
+            ImGui::TextUnformatted(keys);
+            ImGui::SameLine(200 * scale);
+            ImGui::TextDisabled("%s", does);
+        }
+        ImGui::NextColumn();
+        for (const KeyBinding& binding : bindings()) {
+            ImGui::TextUnformatted(std::string(binding.keys).c_str());
+            ImGui::SameLine(ImGui::GetColumnOffset(1) + 90 * scale);
+            ImGui::TextDisabled("%s", std::string(binding.does).c_str());
+        }
+        ImGui::Columns(1);
+    }
+    ImGui::End();
+}
+
+void draw_interface(App& app) {
+    const Measures m = measures(static_cast<float>(app.ui_scale));
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    handle_keys(app);
+    const float top = menu_bar(app);
+    const float height = screen.y - top - m.status;
+    const float left = left_side(app, top, m.panel, height);
+    const float right = right_side(app, screen.x - m.panel, top, m.panel, height);
+    app.picture_x = static_cast<int>(left);
+    app.picture_y = static_cast<int>(top);
+    app.picture_width = std::max(16, static_cast<int>(screen.x - left - right));
+    app.picture_height = std::max(16, static_cast<int>(height));
+    ImGui::SetNextWindowPos({0, screen.y - m.status});
+    ImGui::SetNextWindowSize({screen.x, m.status});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8, 3});
+    if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar)) status_bar(app);
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (app.panels.keys) keys_panel(app);
+    draw_dialog(app);
+    recovery(app);
+    picture_view(app);
+}
+
+}  // namespace burnish::viewer

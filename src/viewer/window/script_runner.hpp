@@ -1,0 +1,73 @@
+// Drives a session by the commands of a script, a few a frame.
+//
+// Threads: the main thread. Lifetime: refers to the app.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/script/script.hpp"
+#include "viewer/window/app.hpp"
+
+namespace burnish::viewer {
+
+class ScriptRunner {
+  public:
+    ScriptRunner(App& app, std::vector<Command> commands, std::string name);
+
+    bool done() const { return next_ >= commands_.size() && !waiting_; }
+    // Whether the command in work goes on in frames, though nothing moves: all but a wait for time.
+    bool needs_frame() const;
+    // In place of a frame, where nothing is to be drawn: lets a wait for time go on.
+    void run_idle() { run(); }
+    // Before ImGui's frame begins: puts the mouse where the script has it.
+    void feed_input();
+    // Before the interface is drawn: runs commands until one takes frames. Throws Error "<name>: line 7:
+    // ..." for a command that fails and an expectation that does not hold.
+    void run();
+    // After the frame was drawn, before it is swapped: takes the picture that was asked for.
+    void after_draw(double frame_s);
+
+  private:
+    struct Waiting {
+        WaitKind kind = WaitKind::frames;
+        double left = 0;
+        std::chrono::steady_clock::time_point since;
+        double cpu_since = 0;
+    };
+    struct Dragging {
+        DragCommand command;
+        int frame = 0;
+    };
+
+    void execute(const Command& command);
+    void expect(const ExpectCommand& command);
+    double measured(const std::string& name) const;
+    bool still_busy();
+    [[noreturn]] void fail(const std::string& what) const;
+
+    App& app_;
+    std::vector<Command> commands_;
+    std::string name_;
+    std::size_t next_ = 0;
+    int line_ = 0;
+    std::optional<Waiting> waiting_;
+    std::optional<Dragging> dragging_;
+    std::optional<std::string> screenshot_;
+    std::vector<double> drag_frames_s_;
+    std::optional<double> idle_cpu_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double first_picture_s_ = -1;
+    // The mouse of the script; none: the person's.
+    std::optional<glm::dvec2> mouse_;
+    int click_step_ = 0;  // 3: pressed next, 2: down, 1: released
+    bool click_shift_ = false;
+};
+
+// The whole window as it was drawn, read before it is swapped.
+void save_screenshot(const Window& window, const std::string& file);
+
+}  // namespace burnish::viewer
