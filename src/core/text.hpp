@@ -5,11 +5,15 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burnish {
 
 // The count with its noun: "1 mesh", "2 meshes".
 std::string plural(std::size_t count, std::string_view word);
+
+// Appends the line unless it is there.
+void append_once(std::vector<std::string>& lines, std::string line);
 
 // Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'? known: ..."
 // when it is not there.

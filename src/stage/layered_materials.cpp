@@ -7,6 +7,8 @@
 #include "burnish/error.hpp"
 #include "burnish/fit_tangents.hpp"
 #include "burnish/progress.hpp"
+#include "core/text.hpp"
+#include "stage/map_notes.hpp"
 #include "stage/material_parameters.hpp"
 #include "stage/material_warnings.hpp"
 #include "stage/physical_size.hpp"
@@ -134,33 +136,44 @@ ParameterValues LayeredMaterials::values_of(std::size_t index, Scene& scene,
     }
     ParameterValues values = values_over(layer.values, flags, alpha);
     assets_.load(values, scene.textures, file_warnings_);
-    apply_physical_size(values, scene, index, assets_, size_notes_);
     return values;
 }
 
-std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
+// What was taken for what from folders of maps, each line once.
+std::vector<std::string> LayeredMaterials::notes_of(
+    const std::vector<ParameterValues>& values) const {
+    std::vector<std::string> notes;
+    for (const ParameterValues& of_material : values)
+        for (std::string& line : map_notes(of_material, assets_.maps(of_material)))
+            append_once(notes, std::move(line));
+    return notes;
+}
+
+Remarks LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
     std::vector<Material> materials;
     std::vector<ParameterValues> values;
-    size_notes_.clear();
+    SizeReport sizes;
     for (std::size_t i = 0; i < base_.size(); ++i) {
         values.push_back(values_of(i, scene, flags));
+        apply_physical_size(values.back(), scene, i, assets_, sizes);
         materials.push_back(apply_parameters(base_[i], values.back(), assets_));
     }
     require_belonging(materials, values, layers_, flags);
-    std::vector<std::string> warnings = file_warnings_;
-    for (std::string& line : lines_of(size_notes_)) warnings.push_back(std::move(line));
+    Remarks remarks{file_warnings_, notes_of(values)};
+    append_sizes(sizes, scene, remarks);
     std::swap(scene.materials, materials);
-    append_warnings(scene, values, warnings);
-    for (std::string& line : fit_tangents(scene)) warnings.push_back(std::move(line));
-    return warnings;
+    append_warnings(scene, values, remarks.warnings);
+    for (std::string& line : fit_tangents(scene)) remarks.warnings.push_back(std::move(line));
+    return remarks;
+}
+
+void append_remarks(Remarks remarks, Scene& scene) {
+    for (std::string& line : remarks.warnings) append_once(scene.warnings, std::move(line));
+    for (std::string& line : remarks.notes) append_once(scene.notes, std::move(line));
 }
 
 void apply_material_parameters(Scene& scene, const ParameterValues& values) {
-    for (std::string& warning : LayeredMaterials(scene.materials).apply(scene, values)) {
-        const auto end = scene.warnings.end();
-        if (std::find(scene.warnings.begin(), end, warning) == end)
-            scene.warnings.push_back(std::move(warning));
-    }
+    append_remarks(LayeredMaterials(scene.materials).apply(scene, values), scene);
 }
 
 }  // namespace burnish

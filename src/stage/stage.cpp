@@ -17,6 +17,7 @@
 #include "burnish/load_model.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene_file.hpp"
+#include "stage/eye_check.hpp"
 #include "stage/normal_map_check.hpp"
 
 namespace burnish {
@@ -271,9 +272,7 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     }
     stage.materials = LayeredMaterials(stage.scene.materials, std::move(layers));
     std::vector<std::string>& warnings = stage.scene.warnings;
-    for (std::string& line : stage.materials.apply(stage.scene, stage.values))
-        if (std::ranges::find(warnings, line) == warnings.end())
-            warnings.push_back(std::move(line));  // else the model's reader has said it
+    append_remarks(stage.materials.apply(stage.scene, stage.values), stage.scene);
     warn_of_odd_normal_maps(stage.scene);
     if (stage.scene.instances.empty())
         throw Error(request.input, "", "something to draw", "no triangles");
@@ -288,6 +287,7 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     stage.camera =
         place_camera(stage.scene, stage.values,
                      static_cast<double>(stage.settings.width) / stage.settings.height, all_around);
+    warn_of_eye_inside(stage.scene, stage.values, stage.camera, warnings);
     stage.exposure_ev = stage.values.real("exposure");
     stage.tone_map = static_cast<ToneMap>(stage.values.choice("tone_map"));
     return stage;
