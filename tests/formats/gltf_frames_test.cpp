@@ -288,7 +288,7 @@ TEST(GltfFrames, AnObjsMirroredMapIsThatOfBakedCoordinates) {
 // micrometer, which floats at 5e6 m cannot say: they are half a meter apart.
 TEST(GltfFrames, AModelFarFromTheOriginIsMovedToItBeforeItsTransformsAreFloats) {
     const auto scene_at = [](double x, double z) {
-        GlbWriter writer = writer_of(unit_square(1, true));
+        GlbWriter writer = test::writer_of(unit_square(1, true));
         nlohmann::json& nodes = writer.root["nodes"];
         nodes[0]["translation"] = {x + 0.123456, 0.25, z};
         writer.root["extensionsUsed"] = {"KHR_lights_punctual"};
@@ -299,11 +299,12 @@ TEST(GltfFrames, AModelFarFromTheOriginIsMovedToItBeforeItsTransformsAreFloats) 
                          {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
         nodes.push_back({{"translation", {x, 0.1, z + 3.3}}, {"camera", 0}});
         writer.root["scenes"][0]["nodes"] = {0, 1, 2};
-        return load_bytes(writer);
+        return test::load_bytes(writer);
     };
     const Scene near = scene_at(0, 0), far = scene_at(447321, 5411823);
-    EXPECT_FALSE(warns(near, "far from the origin"));
-    EXPECT_TRUE(warns(far, "is subtracted from the positions of its nodes, lights and cameras"));
+    EXPECT_FALSE(test::warns(near, "far from the origin"));
+    EXPECT_TRUE(
+        test::warns(far, "is subtracted from the positions of its nodes, lights and cameras"));
     ASSERT_EQ(far.instances.size(), 1u);
     const glm::vec3 moved =
         glm::vec3(far.instances[0].transform[3]) - glm::vec3(near.instances[0].transform[3]);
