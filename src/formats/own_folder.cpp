@@ -67,9 +67,15 @@ void read_own_maps(const JsonPlace& root, OwnFolder& out) {
     }
 }
 
+// A name or a command, which programs may leave empty.
+std::string maybe_empty(const JsonPlace& place) {
+    if (!place.is_text()) place.fail("a text");
+    return place.value().get<std::string>();
+}
+
 void read_own_texts(const JsonPlace& root, OwnFolder& out) {
     for (const char* key : {"name", "weave"})
-        if (root.has(key)) out.name = root.at(key).text();
+        if (root.has(key)) out.name = maybe_empty(root.at(key));
     if (root.has("repeats") && root.at("repeats").value().is_boolean())
         out.repeats = root.at("repeats").value().get<bool>();
     if (root.has("approximated")) {
@@ -79,7 +85,7 @@ void read_own_texts(const JsonPlace& root, OwnFolder& out) {
             out.approximated.push_back(lines.at(i).text());
     }
     if (root.has("made") && root.at("made").has("command"))
-        out.made_by = root.at("made").at("command").text();
+        out.made_by = maybe_empty(root.at("made").at("command"));
 }
 
 std::optional<OwnFolder> read_own(const Description& row, const fs::path& file) {

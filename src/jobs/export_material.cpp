@@ -26,6 +26,7 @@
 #include "export/material_points.hpp"
 #include "image/texel_value.hpp"
 #include "jobs/map_folder.hpp"
+#include "stage/map_set.hpp"
 #include "stage/scratch_material.hpp"
 
 namespace burnish {
@@ -151,6 +152,11 @@ std::optional<double> tile_width_mm(const ExportMaterialRequest& request, const 
     }
     if (stage.values.is_set("maps_tile_mm") && cloth_of(m) == nullptr && tabulated_of(m) == nullptr)
         return stage.values.real("maps_tile_mm");
+    if (names_one(stage.values, "maps") && !stage.values.is_set("scratch") &&
+        cloth_of(m) == nullptr && tabulated_of(m) == nullptr) {
+        const double mm = map_folder_tile_mm(stage.values.text("maps"));
+        if (mm > 0.0) return mm;
+    }
     if (stage.values.is_set("scratch") && cloth_of(m) == nullptr && tabulated_of(m) == nullptr) {
         const double mm = scratch_tile_mm(stage.values.text("scratch"));
         if (mm > 0.0) return mm;

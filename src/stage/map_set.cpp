@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/parameters.hpp"
 #include "formats/own_folder.hpp"
+#include "stage/map_textures.hpp"
 #include "stage/scratch_material.hpp"
 
 namespace burnish {
@@ -204,26 +206,33 @@ void take(MapSet& set, MapRole role, const fs::path& picture, const fs::path& fo
         if (rank_of(picture) > rank_of(held->second)) held->second = picture;
         return;
     }
-    throw Error(
-        folder.string(), std::string(map_role_name(role)), "one map of this role",
-        fmt::format("{} and {}: move one away, or name the map by its flag",
-                    shown(held->second.filename().string()), shown(picture.filename().string())));
+    const std::string_view parameter = map_parameter(role);
+    throw Error(folder.string(), std::string(map_role_name(role)), "one map of this role",
+                fmt::format("{} and {}: move one away{}", shown(held->second.filename().string()),
+                            shown(picture.filename().string()),
+                            parameter.empty() ? "" : ", or name the map by " + flag_of(parameter)));
 }
 
-[[noreturn]] void fail_without_maps(const fs::path& folder, const std::string& unknown) {
+[[noreturn]] void fail_without_maps(const fs::path& folder, const std::string& unknown,
+                                    const std::vector<std::string>& warnings) {
+    std::error_code error;
+    std::string found = unknown.empty()
+                            ? std::string("no pictures (folders in it are not looked into)")
+                            : "these: " + unknown;
+    if (!warnings.empty()) found = "none: " + warnings.front();
+    if (fs::exists(folder / "rig.json", error))
+        found = "a rig.json: pictures of a sample, which burnish capture fit takes";
     throw UsageError("maps", "", "a folder with maps whose names state a role, such as color.png",
-                     fmt::format("{} with {}", shown(folder.string()),
-                                 unknown.empty() ? std::string("no pictures (folders in it are not "
-                                                               "looked into)")
-                                                 : "these: " + one_line(unknown)));
-}
-
-double tile_mm_of(const std::optional<OwnFolder>& own, const fs::path& folder) {
-    if (own && own->width_mm > 0.0) return own->width_mm;
-    return scratch_tile_mm(folder.string());
+                     fmt::format("{} with {}", shown(folder.string()), found));
 }
 
 }  // namespace
+
+double map_folder_tile_mm(const fs::path& folder) {
+    std::vector<std::string> unused;
+    const std::optional<OwnFolder> own = own_folder_of(folder, unused);
+    return own && own->width_mm > 0.0 ? own->width_mm : scratch_tile_mm(folder.string());
+}
 
 MapSet find_map_set(const fs::path& folder, const MapsBeside& beside) {
     require_folder(folder);
@@ -252,12 +261,12 @@ MapSet find_map_set(const fs::path& folder, const MapsBeside& beside) {
             take(set, *role, picture, folder);
         }
     }
-    if (set.files.empty() && !any_beside) fail_without_maps(folder, unknown);
+    if (set.files.empty() && !any_beside) fail_without_maps(folder, unknown, set.warnings);
     settle_roles(set);
     if (!unknown.empty())
         set.notes.push_back(fmt::format("maps of {}: passed over, as their names state no role: {}",
                                         one_line(folder.string()), unknown));
-    set.tile_mm = tile_mm_of(own, folder);
+    set.tile_mm = map_folder_tile_mm(folder);
     return set;
 }
 

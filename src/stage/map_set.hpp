@@ -25,4 +25,7 @@ using MapsBeside = std::map<MapRole, std::string_view>;
 // role: both are named, none is guessed. The reasons why one of two roles is taken are in `notes`.
 MapSet find_map_set(const std::filesystem::path& folder, const MapsBeside& beside = {});
 
+// Width of the tile in mm that a folder of Burnish's states; 0: it states none.
+double map_folder_tile_mm(const std::filesystem::path& folder);
+
 }  // namespace burnish

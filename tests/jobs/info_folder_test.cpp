@@ -30,7 +30,7 @@ TEST(InfoFolder, DescribesAMaterialByFolderAndByFile) {
     const auto json = folder.write(
         "material.json",
         R"({"format": "burnish-material", "version": 1, "name": "worn gold", "size": [64, 32],
-            "tile_mm": [20, 10], "made": {"command": "burnish export material"},
+            "tile_mm": [20, 10], "made": {"command": ""},
             "maps": {"base_color": {"file": "base_color.png"}, "orm": {"file": "orm.png"}}})");
     for (const std::string& path : {(folder / "").string(), json.string()}) {
         const std::string text = describe_file(path);

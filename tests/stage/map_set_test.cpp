@@ -268,6 +268,9 @@ TEST(MapSets, MissingMapsAndDanglingLinksAreNamed) {
     EXPECT_EQ(set.warnings.size(), 3u) << "each once";
     folder.write("material.json", "{");
     EXPECT_TRUE(says(find_map_set(folder / "").warnings, {"material.json", "told by their names"}));
+    std::filesystem::remove(folder / "base_color.png");
+    const std::string line = error_line<UsageError>([&] { find_map_set(folder / ""); });
+    EXPECT_NE(line.find("none: "), line.npos) << line;
 }
 
 TEST(MapSets, OfUdimTilesTheFirstIsDrawnAndSaid) {
