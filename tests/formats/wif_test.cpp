@@ -129,7 +129,8 @@ TEST(Wif, WordsMayBeInAnyCaseAndCommented) {
     sections["WEFT"] = "Threads=3\nUnits=centimeters;\nSpacing=0.254\n";
     const WifFile file = read(text_of(sections));
     ASSERT_EQ(file.warnings.size(), 1u) << file.warnings.back();
-    EXPECT_EQ(file.warnings[0], "[CONTENTS] announces [WEFT COLORS], which is not there; the file may be cut short");
+    EXPECT_EQ(file.warnings[0],
+              "[CONTENTS] announces [WEFT COLORS], which is not there; the file may be cut short");
     ASSERT_EQ(file.draft.warp_colors.size(), 3u);
     EXPECT_EQ(file.draft.warp_colors[0], glm::vec3(1.0f, 0.0f, 0.0f));
     sections["COLOR PALETTE"] = "Entries=1\nForm=hsv\nRange=0,255\n";
