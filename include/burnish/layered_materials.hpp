@@ -7,7 +7,6 @@
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "burnish/api.hpp"
@@ -17,6 +16,12 @@
 #include "burnish/scene_file.hpp"
 
 namespace BURNISH_API burnish {
+
+// What is to be said of parameters, one line each.
+struct Remarks {
+    std::vector<std::string> warnings;  // what will look different from what was asked for
+    std::vector<std::string> notes;     // what was chosen, where the program had a choice
+};
 
 class LayeredMaterials {
   public:
@@ -30,13 +35,13 @@ class LayeredMaterials {
     // The result depends on nothing else: applying twice is applying once, and applying no flags
     // takes earlier ones back. Maps that values name are read once and appended to scene.textures,
     // from which nobody may erase. Tangents that are not a file's follow the coordinates that the
-    // materials read normals with (fit_tangents). Returns warnings. Throws UsageError for flags, Error for values
-    // of the file that cannot be applied; scene.materials are then what they were.
-    std::vector<std::string> apply(Scene& scene, const ParameterValues& flags);
+    // materials read normals with (fit_tangents). Throws UsageError for flags, Error for values of the
+    // file that cannot be applied; scene.materials are then what they were.
+    Remarks apply(Scene& scene, const ParameterValues& flags);
     // The same with one more layer: `upper` lies over `flags`, for single materials by index. Textures
     // and maps that failed to apply are not kept. Throws UsageError too for an index without a material.
-    std::vector<std::string> apply(Scene& scene, const ParameterValues& flags,
-                                   const std::map<int, ParameterValues>& upper);
+    Remarks apply(Scene& scene, const ParameterValues& flags,
+                  const std::map<int, ParameterValues>& upper);
 
     const std::vector<Material>& base() const { return base_; }
     // The scene file's layers, one a material.
@@ -48,16 +53,15 @@ class LayeredMaterials {
   private:
     ParameterValues values_of(std::size_t index, Scene& scene, const ParameterValues& flags,
                               const ParameterValues* upper);
-    std::vector<std::string> apply_layers(Scene& scene, const ParameterValues& flags,
-                                          const std::map<int, ParameterValues>& upper);
+    Remarks apply_layers(Scene& scene, const ParameterValues& flags,
+                         const std::map<int, ParameterValues>& upper);
+    std::vector<std::string> notes_of(const std::vector<ParameterValues>& values) const;
 
     std::vector<Material> base_;
     std::vector<SceneFile::Layer> layers_;
     std::vector<ParameterValues> values_;
     MaterialAssets assets_;
     std::vector<std::string> file_warnings_;  // of drafts and maps
-    // Of physical sizes, of the last apply(): a line and the materials that it is true of.
-    std::vector<std::pair<std::string, std::vector<std::string>>> size_notes_;
 };
 
 // The values of a lower layer under those of an upper one, which wins. A normal map that the upper
@@ -68,8 +72,11 @@ class LayeredMaterials {
 ParameterValues values_over(const ParameterValues& lower, const ParameterValues& upper,
                             const std::optional<glm::vec2>& lower_alpha);
 
-// Applies `values` to every material that the scene has now, once, and appends the warnings to the
-// scene's. To change them later, keep a LayeredMaterials.
+// Appends lines to the scene's warnings and notes that it does not have yet.
+void append_remarks(Remarks remarks, Scene& scene);
+
+// Applies `values` to every material that the scene has now, once, and appends what is to be said to
+// the scene's warnings and notes. To change them later, keep a LayeredMaterials.
 void apply_material_parameters(Scene& scene, const ParameterValues& values);
 
 }  // namespace burnish

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "burnish/api.hpp"
@@ -20,9 +21,13 @@ struct MapTextures {
     int base_color = -1, metallic_roughness = -1, normal = -1, occlusion = -1, anisotropy = -1,
         emissive = -1;  // indices into the textures of the scene
     bool has_roughness = false, has_metallic = false, has_opacity = false;
-    bool directx = false;            // the normal map has +y down
-    bool whole = false;              // of a folder: metal that it does not show is not there
-    std::vector<std::string> notes;  // what was taken for what
+    bool directx = false;  // the normal map has +y down
+    bool whole = false;    // of a folder: metal that it does not show is not there
+    double tile_mm = 0.0;  // width of the tile that a folder states; 0: it states none
+    // Of a folder: each map, such as "base color", and its file.
+    std::vector<std::pair<std::string, std::string>> files;
+    std::vector<std::string> notes;     // of a folder: what was passed over for another map
+    std::vector<std::string> warnings;  // what the picture will lack
 };
 
 // Loads each thing once, and keeps it, so that parameters can be applied any number of times. A
@@ -38,7 +43,7 @@ class MaterialAssets {
 
     // Loads what `values` name and is not here yet. Textures are appended to `textures`: the same
     // vector in every call, to which others may append, but from which nobody erases. Warnings of
-    // drafts are appended to `warnings`. Throws UsageError for names that are neither built in nor
+    // drafts and maps are appended to `warnings`. Throws UsageError for names that are neither built in nor
     // files, Error for files that cannot be read; what was loaded before stays.
     void load(const ParameterValues& values, std::vector<Texture>& textures,
               std::vector<std::string>& warnings);

@@ -42,6 +42,7 @@ struct Parameter {
     std::span<const std::string_view> choices;    // names, of a choice
     // The parameter without which this one says nothing: weave_gap belongs to weave. "": none.
     std::string_view belongs_to;
+    std::string_view names;  // of a text, what it names, for help texts: "FILE", "FOLDER"
 };
 
 // The table, in the order of help texts. Thread-safe, and the same for the life of the program.

@@ -27,6 +27,7 @@ struct RenderRequest {
 struct RenderReport {
     std::vector<std::filesystem::path> written;
     std::vector<std::string> warnings;  // what will look different, one line each
+    std::vector<std::string> notes;     // what was chosen, one line each
     std::string device;                 // GL_RENDERER
 };
 

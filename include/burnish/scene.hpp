@@ -223,6 +223,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Camera> cameras;        // those stored in the file, in order
     std::vector<std::string> warnings;  // what will look different, one line each
+    std::vector<std::string> notes;     // what was chosen, one line each
 };
 
 // Bounds of all instances in world space.

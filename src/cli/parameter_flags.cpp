@@ -41,7 +41,7 @@ std::string value_name(const Parameter& parameter) {
         case ParameterKind::vector:
             return "X,Y,Z";
         case ParameterKind::text:
-            return "FILE";
+            return std::string(parameter.names);
         case ParameterKind::boolean:
             return "";
     }

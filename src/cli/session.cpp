@@ -45,7 +45,9 @@ void print(const std::string& text) {
 }
 
 void print_report(const std::vector<std::string>& warnings,
-                  const std::vector<std::filesystem::path>& written) {
+                  const std::vector<std::filesystem::path>& written,
+                  const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) std::fprintf(stderr, "burnish: note: %s\n", note.c_str());
     for (const std::string& warning : warnings)
         std::fprintf(stderr, "burnish: warning: %s\n", warning.c_str());
     std::string text;

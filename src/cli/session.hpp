@@ -37,8 +37,9 @@ class Session {
 // Prints the whole text and checks every write: a full disk is an error for printed text too.
 void print(const std::string& text);
 
-// Prints warnings to standard error, one line each, then the paths of the written files.
+// Prints warnings and notes to standard error, one line each, then the paths of the written files.
 void print_report(const std::vector<std::string>& warnings,
-                  const std::vector<std::filesystem::path>& written);
+                  const std::vector<std::filesystem::path>& written,
+                  const std::vector<std::string>& notes = {});
 
 }  // namespace burnish::cli

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "burnish/error.hpp"
@@ -125,6 +126,11 @@ std::string_view nearest_name(std::span<const std::string_view> names, std::stri
             container = known;
     }
     return nearest.empty() ? container : nearest;
+}
+
+void append_once(std::vector<std::string>& lines, std::string line) {
+    if (std::find(lines.begin(), lines.end(), line) == lines.end())
+        lines.push_back(std::move(line));
 }
 
 int index_of_name(std::span<const std::string_view> names, std::string_view name,

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burnish {
 
@@ -13,6 +14,8 @@ std::string plural(std::size_t count, std::string_view word);
 
 // The word in single quotes if a POSIX shell would interpret any of its characters.
 std::string shell_quoted(std::string_view word);
+// Appends the line unless it is there.
+void append_once(std::vector<std::string>& lines, std::string line);
 
 // Index of `name` in `names`. Throws UsageError "<where>: unknown <kind> 'x'; did you mean 'y'? known: ..."
 // when it is not there.

@@ -39,6 +39,14 @@ Scene scene_of_builtin(const std::string& name, int triangles) {
     return scene;
 }
 
+// A folder in the place of a model, with the model in it or the flag that takes it.
+std::string found_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (std::filesystem::exists(folder / "material.gltf", error))
+        return "a folder (with a model in it: material.gltf)";
+    return "a folder (a folder of maps is drawn by builtin:sphere --maps FOLDER)";
+}
+
 }  // namespace
 
 Scene load_model(const std::string& path_or_builtin, int triangles) {
@@ -49,7 +57,7 @@ Scene load_model(const std::string& path_or_builtin, int triangles) {
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
     // Other names are recognized by content: a binary glTF starts with "glTF".
     if (std::filesystem::is_directory(path))
-        throw Error(path_or_builtin, "", "a model or a scene", "a folder");
+        throw Error(path_or_builtin, "", "a model or a scene", found_folder(path));
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error(path_or_builtin, "", "a readable file", reason_of(errno));
     char magic[4] = {};

@@ -141,7 +141,9 @@ class SceneFileReader {
         root_.require_object();
         if (!root_.has("format"))
             throw Error(file_, "format", fmt::format("\"{}\"", kFormat), "none");
-        if (root_.at("format").text() != kFormat) root_.at("format").fail("burnish-scene");
+        if (root_.at("format").text() != kFormat)
+            root_.at("format").fail(
+                "burnish-scene (burnish info says what other files of Burnish's hold)");
         if (root_.at("version").value() != 1) root_.at("version").fail("1");
         root_.require_object(kKeys);
         out_.scene.name = path_.stem().string();

@@ -26,6 +26,7 @@
 #include "export/material_points.hpp"
 #include "image/texel_value.hpp"
 #include "jobs/map_folder.hpp"
+#include "stage/map_set.hpp"
 #include "stage/scratch_material.hpp"
 
 namespace burnish {
@@ -148,6 +149,13 @@ std::optional<double> tile_width_mm(const ExportMaterialRequest& request, const 
     if (const Cloth* cloth = cloth_of(m); cloth && stage.values.is_set("weave_yarns_per_cm")) {
         const int yarns = cloth->draft->ends * cloth_repeats(*cloth->draft).x;
         return yarns * 10.0 / stage.values.real("weave_yarns_per_cm");
+    }
+    if (stage.values.is_set("maps_tile_mm") && cloth_of(m) == nullptr && tabulated_of(m) == nullptr)
+        return stage.values.real("maps_tile_mm");
+    if (names_one(stage.values, "maps") && !stage.values.is_set("scratch") &&
+        cloth_of(m) == nullptr && tabulated_of(m) == nullptr) {
+        const double mm = map_folder_tile_mm(stage.values.text("maps"));
+        if (mm > 0.0) return mm;
     }
     if (stage.values.is_set("scratch") && cloth_of(m) == nullptr && tabulated_of(m) == nullptr) {
         const double mm = scratch_tile_mm(stage.values.text("scratch"));
@@ -304,6 +312,7 @@ ExportMaterialReport export_material(const ExportMaterialRequest& request,
     progress.step("load", 0.0);
     const Stage stage = set_stage(request.stage);
     report.warnings = stage.scene.warnings;
+    report.notes = stage.scene.notes;
     const std::vector<std::size_t> wanted = chosen(stage.scene.materials, request.material);
     if (wanted.size() == 1) {
         FolderWriter(request, stage, wanted.front(), request.output).write(progress, report);

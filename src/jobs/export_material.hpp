@@ -27,6 +27,7 @@ struct ExportMaterialRequest {
 
 struct ExportMaterialReport {
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;
     std::vector<std::filesystem::path> written;
 };
 

@@ -163,7 +163,7 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     gpu::Renderer renderer(context, stage.scene, lit ? &stage.environment : nullptr);
     const Metadata metadata = metadata_of(request, stage, context);
 
-    RenderReport report{{}, stage.scene.warnings, context.renderer()};
+    RenderReport report{{}, stage.scene.warnings, stage.scene.notes, context.renderer()};
     const std::string lost = warning_of_lost_transparency(request, stage);
     if (!lost.empty()) report.warnings.push_back(lost);
     if (!request.compare.empty()) {

@@ -9,6 +9,8 @@
 #include "burnish/error.hpp"
 #include "burnish/fit_tangents.hpp"
 #include "burnish/progress.hpp"
+#include "core/text.hpp"
+#include "stage/map_notes.hpp"
 #include "stage/material_parameters.hpp"
 #include "stage/material_warnings.hpp"
 #include "stage/physical_size.hpp"
@@ -154,37 +156,52 @@ ParameterValues LayeredMaterials::values_of(std::size_t index, Scene& scene,
     return values;
 }
 
-std::vector<std::string> LayeredMaterials::apply_layers(
-    Scene& scene, const ParameterValues& flags, const std::map<int, ParameterValues>& upper) {
+// What was taken for what from folders of maps, each line once.
+std::vector<std::string> LayeredMaterials::notes_of(
+    const std::vector<ParameterValues>& values) const {
+    std::vector<std::string> notes;
+    for (const ParameterValues& of_material : values)
+        for (std::string& line : map_notes(of_material, assets_.maps(of_material)))
+            append_once(notes, std::move(line));
+    return notes;
+}
+
+Remarks LayeredMaterials::apply_layers(Scene& scene, const ParameterValues& flags,
+                                       const std::map<int, ParameterValues>& upper) {
     std::vector<Material> materials;
     std::vector<ParameterValues> layered, sized;
-    size_notes_.clear();
+    SizeReport sizes;
     for (std::size_t i = 0; i < base_.size(); ++i) {
         const auto own = upper.find(static_cast<int>(i));
         layered.push_back(values_of(i, scene, flags, own == upper.end() ? nullptr : &own->second));
         sized.push_back(layered.back());
-        apply_physical_size(sized.back(), scene, i, assets_, size_notes_);
+        apply_physical_size(sized.back(), scene, i, assets_, sizes);
         materials.push_back(apply_parameters(base_[i], sized.back(), assets_));
     }
     ParameterValues asked = flags;
     for (const auto& [index, values] : upper)
         for (const auto& [name, value] : values.set_values()) asked.set_value(name, value);
     require_belonging(materials, sized, layers_, asked);
-    std::vector<std::string> warnings = file_warnings_;
-    for (std::string& line : lines_of(size_notes_)) warnings.push_back(std::move(line));
+    Remarks remarks{file_warnings_, notes_of(sized)};
+    append_sizes(sizes, scene, remarks);
     std::swap(scene.materials, materials);
     std::swap(values_, layered);
-    append_warnings(scene, sized, warnings);
-    for (std::string& line : fit_tangents(scene)) warnings.push_back(std::move(line));
-    return warnings;
+    append_warnings(scene, sized, remarks.warnings);
+    for (std::string& line : fit_tangents(scene)) remarks.warnings.push_back(std::move(line));
+    return remarks;
 }
 
-std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
+void append_remarks(Remarks remarks, Scene& scene) {
+    for (std::string& line : remarks.warnings) append_once(scene.warnings, std::move(line));
+    for (std::string& line : remarks.notes) append_once(scene.notes, std::move(line));
+}
+
+Remarks LayeredMaterials::apply(Scene& scene, const ParameterValues& flags) {
     return apply(scene, flags, {});
 }
 
-std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterValues& flags,
-                                                 const std::map<int, ParameterValues>& upper) {
+Remarks LayeredMaterials::apply(Scene& scene, const ParameterValues& flags,
+                                const std::map<int, ParameterValues>& upper) {
     if (!upper.empty() &&
         (upper.begin()->first < 0 || upper.rbegin()->first >= static_cast<int>(base_.size())))
         throw UsageError("material", "", fmt::format("an index below {}", base_.size()),
@@ -204,11 +221,7 @@ std::vector<std::string> LayeredMaterials::apply(Scene& scene, const ParameterVa
 }
 
 void apply_material_parameters(Scene& scene, const ParameterValues& values) {
-    for (std::string& warning : LayeredMaterials(scene.materials).apply(scene, values)) {
-        const auto end = scene.warnings.end();
-        if (std::find(scene.warnings.begin(), end, warning) == end)
-            scene.warnings.push_back(std::move(warning));
-    }
+    append_remarks(LayeredMaterials(scene.materials).apply(scene, values), scene);
 }
 
 }  // namespace burnish

@@ -3,165 +3,129 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
+#include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/parameters.hpp"
+#include "formats/own_folder.hpp"
+#include "stage/map_textures.hpp"
+#include "stage/scratch_material.hpp"
 
 namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, kMapRoles> kNames = {
-    "base color", "normal",   "DirectX normal", "roughness",
-    "glossiness", "metallic", "occlusion",      "occlusion-roughness-metallic",
-    "anisotropy", "height",   "emissive",       "opacity"};
-
-struct Word {
-    std::string_view text;
-    MapRole role;
-};
-
-// Words of ambientCG, Poly Haven, cgbookcase, Substance, and of burnish's own folders. Several words
-// of a name are compared as one: "Base_Color", "nor_gl", "AmbientOcclusion".
-constexpr Word kWords[] = {
-    {"basecolor", MapRole::base_color},
-    {"basecolour", MapRole::base_color},
-    {"albedo", MapRole::base_color},
-    {"color", MapRole::base_color},
-    {"colour", MapRole::base_color},
-    {"col", MapRole::base_color},
-    {"diffuse", MapRole::base_color},
-    {"diff", MapRole::base_color},
-    {"diffusecolor", MapRole::base_color},
-    {"normal", MapRole::normal},
-    {"normals", MapRole::normal},
-    {"normalgl", MapRole::normal},
-    {"normalogl", MapRole::normal},
-    {"normalopengl", MapRole::normal},
-    {"norgl", MapRole::normal},
-    {"nor", MapRole::normal},
-    {"norm", MapRole::normal},
-    {"nrm", MapRole::normal},
-    {"normaldx", MapRole::normal_directx},
-    {"normaldirectx", MapRole::normal_directx},
-    {"nordx", MapRole::normal_directx},
-    {"roughness", MapRole::roughness},
-    {"rough", MapRole::roughness},
-    {"rgh", MapRole::roughness},
-    {"glossiness", MapRole::glossiness},
-    {"gloss", MapRole::glossiness},
-    {"smoothness", MapRole::glossiness},
-    {"metallic", MapRole::metallic},
-    {"metalness", MapRole::metallic},
-    {"metal", MapRole::metallic},
-    {"met", MapRole::metallic},
-    {"mtl", MapRole::metallic},
-    {"ambientocclusion", MapRole::occlusion},
-    {"occlusion", MapRole::occlusion},
-    {"ao", MapRole::occlusion},
-    {"orm", MapRole::orm},
-    {"arm", MapRole::orm},
-    {"occlusionroughnessmetallic", MapRole::orm},
-    {"anisotropy", MapRole::anisotropy},
-    {"height", MapRole::height},
-    {"displacement", MapRole::height},
-    {"disp", MapRole::height},
-    {"bump", MapRole::height},
-    {"emissive", MapRole::emissive},
-    {"emission", MapRole::emissive},
-    {"emit", MapRole::emissive},
-    {"opacity", MapRole::opacity},
-    {"alpha", MapRole::opacity},
-    {"mask", MapRole::opacity},
-};
-
-constexpr std::array<std::string_view, 11> kExtensions = {
+constexpr std::array<std::string_view, 11> kEndings = {
     ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".webp", ".tga", ".bmp", ".avif"};
 
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+// Endings of pictures that are not read, with what converts them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kUnread = {
+    {{".ktx2", " (`ktx extract IN.ktx2 OUT.png` converts it)"},
+     {".ktx", ""},
+     {".dds", " (`oiiotool IN.dds -o OUT.png` converts it)"},
+     {".psd", ""}}};
+
+std::string ending_of(const fs::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
 }
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](char c) { return lower(c); });
-    return text;
+std::string name_of(const fs::path& file) {
+    return one_line(file.filename().string());
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-// The words of a name in lower case: separated by other characters than letters and digits, and
-// where a small letter is followed by a capital.
-std::vector<std::string> words_of(const std::string& name) {
-    std::vector<std::string> words;
-    char before = '_';
-    for (const char c : name) {
-        const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
-        const bool capital = c >= 'A' && c <= 'Z', small = before >= 'a' && before <= 'z';
-        if (letter) {
-            const bool starts = std::isalnum(static_cast<unsigned char>(before)) == 0;
-            if (starts || (capital && small)) words.emplace_back();
-            words.back().push_back(lower(c));
-        }
-        before = c;
-    }
-    return words;
-}
-
-// "2k", "4096", "16bit", "1001" (a tile): they say nothing of the role.
-bool is_size(const std::string& word) {
-    const bool number = !word.empty() && is_digit(word.front());
-    const std::size_t end = std::min(word.find_first_not_of("0123456789"), word.size());
-    const std::string_view rest = std::string_view(word).substr(end);
-    return number && (rest.empty() || rest == "k" || rest == "bit" || rest == "px");
-}
-
-std::optional<MapRole> role_of_word(std::string_view text) {
-    for (const Word& word : kWords)
-        if (word.text == text) return word.role;
-    return std::nullopt;
-}
-
-bool is_picture(const fs::path& path) {
-    const std::string extension = lower(path.extension().string());
-    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
-
-std::vector<fs::path> pictures_in(const fs::path& folder) {
+// The pictures of the folder in the order of their names. Those that cannot be read are warned of.
+std::vector<fs::path> pictures_in(const fs::path& folder, std::vector<std::string>& warnings) {
     std::vector<fs::path> pictures;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
-        if (entry->is_regular_file(error) && is_picture(entry->path()))
-            pictures.push_back(entry->path());
+         entry.increment(error)) {
+        const fs::path& file = entry->path();
+        const std::string ending = ending_of(file);
+        const auto* const unread = std::find_if(
+            kUnread.begin(), kUnread.end(), [&](const auto& row) { return row.first == ending; });
+        if (unread != kUnread.end() && map_role_of(file))
+            warnings.push_back(fmt::format("{}: this format is not read{}: the map is left out",
+                                           one_line(file.string()), unread->second));
+        if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) continue;
+        std::error_code of_file;
+        if (fs::is_regular_file(file, of_file)) {
+            pictures.push_back(file);
+        } else if (!fs::exists(file, of_file)) {
+            warnings.push_back(
+                fmt::format("{}: a link to a file that is not there: the map is "
+                            "left out",
+                            one_line(file.string())));
+        }
+    }
     std::sort(pictures.begin(), pictures.end());
+    std::sort(warnings.begin(), warnings.end());
     return pictures;
 }
 
 // Of two files of one name the one that keeps more: floats before 16 bits before 8.
 int rank_of(const fs::path& file) {
-    const std::string extension = lower(file.extension().string());
-    if (extension == ".exr" || extension == ".hdr") return 3;
-    if (extension == ".tif" || extension == ".tiff") return 2;
-    return extension == ".png" ? 1 : 0;
+    const std::string ending = ending_of(file);
+    if (ending == ".exr" || ending == ".hdr") return 3;
+    if (ending == ".tif" || ending == ".tiff") return 2;
+    return ending == ".png" ? 1 : 0;
 }
 
-std::vector<std::string> words_without_size(const fs::path& file) {
-    std::vector<std::string> words = words_of(file.stem().string());
-    while (!words.empty() && is_size(words.back())) words.pop_back();
-    return words;
+// The tile of a UDIM set, 1001 to 1999, that ends the file's name; 0: none.
+int udim_of(const fs::path& file) {
+    const std::string stem = file.stem().string();
+    const std::size_t digits = stem.find_last_not_of("0123456789");
+    if (digits == std::string::npos || stem.size() - digits != 5) return 0;
+    const bool apart = stem[digits] == '.' || stem[digits] == '_' || stem[digits] == '-';
+    const int tile = std::stoi(stem.substr(digits + 1));
+    return apart && tile >= 1001 && tile <= 1999 ? tile : 0;
+}
+
+std::string without_udim(const fs::path& file) {
+    const std::string stem = file.stem().string();
+    return stem.substr(0, stem.size() - 4);
+}
+
+// Several tiles of one name are a UDIM set. Its lowest tile alone is kept.
+void keep_one_tile(const fs::path& folder, std::vector<fs::path>& pictures,
+                   std::vector<std::string>& warnings) {
+    std::map<std::string, std::pair<int, int>> range;  // of the tiles of a name
+    for (const fs::path& picture : pictures) {
+        const int tile = udim_of(picture);
+        if (tile == 0) continue;
+        const auto [known, fresh] = range.emplace(without_udim(picture), std::pair(tile, tile));
+        known->second = {std::min(known->second.first, tile), std::max(known->second.second, tile)};
+    }
+    int first = 0, last = 0;
+    for (const auto& [name, tiles] : range)
+        if (tiles.second > tiles.first) {
+            first = first == 0 ? tiles.first : std::min(first, tiles.first);
+            last = std::max(last, tiles.second);
+        }
+    if (first == 0) return;
+    std::erase_if(pictures, [&](const fs::path& picture) {
+        const int tile = udim_of(picture);
+        return tile != 0 && tile != range.at(without_udim(picture)).first;
+    });
+    warnings.push_back(fmt::format(
+        "{}: the maps are tiles of a UDIM set, {} to {}: UDIM is not supported; tile {} "
+        "is drawn in place of the others",
+        one_line(folder.string()), first, last, first));
 }
 
 // Whether the file has the name of the set alone, to which the others add a role: the picture of a
 // "Rusty_Metal_2K.png" beside "Rusty_Metal_2K_Color.png".
 bool is_picture_of_set(const fs::path& file, const std::vector<fs::path>& all) {
-    const std::vector<std::string> name = words_without_size(file);
+    std::vector<std::string> name = words_of_name(file);
+    while (!name.empty() && is_size_word(name.back())) name.pop_back();
     return std::any_of(all.begin(), all.end(), [&](const fs::path& other) {
-        std::vector<std::string> longer = words_of(other.stem().string());
-        std::erase_if(longer, is_size);
+        std::vector<std::string> longer = words_of_name(other);
+        std::erase_if(longer, is_size_word);
         return longer.size() > name.size() && map_role_of(other) &&
                std::equal(name.begin(), name.end(), longer.begin());
     });
@@ -171,91 +135,138 @@ bool is_picture_of_set(const fs::path& file, const std::vector<fs::path>& all) {
 void prefer(MapSet& set, MapRole kept, MapRole other) {
     const auto file = set.files.find(other);
     if (!set.files.contains(kept) || file == set.files.end()) return;
-    set.notes.push_back(fmt::format("{}: passed over, {} holds the {}",
-                                    file->second.filename().string(),
-                                    set.files[kept].filename().string(), map_role_name(kept)));
+    set.notes.push_back(fmt::format("{}: passed over, {} holds the {}", name_of(file->second),
+                                    name_of(set.files[kept]), map_role_name(kept)));
     set.files.erase(file);
 }
 
-}  // namespace
-
-std::string_view map_role_name(MapRole role) {
-    return kNames[static_cast<std::size_t>(role)];
-}
-
-std::optional<MapRole> map_role_of(const fs::path& file) {
-    const std::vector<std::string> words = words_without_size(file);
-    // The longest run of last words that is a role: "base", "color" before "color". Libraries put a
-    // resolution, or a kind of normal map ("nor_gl_2k"), behind the role.
-    for (std::size_t first = words.size() > 3 ? words.size() - 3 : 0; first < words.size();
-         ++first) {
-        std::string joined;
-        for (std::size_t i = first; i < words.size(); ++i) joined += words[i];
-        if (const auto role = role_of_word(joined)) return role;
-    }
-    return std::nullopt;
-}
-
-MapSet find_map_set(const fs::path& folder) {
-    std::error_code error;
-    if (!fs::is_directory(folder, error))
-        throw UsageError(
-            "maps", "",
-            "a folder of maps of one surface (a single map has a flag of its own, such as "
-            "--base-color-map)",
-            shown(folder.string()) +
-                (fs::exists(folder, error) ? ", a file" : ", which is not there"));
-    MapSet set;
-    std::string unknown, taken;
-    const std::vector<fs::path> pictures = pictures_in(folder);
-    const bool of_scratches = fs::exists(folder / "scratch.json", error);
-    for (const fs::path& picture : pictures) {
-        // Of `burnish scratch`: directions of grooves, whose strength is no material's.
-        if (of_scratches && picture.stem() == "anisotropy") {
-            set.notes.push_back(
-                fmt::format("{}: passed over, it is for --scratch with --scratch-direction follow",
-                            one_line(picture.string())));
-            continue;
-        }
-        if (picture.stem() == "preview") continue;  // of our own folders
-        const auto role = map_role_of(picture);
-        if (!role || is_picture_of_set(picture, pictures)) {
-            unknown +=
-                fmt::format("{}{}", unknown.empty() ? "" : ", ", picture.filename().string());
-            continue;
-        }
-        const auto [held, fresh] = set.files.emplace(*role, picture);
-        if (!fresh && held->second.stem() == picture.stem()) {
-            if (rank_of(picture) > rank_of(held->second)) held->second = picture;
-            continue;
-        }
-        if (!fresh)
-            throw Error(folder.string(), std::string(map_role_name(*role)), "one map of this role",
-                        fmt::format("{} and {}: move one away, or name each map by its flag",
-                                    shown(held->second.filename().string()),
-                                    shown(picture.filename().string())));
-    }
-    if (set.files.empty())
-        throw UsageError(
-            "maps", "", "a folder with maps whose names state a role, such as color.png",
-            fmt::format("{} with {}", shown(folder.string()),
-                        unknown.empty() ? std::string("no pictures (folders in it are not "
-                                                      "looked into)")
-                                        : "these: " + one_line(unknown)));
+void settle_roles(MapSet& set) {
     prefer(set, MapRole::normal, MapRole::normal_directx);
     prefer(set, MapRole::normal, MapRole::height);
     prefer(set, MapRole::normal_directx, MapRole::height);
     prefer(set, MapRole::roughness, MapRole::glossiness);
-    for (const MapRole role :
-         {MapRole::roughness, MapRole::glossiness, MapRole::metallic, MapRole::occlusion})
+    for (const MapRole role : {MapRole::metallic_roughness, MapRole::roughness, MapRole::glossiness,
+                               MapRole::metallic, MapRole::occlusion})
         prefer(set, MapRole::orm, role);
-    for (const auto& [role, file] : set.files)
-        taken += fmt::format("{}{} {}", taken.empty() ? "" : ", ", map_role_name(role),
-                             one_line(file.filename().string()));
-    set.notes.push_back(fmt::format("maps of {}: {}", one_line(folder.string()), taken));
+    for (const MapRole role : {MapRole::roughness, MapRole::glossiness, MapRole::metallic})
+        prefer(set, MapRole::metallic_roughness, role);
+}
+
+// --- folders of Burnish's own --------------------------------------------------------------------
+
+std::optional<OwnFolder> own_folder_of(const fs::path& folder, std::vector<std::string>& warnings) {
+    try {
+        return find_own_folder(folder);
+    } catch (const Error& error) {
+        warnings.push_back(fmt::format("{}; the maps are told by their names", error.what()));
+        return std::nullopt;
+    }
+}
+
+// Why a picture of an own folder is no map of a material; empty: it may be one.
+std::string_view other_use(const std::optional<OwnFolder>& own, const fs::path& picture) {
+    if (picture.stem() == "preview") return "it is a preview";
+    if (!own) return "";
+    // Directions of grooves, whose strength is no material's.
+    if (own->kind == OwnFolderKind::scratch && picture.stem() == "anisotropy")
+        return "it is for --scratch with --scratch-direction follow";
+    // Unit vectors, angles and alphas of the sample; the .png beside them are glTF's.
+    if (own->kind == OwnFolderKind::sample && picture.extension() == ".exr")
+        return "it is data of the sample in other units";
+    return "";
+}
+
+void warn_of_missing(const OwnFolder& own, const fs::path& folder, std::vector<std::string>& to) {
+    std::error_code error;
+    for (const std::string& file : own.maps)
+        // A link to nothing has been warned of.
+        if (!fs::is_symlink(folder / file, error) && !fs::exists(folder / file, error))
+            to.push_back(
+                fmt::format("{}: {} names this map, but it is not there: the map is left "
+                            "out",
+                            one_line((folder / file).string()), name_of(own.description)));
+}
+
+// --- the set -------------------------------------------------------------------------------------
+
+void require_folder(const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) return;
+    throw UsageError(
+        "maps", "",
+        "a folder of maps of one surface (a single map has a flag of its own, such as "
+        "--base-color-map)",
+        shown(folder.string()) + (fs::exists(folder, error) ? ", a file" : ", which is not there"));
+}
+
+void take(MapSet& set, MapRole role, const fs::path& picture, const fs::path& folder) {
+    const auto [held, fresh] = set.files.emplace(role, picture);
+    if (fresh) return;
+    if (held->second.stem() == picture.stem()) {
+        if (rank_of(picture) > rank_of(held->second)) held->second = picture;
+        return;
+    }
+    const std::string_view parameter = map_parameter(role);
+    throw Error(folder.string(), std::string(map_role_name(role)), "one map of this role",
+                fmt::format("{} and {}: move one away{}", shown(held->second.filename().string()),
+                            shown(picture.filename().string()),
+                            parameter.empty() ? "" : ", or name the map by " + flag_of(parameter)));
+}
+
+[[noreturn]] void fail_without_maps(const fs::path& folder, const std::string& unknown,
+                                    const std::vector<std::string>& warnings) {
+    std::error_code error;
+    std::string found = unknown.empty()
+                            ? std::string("no pictures (folders in it are not looked into)")
+                            : "these: " + unknown;
+    if (!warnings.empty()) found = "none: " + warnings.front();
+    if (fs::exists(folder / "rig.json", error))
+        found = "a rig.json: pictures of a sample, which burnish capture fit takes";
+    throw UsageError("maps", "", "a folder with maps whose names state a role, such as color.png",
+                     fmt::format("{} with {}", shown(folder.string()), found));
+}
+
+}  // namespace
+
+double map_folder_tile_mm(const fs::path& folder) {
+    std::vector<std::string> unused;
+    const std::optional<OwnFolder> own = own_folder_of(folder, unused);
+    return own && own->width_mm > 0.0 ? own->width_mm : scratch_tile_mm(folder.string());
+}
+
+MapSet find_map_set(const fs::path& folder, const MapsBeside& beside) {
+    require_folder(folder);
+    MapSet set;
+    std::vector<fs::path> pictures = pictures_in(folder, set.warnings);
+    keep_one_tile(folder, pictures, set.warnings);
+    const std::optional<OwnFolder> own = own_folder_of(folder, set.warnings);
+    if (own) warn_of_missing(*own, folder, set.warnings);
+    std::string unknown;
+    bool any_beside = false;
+    for (const fs::path& picture : pictures) {
+        if (const std::string_view use = other_use(own, picture); !use.empty()) {
+            if (picture.stem() != "preview")
+                set.notes.push_back(
+                    fmt::format("{}: passed over, {}", one_line(picture.string()), use));
+            continue;
+        }
+        const auto role = map_role_of(picture);
+        if (!role || is_picture_of_set(picture, pictures)) {
+            unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", name_of(picture));
+        } else if (const auto other = beside.find(*role); other != beside.end()) {
+            any_beside = true;
+            set.notes.push_back(fmt::format("{}: passed over, {} is set beside the folder",
+                                            one_line(picture.string()), other->second));
+        } else {
+            take(set, *role, picture, folder);
+        }
+    }
+    if (set.files.empty() && !any_beside) fail_without_maps(folder, unknown, set.warnings);
+    settle_roles(set);
     if (!unknown.empty())
         set.notes.push_back(fmt::format("maps of {}: passed over, as their names state no role: {}",
-                                        one_line(folder.string()), one_line(unknown)));
+                                        one_line(folder.string()), unknown));
+    set.tile_mm = map_folder_tile_mm(folder);
     return set;
 }
 

@@ -1,46 +1,31 @@
-// A folder of maps of one surface, told by the names that libraries of materials give their files.
+// A folder of maps of one surface, told by the names of its files.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace burnish {
+#include "stage/map_role.hpp"
 
-// orm: occlusion in red, roughness in green, metallic in blue.
-enum class MapRole {
-    base_color,
-    normal,
-    normal_directx,
-    roughness,
-    glossiness,
-    metallic,
-    occlusion,
-    orm,
-    anisotropy,
-    height,
-    emissive,
-    opacity
-};
-inline constexpr std::size_t kMapRoles = 12;
-std::string_view map_role_name(MapRole role);  // "base color"
+namespace burnish {
 
 struct MapSet {
     std::map<MapRole, std::filesystem::path> files;  // of normal and normal_directx one
-    std::vector<std::string>
-        notes;  // what was taken for what, and what was passed over: a line each
+    std::vector<std::string> notes;     // what was passed over for another map: a line each
+    std::vector<std::string> warnings;  // what the picture will lack: a line each
+    double tile_mm = 0.0;  // width of the tile, where a folder of Burnish's states it; else 0
 };
 
-// The role that the name of a picture states: "Metal032_2K_NormalGL.jpg", "rust_arm_4k.exr",
-// "Door_BaseColor.png"; none: no role.
-std::optional<MapRole> map_role_of(const std::filesystem::path& file);
+// Maps that are not taken from the folder, by the parameter beside it that says so.
+using MapsBeside = std::map<MapRole, std::string_view>;
 
 // Throws UsageError where `folder` is none or holds no map, and Error where two files have the same
 // role: both are named, none is guessed. The reasons why one of two roles is taken are in `notes`.
-MapSet find_map_set(const std::filesystem::path& folder);
+MapSet find_map_set(const std::filesystem::path& folder, const MapsBeside& beside = {});
+
+// Width of the tile in mm that a folder of Burnish's states; 0: it states none.
+double map_folder_tile_mm(const std::filesystem::path& folder);
 
 }  // namespace burnish

@@ -15,6 +15,7 @@
 #include "burnish/material_assets.hpp"
 #include "core/parallel.hpp"
 #include "image/texel_value.hpp"
+#include "stage/folder_hint.hpp"
 
 namespace burnish {
 namespace {
@@ -35,37 +36,42 @@ constexpr std::array<Row, 9> kRows = {{{MapRole::base_color, "base_color_map"},
                                        {MapRole::height, "height_map"},
                                        {MapRole::emissive, "emissive_map"}}};
 
-// What takes the place of what when both are named: a flag over the folder.
-void replace_others(MapSet& set, MapRole role) {
-    const auto drop = [&](std::initializer_list<MapRole> others) {
-        for (const MapRole other : others) set.files.erase(other);
-    };
+// What a map takes the place of when a parameter names it.
+std::vector<MapRole> replaced_by(MapRole role) {
     switch (role) {
         case MapRole::roughness:
-            return drop({MapRole::glossiness});
+            return {MapRole::glossiness};
         case MapRole::glossiness:
-            return drop({MapRole::roughness});
+            return {MapRole::roughness};
         case MapRole::height:
-            return drop({MapRole::normal, MapRole::normal_directx});
+            return {MapRole::normal, MapRole::normal_directx};
         case MapRole::orm:
-            return drop(
-                {MapRole::roughness, MapRole::glossiness, MapRole::metallic, MapRole::occlusion});
+            return {MapRole::roughness, MapRole::glossiness, MapRole::metallic, MapRole::occlusion,
+                    MapRole::metallic_roughness};
         default:
-            return;
+            return {};
     }
 }
 
-MapSet files_of(const ParameterValues& values) {
-    MapSet set;
-    if (names_one(values, "maps")) set = find_map_set(values.text("maps"));
+// The maps that the parameters of single maps take the place of.
+MapsBeside maps_beside(const ParameterValues& values) {
+    MapsBeside beside;
     for (const auto& [role, parameter] : kRows) {
         if (!values.is_set(parameter)) continue;
-        set.files.erase(role);
+        beside[role] = parameter;
         if (!names_one(values, parameter)) continue;
-        replace_others(set, role);
+        for (const MapRole other : replaced_by(role)) beside.emplace(other, parameter);
+    }
+    return beside;
+}
+
+void add_single_maps(const ParameterValues& values, MapSet& set) {
+    for (const auto& [role, parameter] : kRows) {
+        if (!names_one(values, parameter)) continue;
+        refuse_folder(parameter, "a picture", values.text(parameter));
+        for (const MapRole other : replaced_by(role)) set.files.erase(other);
         set.files[role] = values.text(parameter);
     }
-    return set;
 }
 
 // One number a texel in [0, 1], between texels by bilinear interpolation; the map repeats.
@@ -173,11 +179,11 @@ Texture with_opacity(const Texture& base, const NumberMap& opacity) {
 class Loader {
   public:
     Loader(const ParameterValues& values, const std::function<int(Texture)>& append)
-        : values_(values), append_(append), set_(files_of(values)) {}
+        : values_(values), append_(append) {}
 
     MapTextures load() {
-        out_.notes = set_.notes;
-        out_.whole = names_one(values_, "maps");
+        read_folder();
+        add_single_maps(values_, set_);
         load_base_color();
         load_surface();
         load_normal();
@@ -188,6 +194,17 @@ class Loader {
     }
 
   private:
+    void read_folder() {
+        if (!names_one(values_, "maps")) return;
+        out_.whole = true;
+        set_ = find_map_set(values_.text("maps"), maps_beside(values_));
+        out_.notes = set_.notes;
+        out_.warnings = set_.warnings;
+        out_.tile_mm = set_.tile_mm;
+        for (const auto& [role, path] : set_.files)
+            out_.files.emplace_back(map_role_name(role), path.filename().string());
+    }
+
     const fs::path* file(MapRole role) const {
         const auto found = set_.files.find(role);
         return found == set_.files.end() ? nullptr : &found->second;
@@ -202,7 +219,7 @@ class Loader {
         const fs::path* path = file(MapRole::base_color);
         if (!path) {
             if (const fs::path* alone = file(MapRole::opacity))
-                out_.notes.push_back(fmt::format(
+                out_.warnings.push_back(fmt::format(
                     "{}: opacity without a map of the base color is not drawn: give one "
                     "(--base-color-map)",
                     one_line(alone->string())));
@@ -216,13 +233,14 @@ class Loader {
     }
 
     void load_surface() {
-        const fs::path* orm = file(MapRole::orm);
+        const fs::path* occluded = file(MapRole::orm);
+        const fs::path* orm = occluded ? occluded : file(MapRole::metallic_roughness);
         const fs::path* gloss = file(MapRole::glossiness);
         const fs::path* rough = gloss ? gloss : file(MapRole::roughness);
         const fs::path* metal = file(MapRole::metallic);
         if (orm) {
             const int whole = append_(read_texture(*orm, ColorSpace::linear));
-            out_.occlusion = whole;
+            if (occluded) out_.occlusion = whole;
             if (!rough && !metal) {
                 out_.metallic_roughness = whole;
                 out_.has_roughness = out_.has_metallic = true;

@@ -18,6 +18,7 @@
 #include "burnish/wif.hpp"
 #include "maps/normal/bumps.hpp"
 #include "maps/normal/normal_without_z.hpp"
+#include "stage/folder_hint.hpp"
 #include "stage/map_textures.hpp"
 #include "stage/scratch_material.hpp"
 
@@ -43,6 +44,7 @@ Texture bumps_texture() {
 Texture load_normal_map(const std::string& name, std::vector<std::string>& warnings) {
     if (is_builtin(name) && name != kBumps)
         throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
+    refuse_folder("normal_map", "a picture, builtin:bumps or none", name);
     Texture texture =
         name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear, &warnings);
     if (texture.channels < 2)
@@ -61,13 +63,14 @@ std::shared_ptr<const Draft> load_draft(const std::string& name,
     const auto known = draft_names();
     if (std::find(known.begin(), known.end(), name) != known.end())
         return std::make_shared<Draft>(builtin_draft(name));
+    const std::string expected =
+        fmt::format("a .wif file, none, or {}", fmt::join(draft_names(), ", "));
+    refuse_folder("weave", expected, name);
     // A name with a dot or a folder must be a file.
     const bool file = name.find_first_of("./\\") != std::string::npos;
     std::error_code error;
     if (!file && !std::filesystem::is_regular_file(name, error))
-        throw UsageError("weave", "",
-                         fmt::format("a .wif file, none, or {}", fmt::join(draft_names(), ", ")),
-                         shown(name));
+        throw UsageError("weave", "", expected, shown(name));
     return std::make_shared<Draft>(load_wif(name, warnings));
 }
 
@@ -110,7 +113,7 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
     if (const std::string names = map_names(values); names_maps(values) && !maps_.contains(names)) {
         MapTextures maps =
             load_map_textures(values, [&](Texture t) { return append(textures, std::move(t)); });
-        warnings.insert(warnings.end(), maps.notes.begin(), maps.notes.end());
+        warnings.insert(warnings.end(), maps.warnings.begin(), maps.warnings.end());
         maps_[names] = std::move(maps);
     }
     if (values.is_set("scratch")) {
@@ -124,6 +127,7 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
     }
     if (names_one(values, "tabulated")) {
         const std::string name = values.text("tabulated");
+        refuse_folder("tabulated", "a file of burnish capture fit, an RGL .bsdf or none", name);
         if (!tabulated_.contains(name)) tabulated_[name] = load_tabulated(name);
     }
 }

@@ -14,6 +14,13 @@
 #include "stage/map_textures.hpp"
 
 namespace burnish {
+
+bool follows_scratches(const ParameterValues& values) {
+    return values.is_set("scratch") &&
+           static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
+               ScratchDirection::follow;
+}
+
 namespace {
 
 float real_of(const ParameterValues& values, std::string_view name) {
@@ -22,12 +29,6 @@ float real_of(const ParameterValues& values, std::string_view name) {
 
 bool sets_gltf_roughness(const ParameterValues& values) {
     return values.is_set("roughness") || values.is_set("anisotropy");
-}
-
-bool follows_scratches(const ParameterValues& values) {
-    return values.is_set("scratch") &&
-           static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
-               ScratchDirection::follow;
 }
 
 void require_consistent(const ParameterValues& values) {

@@ -19,6 +19,9 @@ Material apply_parameters(const Material& base, const ParameterValues& values,
 std::optional<glm::vec2> roughness_pair(const ParameterValues& values,
                                         const std::optional<glm::vec2>& base);
 
+// Whether scratch_direction turns the grooves of the lobe along the scratches.
+bool follows_scratches(const ParameterValues& values);
+
 // Throws UsageError when `method` does not apply: a deformation with a model without half vectors.
 void require_drawable(const Material& material, Method method);
 

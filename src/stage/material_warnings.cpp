@@ -6,6 +6,8 @@
 
 #include "burnish/error.hpp"
 #include "burnish/material_assets.hpp"
+#include "core/text.hpp"
+#include "stage/map_textures.hpp"
 #include "stage/material_parameters.hpp"
 
 namespace burnish {
@@ -27,11 +29,6 @@ constexpr std::string_view kHidden[] = {"mdf",
                                         "base_color",
                                         "metal",
                                         "f0"};
-
-void append_once(std::vector<std::string>& lines, std::string line) {
-    if (std::find(lines.begin(), lines.end(), line) == lines.end())
-        lines.push_back(std::move(line));
-}
 
 // Whether `name` is set on some material, but on none for which `uses` is true.
 template <typename Uses>
@@ -73,8 +70,16 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
     warn_if_idle("height_scale", "there is no height_map", [](const Material&, Values v) {
         return names_one(v, "height_map") || names_one(v, "maps");
     });
-    warn_if_idle("physical_size", "there is no scratch map",
-                 [](const Material&, Values v) { return v.is_set("scratch"); });
+    const auto has_maps = [](const Material&, Values v) {
+        return names_maps(v) || names_one(v, "normal_map");
+    };
+    warn_if_idle("maps_tile_mm", "there are no maps", has_maps);
+    warn_if_idle("physical_size",
+                 "there are no scratches, maps or measured material (a weave takes "
+                 "weave_yarns_per_cm)",
+                 [&](const Material& m, Values v) {
+                     return has_maps(m, v) || v.is_set("scratch") || names_one(v, "tabulated");
+                 });
     warn_if_idle("scratch_direction", "there is no scratch map",
                  [](const Material&, Values v) { return v.is_set("scratch"); });
 }

@@ -56,10 +56,11 @@ std::string warning_of_green(const Texture& texture, bool flipped) {
     if (symmetry > -kTelling) return "";
     return fmt::format(
         "{}: its slopes are those of a height only where green points {} (correlation {:.2f}); it "
-        "is "
-        "drawn as said: bumps look like dents ({})",
+        "is drawn as {}: bumps look like dents ({})",
         one_line(texture.name), flipped ? "up (OpenGL)" : "down (DirectX)", symmetry,
-        flipped ? "without --flip-green" : "--flip-green");
+        flipped ? "DirectX" : "OpenGL",
+        flipped ? "--normal-map with this file and without --flip-green draws it as OpenGL"
+                : "--flip-green draws it as DirectX");
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 #include "burnish/image_io.hpp"
 #include "burnish/scratch_maps.hpp"
 #include "core/memory.hpp"
+#include "formats/own_folder.hpp"
+#include "stage/folder_hint.hpp"
 
 namespace burnish {
 
@@ -74,6 +76,21 @@ Texture read_map(const fs::path& file) {
     return texture;
 }
 
+// A folder that states its kind must be one of scratches; another one needs the normal map.
+void require_scratch_folder(const std::string& name) {
+    const std::string expected = fmt::format("a folder made by burnish scratch, or {}",
+                                             fmt::join(scratch_preset_names(), ", "));
+    std::error_code error;
+    if (!fs::is_directory(name, error))
+        throw UsageError(
+            "scratch", "", expected,
+            shown(name) +
+                (fs::exists(name, error) ? ", a file (--normal-map takes a normal map)" : ""));
+    const auto kind = own_folder_kind(name);
+    if (kind ? *kind != OwnFolderKind::scratch : !fs::exists(fs::path(name) / "normal.png", error))
+        refuse_folder("scratch", expected, name);
+}
+
 bool is_preset(std::string_view name) {
     const auto names = scratch_preset_names();
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -86,12 +103,7 @@ ScratchTextures load_scratch(const std::string& name, bool with_anisotropy) {
     if (is_preset(name)) {
         textures = engraved(name);
     } else {
-        std::error_code error;
-        if (!fs::is_directory(name, error))
-            throw UsageError("scratch", "",
-                             fmt::format("a folder made by burnish scratch, or {}",
-                                         fmt::join(scratch_preset_names(), ", ")),
-                             shown(name));
+        require_scratch_folder(name);
         const fs::path folder = name;
         textures.normal = read_map(folder / "normal.png");
         textures.tile_mm = tile_mm_of(folder / "normal.png");

@@ -18,8 +18,10 @@
 #include "burnish/load_model.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/scene_file.hpp"
+#include "core/text.hpp"
 #include "scene/camera/angles.hpp"
 #include "scene/camera/framing.hpp"
+#include "stage/eye_check.hpp"
 #include "stage/normal_map_check.hpp"
 #include "stage/stage_parts.hpp"
 
@@ -214,6 +216,7 @@ Stage open_stage(const std::string& input, const ParameterValues& values) {
     stage.file.scene = Scene{};
     stage.file.scene.lights = stage.scene.lights;
     stage.file.scene.warnings = stage.scene.warnings;
+    stage.file.scene.notes = stage.scene.notes;
     stage.materials = LayeredMaterials(stage.scene.materials, std::move(stage.file.layers));
     stage.file.layers.clear();
     if (stage.scene.instances.empty()) throw Error(input, "", "something to draw", "no triangles");
@@ -257,6 +260,12 @@ Environment load_environment_of(const Stage& stage, const std::string& input,
     }
 }
 
+void take_remarks(Stage& stage, Remarks remarks) {
+    stage.warnings.materials = std::move(remarks.warnings);
+    stage.scene.notes = stage.file.scene.notes;
+    for (std::string& line : remarks.notes) append_once(stage.scene.notes, std::move(line));
+}
+
 void find_odd_normal_maps(Stage& stage) {
     std::vector<std::string> others;
     std::swap(others, stage.scene.warnings);
@@ -298,7 +307,7 @@ void remember_meshes(Stage& stage) {
 
 Stage set_stage(const StageRequest& request, bool all_around) {
     Stage stage = open_stage(request.input, request.values);
-    stage.warnings.materials = stage.materials.apply(stage.scene, stage.values);
+    take_remarks(stage, stage.materials.apply(stage.scene, stage.values));
     remember_meshes(stage);
     find_odd_normal_maps(stage);
     if (!request.lights.empty()) {
@@ -310,6 +319,7 @@ Stage set_stage(const StageRequest& request, bool all_around) {
         load_environment_of(stage, request.input, request.environment, stage.warnings.environment);
     set_values_of_picture(stage, all_around);
     warn_of_idle_values(stage.values, stage.environment, stage.warnings.values);
+    warn_of_eye_inside(stage.scene, stage.values, stage.camera, stage.warnings.values);
     hide_instances(stage, {stage.file.hidden.begin(), stage.file.hidden.end()});
     stage.scene.warnings = all_warnings(stage);
     return stage;

@@ -36,6 +36,9 @@ void remember_meshes(Stage& stage);
 void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
                          std::vector<std::string>& warnings);
 
+// Sets stage.warnings.materials, and scene.notes to those of the input with the remarks' own.
+void take_remarks(Stage& stage, Remarks remarks);
+
 // Finds stage.warnings.normal_maps anew: it looks at the texels of every normal map.
 void find_odd_normal_maps(Stage& stage);
 

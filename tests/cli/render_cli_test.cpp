@@ -209,6 +209,16 @@ TEST(RenderCommand, SaysWhichFlagsChangeNothing) {
     EXPECT_EQ(complaint({"--normal-scale", "2", "--normal-map", "builtin:bumps"}), "");
 }
 
+TEST(RenderCommand, NotesAreNotCalledWarnings) {
+    const Folder folder;
+    write_image(folder.path("x_color.png"), Image(4, 4, 3, 0.5f), {});
+    const Outcome outcome =
+        run_burnish(render({"builtin:plane", "--maps", folder.path("")}, folder.path("out.exr")));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
+    EXPECT_NE(outcome.complaint.find("note: maps of"), std::string::npos) << outcome.complaint;
+    EXPECT_EQ(outcome.complaint.find("warning"), std::string::npos) << outcome.complaint;
+}
+
 TEST(RenderCommand, WarnsOfTransparencyThatTheOutputCannotKeep) {
     const Folder folder;
     const std::vector<std::string> transparent = {"builtin:plane", "--background", "transparent"};

@@ -284,5 +284,37 @@ TEST(GltfFrames, AnObjsMirroredMapIsThatOfBakedCoordinates) {
     EXPECT_EQ(mirrored.meshes[0].tangents[0].w, -1.0f);
 }
 
+// Nodes in map coordinates: the mesh, a light and a camera keep their places to each other to a
+// micrometer, which floats at 5e6 m cannot say: they are half a meter apart.
+TEST(GltfFrames, AModelFarFromTheOriginIsMovedToItBeforeItsTransformsAreFloats) {
+    const auto scene_at = [](double x, double z) {
+        GlbWriter writer = test::writer_of(unit_square(1, true));
+        nlohmann::json& nodes = writer.root["nodes"];
+        nodes[0]["translation"] = {x + 0.123456, 0.25, z};
+        writer.root["extensionsUsed"] = {"KHR_lights_punctual"};
+        writer.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+        writer.root["cameras"] = {
+            {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
+        nodes.push_back({{"translation", {x + 0.3, 2.0, z + 0.7}},
+                         {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+        nodes.push_back({{"translation", {x, 0.1, z + 3.3}}, {"camera", 0}});
+        writer.root["scenes"][0]["nodes"] = {0, 1, 2};
+        return test::load_bytes(writer);
+    };
+    const Scene near = scene_at(0, 0), far = scene_at(447321, 5411823);
+    EXPECT_FALSE(test::warns(near, "far from the origin"));
+    EXPECT_TRUE(
+        test::warns(far, "is subtracted from the positions of its nodes, lights and cameras"));
+    ASSERT_EQ(far.instances.size(), 1u);
+    const glm::vec3 moved =
+        glm::vec3(far.instances[0].transform[3]) - glm::vec3(near.instances[0].transform[3]);
+    const auto expect_moved = [&](glm::vec3 from, glm::vec3 to) {
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(to[i] - from[i], moved[i], 1e-6) << i;
+    };
+    expect_moved(near.lights.at(0).position, far.lights.at(0).position);
+    expect_moved(near.cameras.at(0).position, far.cameras.at(0).position);
+    EXPECT_LT(glm::length(glm::vec3(far.instances[0].transform[3])), 2.0f);
+}
+
 }  // namespace
 }  // namespace burnish

@@ -129,7 +129,8 @@ TEST(Wif, WordsMayBeInAnyCaseAndCommented) {
     sections["WEFT"] = "Threads=3\nUnits=centimeters;\nSpacing=0.254\n";
     const WifFile file = read(text_of(sections));
     ASSERT_EQ(file.warnings.size(), 1u) << file.warnings.back();
-    EXPECT_EQ(file.warnings[0], "[CONTENTS] announces [WEFT COLORS], which is not there");
+    EXPECT_EQ(file.warnings[0],
+              "[CONTENTS] announces [WEFT COLORS], which is not there; the file may be cut short");
     ASSERT_EQ(file.draft.warp_colors.size(), 3u);
     EXPECT_EQ(file.draft.warp_colors[0], glm::vec3(1.0f, 0.0f, 0.0f));
     sections["COLOR PALETTE"] = "Entries=1\nForm=hsv\nRange=0,255\n";
@@ -336,6 +337,22 @@ TEST(Wif, CutAnywhereItIsADraftOrOneLine) {
 }
 
 // Random drafts are written and read again: cells exactly, colors within half an 8-bit code.
+// A cut within a line, or before a section that is announced, is named as one.
+TEST(Wif, ACutFileIsCalledOne) {
+    Sections sections = small();
+    sections["CONTENTS"] = "TREADLING=true\n";
+    const std::string text = text_of(sections);
+    const auto cut_at = [&](std::string_view part, std::size_t more) {
+        return complaint(text.substr(0, text.find(part) + more));
+    };
+    EXPECT_NE(cut_at("Shafts=3", 3).find("may be cut short"), std::string::npos);
+    EXPECT_NE(cut_at("[TREADLING]", 5).find("may be cut short"), std::string::npos);
+    EXPECT_NE(cut_at("[TREADLING]", 0).find("may be cut short"), std::string::npos);
+    sections["WARP"] = "Threads=none\n";
+    EXPECT_EQ(complaint(text_of(sections)).find("cut short"), std::string::npos)
+        << "another fault of a whole file";
+}
+
 TEST(Wif, WrittenDraftsReadBack) {
     std::mt19937 random(7);
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

@@ -111,6 +111,13 @@ TEST(ExportMaterial, SizesThatAreStatedAreKept) {
     EXPECT_EQ(json_of(folder / "out/material.json")["tile_mm"][0], 50.0);
     const Bounds bounds = bounds_of(load_model((folder / "out/material.gltf").string(), 0));
     EXPECT_NEAR(bounds.high.x - bounds.low.x, 0.2, 1e-6);
+    // A folder that states its size, as a set of maps.
+    std::filesystem::rename(folder / "out", folder / "maps");
+    const std::string maps = (folder / "maps").string();
+    export_material(request_of(folder, {{"maps", maps.c_str()}}), {});
+    EXPECT_EQ(json_of(folder / "out/material.json")["tile_mm"][0], 50.0);
+    export_material(request_of(folder, {{"maps", maps.c_str()}, {"maps_tile_mm", "75"}}), {});
+    EXPECT_EQ(json_of(folder / "out/material.json")["tile_mm"][0], 75.0);
     export_material(request_of(folder, {{"weave", "plain"}, {"weave_yarns_per_cm", "8"}}), {});
     // Sixteen yarns, eight a centimeter.
     EXPECT_EQ(json_of(folder / "out/material.json")["tile_mm"][0], 20.0);

@@ -36,6 +36,7 @@ TEST(ParameterTable, RowsAreSound) {
         EXPECT_FALSE(values.is_set(p.name));
         EXPECT_EQ(values.has_value(p.name), p.default_value.has_value());
         EXPECT_EQ(p.default_text.empty(), !p.default_value);
+        EXPECT_EQ(p.names.empty(), p.kind != ParameterKind::text) << p.name;
         EXPECT_TRUE(p.belongs_to.empty() || find_parameter(p.belongs_to)) << p.belongs_to;
         if (!p.default_value) continue;
         values.set(p.name, p.default_text, "");

@@ -53,5 +53,37 @@ TEST(FramedCamera, ShowsTheGroundAroundTheModel) {
     EXPECT_GT(distance_of(camera), distance_of(camera_of({{"camera_elevation", "20"}})));
 }
 
+// The warnings of builtin:`model` with these parameters.
+std::vector<std::string> warnings_of(
+    const char* model, std::initializer_list<std::pair<const char*, const char*>> texts) {
+    StageRequest request;
+    request.input = model;
+    for (const auto& [name, text] : texts) request.values.set(name, text, name);
+    return set_stage(request).scene.warnings;
+}
+
+// The sphere's radius is half a meter; at a field of view of 30 degrees it fills the view from about
+// 4 radii.
+TEST(EyeInside, ZoomAndDistanceIntoTheModelAreWarnedOf) {
+    EXPECT_TRUE(warnings_of("builtin:sphere", {{"camera_zoom", "3.9"}}).empty());
+    const auto zoomed = warnings_of("builtin:sphere", {{"camera_zoom", "20"}});
+    ASSERT_EQ(zoomed.size(), 1u);
+    EXPECT_NE(zoomed.front().find("--camera-zoom below 4.0"), std::string::npos) << zoomed.front();
+    EXPECT_TRUE(warnings_of("builtin:sphere", {{"camera_zoom", "20"}, {"camera_fov", "2"}}).empty())
+        << "the remedy that the warning names";
+    EXPECT_TRUE(warnings_of("builtin:sphere", {{"camera_distance", "0.51"}}).empty());
+    EXPECT_EQ(warnings_of("builtin:sphere", {{"camera_distance", "0.4"}}).size(), 1u);
+}
+
+TEST(EyeInside, APositionIsWarnedOfWhereItSeesThrough) {
+    EXPECT_EQ(warnings_of("builtin:sphere", {{"camera_position", "0.1,0.2,0.1"}}).size(), 1u);
+    EXPECT_TRUE(warnings_of("builtin:sphere",
+                            {{"camera_position", "0.1,0.2,0.1"}, {"double_sided", "true"}})
+                    .empty())
+        << "an interior";
+    EXPECT_TRUE(warnings_of("builtin:torus", {{"camera_position", "0.01,0.02,0.01"}}).empty())
+        << "the hole of a torus is in its bounds, but outside";
+}
+
 }  // namespace
 }  // namespace burnish

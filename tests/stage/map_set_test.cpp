@@ -1,6 +1,7 @@
 // Roles of maps by the names that libraries of materials give them.
 #include "stage/map_set.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -50,6 +51,8 @@ TEST(MapSets, NamesOfLibrariesStateRoles) {
         {"Door_Normal_OpenGL.png", MapRole::normal},
         {"Door_Normal_DirectX.png", MapRole::normal_directx},
         {"Door_Glossiness.png", MapRole::glossiness},
+        {"Default_metalRoughness.jpg", MapRole::metallic_roughness},
+        {"metallic_roughness.png", MapRole::metallic_roughness},
         {"DefaultMaterial_Emissive.1001.png", MapRole::emissive},
         {"Door_ambient_occlusion.png", MapRole::occlusion},
         // burnish
@@ -204,6 +207,124 @@ TEST(MapSets, AMapOfItsOwnReplacesTheChannelOfAnOrmMap) {
     EXPECT_NEAR(rgb[1] / 65535.0, 0.75, 0.003);
     EXPECT_NEAR(rgb[2] / 65535.0, 1.0, 0.003);
     EXPECT_TRUE(m.occlusion_texture);
+}
+
+// Whether a line of `lines` holds all of `parts`.
+bool says(const std::vector<std::string>& lines, std::initializer_list<std::string_view> parts) {
+    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+        return std::all_of(parts.begin(), parts.end(),
+                           [&](std::string_view part) { return line.find(part) != line.npos; });
+    });
+}
+
+TEST(MapSets, NotesAreNoWarningsAndNameWhatIsDrawn) {
+    const ScratchFolder folder, other;
+    for (const char* name : {"x_color.png", "x_roughness.png", "x_orm.png", "x_normal.png"})
+        flat(folder / name, 0.5f, 0.5f, 1.0f);
+    flat(other / "y.png", 0.5f, 0.5f, 0.5f);
+    const Scene plain = plane_with(maps_of(folder));
+    EXPECT_TRUE(plain.warnings.empty()) << plain.warnings.front();
+    EXPECT_TRUE(says(plain.notes, {"base color x_color.png", "roughness-metallic x_orm.png"}));
+    EXPECT_TRUE(says(plain.notes, {"x_roughness.png: passed over", "x_orm.png holds"}));
+
+    ParameterValues values = maps_of(folder);
+    values.set("roughness_map", (other / "y.png").string(), "--roughness-map");
+    values.set("normal_map", "builtin:bumps", "--normal-map");
+    const Scene mixed = plane_with(values);
+    EXPECT_TRUE(says(mixed.notes, {"x_roughness.png: passed over, roughness_map is set"}));
+    EXPECT_FALSE(says(mixed.notes, {"x_orm.png holds the roughness"}));
+    EXPECT_TRUE(says(mixed.notes, {"x_orm.png (roughness: roughness_map holds)"}));
+    EXPECT_TRUE(says(mixed.notes, {"not drawn", "normal x_normal.png (normal_map holds)"}));
+
+    values = maps_of(folder);
+    values.set("weave", "plain", "--weave");
+    const Scene woven = plane_with(values);
+    EXPECT_TRUE(says(woven.notes, {"x_orm.png (roughness: weave holds; metallic: weave holds)"}));
+    EXPECT_TRUE(says(woven.notes, {"not drawn: normal x_normal.png (weave holds)"}));
+}
+
+TEST(MapSets, AFlagSettlesTwoCandidates) {
+    const ScratchFolder folder;
+    flat(folder / "a_Roughness.png", 0.5f, 0.5f, 0.5f);
+    flat(folder / "b_Roughness.png", 0.5f, 0.5f, 0.5f);
+    ParameterValues values = maps_of(folder);
+    values.set("roughness_map", (folder / "b_Roughness.png").string(), "--roughness-map");
+    EXPECT_TRUE(plane_with(values).materials.front().metallic_roughness_texture);
+}
+
+TEST(MapSets, MissingMapsAndDanglingLinksAreNamed) {
+    const ScratchFolder folder;
+    flat(folder / "base_color.png", 0.5f, 0.5f, 0.5f);
+    std::filesystem::create_symlink(folder / "gone.png", folder / "normal.png");
+    folder.write("orm.ktx2", "\xabKTX 20\xbb");
+    folder.write("material.json", R"({"format": "burnish-material", "version": 1, "maps": {
+        "base_color": {"file": "base_color.png"}, "normal": {"file": "normal.png"},
+        "anisotropy": {"file": "anisotropy.png"}}})");
+    const MapSet set = find_map_set(folder / "");
+    EXPECT_EQ(set.files.size(), 1u);
+    EXPECT_TRUE(says(set.warnings, {"normal.png", "a link to a file that is not there"}));
+    EXPECT_TRUE(says(set.warnings, {"anisotropy.png", "material.json names this map"}));
+    EXPECT_TRUE(says(set.warnings, {"orm.ktx2", "ktx extract"}));
+    EXPECT_EQ(set.warnings.size(), 3u) << "each once";
+    folder.write("material.json", "{");
+    EXPECT_TRUE(says(find_map_set(folder / "").warnings, {"material.json", "told by their names"}));
+    std::filesystem::remove(folder / "base_color.png");
+    const std::string line = error_line<UsageError>([&] { find_map_set(folder / ""); });
+    EXPECT_NE(line.find("none: "), line.npos) << line;
+}
+
+TEST(MapSets, OfUdimTilesTheFirstIsDrawnAndSaid) {
+    const ScratchFolder folder;
+    for (const char* name : {"x_color.1001.png", "x_color.1002.png", "x_roughness.1001.png",
+                             "x_roughness.1002.png", "x_metallic_1024.png"})
+        flat(folder / name, 0.5f, 0.5f, 0.5f);
+    const MapSet set = find_map_set(folder / "");
+    EXPECT_EQ(set.files.at(MapRole::base_color).filename(), "x_color.1001.png");
+    EXPECT_EQ(set.files.at(MapRole::roughness).filename(), "x_roughness.1001.png");
+    EXPECT_TRUE(set.files.contains(MapRole::metallic)) << "1024 is a resolution";
+    EXPECT_TRUE(says(set.warnings, {"UDIM", "1001 to 1002", "tile 1001"}));
+    std::filesystem::remove(folder / "x_color.1002.png");
+    std::filesystem::remove(folder / "x_roughness.1002.png");
+    EXPECT_TRUE(find_map_set(folder / "").warnings.empty());
+}
+
+// glTF's texture: red is not read.
+TEST(MapSets, AMetallicRoughnessMapHasNoOcclusion) {
+    const ScratchFolder folder;
+    flat(folder / "x_metalRoughness.png", 0.0f, 0.25f, 1.0f);
+    const Material m = plane_with(maps_of(folder)).materials.front();
+    EXPECT_TRUE(m.metallic_roughness_texture);
+    EXPECT_FALSE(m.occlusion_texture);
+    EXPECT_EQ(m.metallic, 1.0f);
+}
+
+// The 32-bit pictures beside glTF's have other units, and would win by their ending.
+TEST(MapSets, OfACapturesExportGltfsMapsAreTaken) {
+    const ScratchFolder folder;
+    for (const char* name : {"base_color.png", "normal.png", "normal.exr", "diffuse.exr",
+                             "alpha.exr", "grain_angle.exr", "metallic_roughness.png"})
+        flat(folder / name, 0.5f, 0.5f, 1.0f);
+    folder.write("material.gltf", "{}");
+    const MapSet set = find_map_set(folder / "");
+    EXPECT_EQ(set.files.at(MapRole::normal).filename(), "normal.png");
+    EXPECT_EQ(set.files.at(MapRole::base_color).filename(), "base_color.png");
+    EXPECT_FALSE(set.files.contains(MapRole::opacity));
+}
+
+TEST(MapSets, AFolderInAnotherPlaceIsSentToItsFlag) {
+    const ScratchFolder maps, weave;
+    flat(maps / "x_color.png", 0.5f, 0.5f, 0.5f);
+    flat(weave / "normal.png", 0.5f, 0.5f, 1.0f);
+    weave.write("weave.json", "{}");
+    weave.write("draft.wif", "[WIF]\n");
+    for (const char* name : {"scratch", "weave", "tabulated", "normal_map", "roughness_map"})
+        for (const ScratchFolder* folder : {&maps, &weave}) {
+            ParameterValues values;
+            values.set(name, (*folder / "").string(), name);
+            const std::string line = error_line<UsageError>([&] { plane_with(values); });
+            EXPECT_NE(line.find("--maps takes it"), line.npos) << line;
+            EXPECT_EQ(line.find("draft.wif") != line.npos, folder == &weave) << line;
+        }
 }
 
 }  // namespace

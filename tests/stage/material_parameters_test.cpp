@@ -139,7 +139,7 @@ TEST(MaterialParameters, NormalMapIsReadOnce) {
     values.set("uv_scale", "4", "");
     LayeredMaterials materials(scene.materials);
     materials.apply(scene, values);
-    const std::vector<std::string> warnings = materials.apply(scene, values);
+    const std::vector<std::string> warnings = materials.apply(scene, values).warnings;
     ASSERT_EQ(scene.textures.size(), 1u);
     EXPECT_EQ(scene.textures[0].width, 4);
     EXPECT_EQ(scene.textures[0].color_space, ColorSpace::linear);

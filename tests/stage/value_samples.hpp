@@ -72,6 +72,7 @@ class ValueSamples {
         ParameterValues values;
         if (!p.belongs_to.empty())
             values.set_value(p.belongs_to, value(*find_parameter(p.belongs_to), 0));
+        if (p.name == "physical_size") values.set_value("scratch", text("scratch", 0));
         values.set_value(p.name, value(p, which));
         return values;
     }

@@ -60,7 +60,7 @@ void run_export(ExportFlags& flags, const Session& session) {
     request.output = flags.output;
     request.command = session.command_line();
     const ExportMaterialReport report = export_material(request, session.progress());
-    print_report(report.warnings, report.written);
+    print_report(report.warnings, report.written, report.notes);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace burnish::cli {
 
 void add_info_command(CLI::App& parent, Session&) {
     CLI::App* command = parent.add_subcommand(
-        "info", "What a model, scene, picture, measured material, draft or rig holds");
+        "info",
+        "What a model, scene, picture, measured material, draft, rig or folder of maps holds");
     struct Flags {
         std::string input;
         bool devices = false;
@@ -22,12 +23,12 @@ void add_info_command(CLI::App& parent, Session&) {
         ->add_option(
             "input", flags->input,
             "a model, scene, picture, environment, measured material, weaving draft (.wif), rig "
-            "(.json, .lp, .dome) or builtin:")
-        ->type_name("FILE");
+            "(.json, .lp, .dome), folder of maps or builtin:")
+        ->type_name("FILE|FOLDER");
     command->add_flag("--devices", flags->devices, "list the GL devices");
     command->callback([flags] {
         if (flags->input.empty() && !flags->devices)
-            throw UsageError("info", "", "a file, or --devices", "neither");
+            throw UsageError("info", "", "a file or a folder, or --devices", "neither");
         if (!flags->input.empty()) print(describe_file(flags->input));
         if (flags->devices) print(describe_devices());
     });

@@ -90,7 +90,7 @@ void run_render(RenderFlags& flags, const Session& session) {
     request.output = flags.output;
     request.command = session.command_line();
     const RenderReport report = render(request, session.progress());
-    print_report(report.warnings, report.written);
+    print_report(report.warnings, report.written, report.notes);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr double kBrightestLight = 1e12;
 constexpr const char* kBrightness = "0 to 1e12";
 
 // Unit vector along a column of a transform; `otherwise` for a column without length.
-glm::vec3 axis(const glm::mat4& matrix, int column, glm::vec3 otherwise) {
+glm::vec3 axis(const glm::dmat4& matrix, int column, glm::vec3 otherwise) {
     const glm::dvec3 direction(matrix[column]);
     const double length = glm::length(direction);
     return length > 0.0 ? glm::vec3(direction / length) : otherwise;

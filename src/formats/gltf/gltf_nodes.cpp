@@ -93,7 +93,7 @@ std::vector<GltfPlacement> walk_gltf_nodes(const tinygltf::Model& model, const G
             report.fail(key, fmt::format("a transform with numbers up to {:g}", kFarthest),
                         "larger ones");
         }
-        placements.push_back({next.node, glm::mat4(world)});
+        placements.push_back({next.node, world});
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
             pending.push_back({*child, world});
     }

@@ -15,7 +15,7 @@ namespace burnish {
 // A node of the displayed scene with its transform to world space.
 struct GltfPlacement {
     int node = 0;
-    glm::mat4 world{1.0f};
+    glm::dmat4 world{1.0};
 };
 
 // Whether all numbers of a transform are finite and at most kFarthest.

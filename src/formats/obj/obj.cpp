@@ -10,11 +10,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "burnish/error.hpp"
 #include "burnish/fit_tangents.hpp"
 #include "core/files.hpp"
+#include "formats/far_model.hpp"
 #include "formats/model_limits.hpp"
 #include "formats/model_textures.hpp"
 #include "formats/obj/obj_materials.hpp"
@@ -100,13 +102,10 @@ glm::vec3 position_of(const tinyobj::attrib_t& attributes, index_t index) {
     return glm::vec3(glm::dvec3(x[at], x[at + 1], x[at + 2]));
 }
 
-// Subtracts the center of the vertices that faces use, where the model lies so far from the origin
-// that floats would show: farther than 100 times its diagonal they differ by more than 1/84000 of
-// it. The center is rounded to one digit of the diagonal, so that it can be added again by hand.
+// Subtracts the center of the vertices that faces use from a model far from the origin.
 void center_far_positions(tinyobj::attrib_t& attributes,
                           const std::vector<tinyobj::shape_t>& shapes,
                           std::vector<std::string>& warnings) {
-    constexpr double kFarInDiagonals = 100.0;
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
     std::vector<double>& x = attributes.vertices;
     for (const tinyobj::shape_t& shape : shapes)
@@ -118,17 +117,10 @@ void center_far_positions(tinyobj::attrib_t& attributes,
             low = glm::min(low, p);
             high = glm::max(high, p);
         }
-    const double diagonal = glm::length(high - low);
-    if (!(diagonal > 0.0) || !std::isfinite(diagonal)) return;
-    const glm::dvec3 far = glm::max(glm::abs(low), glm::abs(high));
-    if (std::max({far.x, far.y, far.z}) <= kFarInDiagonals * diagonal) return;
-    const double unit = std::pow(10.0, std::floor(std::log10(diagonal)));
-    const glm::dvec3 center = glm::round(0.5 * (low + high) / unit) * unit;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= center[static_cast<int>(i % 3)];
-    warnings.push_back(
-        fmt::format("the model lies far from the origin: ({:.12g}, {:.12g}, {:.12g}) is subtracted "
-                    "from its positions, because single precision would show",
-                    center.x, center.y, center.z));
+    const std::optional<glm::dvec3> center = center_of_far_model(low, high);
+    if (!center) return;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= (*center)[static_cast<int>(i % 3)];
+    warnings.push_back(far_model_warning(*center, "its positions"));
 }
 
 // Collects the triangles of each material.

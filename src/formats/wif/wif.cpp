@@ -27,10 +27,34 @@ constexpr std::size_t kHeadBytes = 4096;
 // Programs write up to some thousand. A yarn takes a few numbers before it is known to be drawn.
 constexpr int kMostThreads = 65536;
 
+constexpr std::string_view kMayBeCut = "the file may be cut short";
+
+// Programs end every line, the last one too.
+bool ends_within_line(std::string_view text) {
+    text = text.substr(0, text.find('\x1A'));  // old systems end files with Ctrl-Z
+    return !text.empty() && text.back() != '\n' && text.back() != '\r';
+}
+
+bool is_true(const std::optional<std::string>& word) {
+    return word == "YES" || word == "TRUE" || word == "ON" || word == "1";
+}
+
+// Whether [CONTENTS] announces a section that is not there.
+bool announces_more(const WifText& text) {
+    const WifSection& contents = text.section("CONTENTS");
+    constexpr const char* kNames[] = {"WEAVING",     "WARP",       "WEFT",     "THREADING",
+                                      "TIEUP",       "TREADLING",  "LIFTPLAN", "COLOR TABLE",
+                                      "WARP COLORS", "WEFT COLORS"};
+    return std::any_of(std::begin(kNames), std::end(kNames), [&](const char* name) {
+        return text.section(name).line() == 0 && is_true(contents.word(name));
+    });
+}
+
 class Reader {
   public:
-    explicit Reader(const std::filesystem::path& path)
-        : text_(read_text_file(path, kMostDraftBytes), path.string()) {
+    // `may_be_cut`: losses are those of a file that was cut short.
+    Reader(const std::filesystem::path& path, WifText text, bool may_be_cut)
+        : text_(std::move(text)), may_be_cut_(may_be_cut) {
         name(path);
         const int ends = threads("WARP"), picks = threads("WEFT");
         const bool rising = rising_shed();
@@ -186,11 +210,8 @@ class Reader {
                 fmt::format("nothing holds {} of the ends and {} of the picks: they never change "
                             "sides",
                             figures.loose_ends, figures.loose_picks));
+        if (may_be_cut_ && !losses_.empty()) lose(std::string(kMayBeCut));
         if (!losses_.empty()) warn(fmt::format("{}", fmt::join(losses_, "; ")));
-    }
-
-    static bool is_true(const std::optional<std::string>& word) {
-        return word == "YES" || word == "TRUE" || word == "ON" || word == "1";
     }
 
     void lose_missing_colors() {
@@ -250,6 +271,7 @@ class Reader {
     }
 
     WifText text_;
+    bool may_be_cut_;
     WifFile out_;
     std::vector<std::string> losses_;
 };
@@ -257,7 +279,18 @@ class Reader {
 }  // namespace
 
 WifFile read_wif(const std::filesystem::path& path) {
-    return Reader(path).result();
+    std::string text = read_text_file(path, kMostDraftBytes);
+    bool cut = ends_within_line(text);
+    try {
+        WifText parsed(std::move(text), path.string());
+        cut = cut || announces_more(parsed);
+        return Reader(path, std::move(parsed), cut).result();
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error& error) {
+        if (!cut) throw;
+        throw Error(fmt::format("{} ({})", error.what(), kMayBeCut));
+    }
 }
 
 Draft load_wif(const std::filesystem::path& path, std::vector<std::string>& warnings) {

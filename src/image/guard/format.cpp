@@ -97,6 +97,12 @@ std::optional<ImageFormat> image_format_of(std::span<const std::byte> head) {
     return std::nullopt;
 }
 
+bool is_foreign_image(std::span<const std::byte> head) {
+    constexpr std::string_view kStarts[] = {"\xabKTX", "DDS ", "GIF8", "8BPS", "\0\0\0\x0cjP  "sv};
+    return std::any_of(std::begin(kStarts), std::end(kStarts),
+                       [&](std::string_view start) { return as_text(head).starts_with(start); });
+}
+
 std::string_view format_name(ImageFormat format) {
     switch (format) {
         case ImageFormat::png:

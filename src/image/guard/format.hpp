@@ -27,6 +27,8 @@ inline constexpr std::int64_t kMaxImageSide = 32768;
 inline constexpr std::uint64_t kMaxImageBytes = std::uint64_t{4} << 30;  // decoded
 
 std::optional<ImageFormat> image_format_of(std::span<const std::byte> head);
+// Whether the file is a picture of a format that is not read: KTX, DDS, GIF, Photoshop, JPEG 2000.
+bool is_foreign_image(std::span<const std::byte> head);
 std::string_view format_name(ImageFormat format);  // "PNG", "OpenEXR" ...
 const char* oiio_format_name(ImageFormat format);  // what OpenImageIO calls its plug-in
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "burnish/builtin_meshes.hpp"
@@ -17,9 +19,12 @@
 #include "burnish/tabulated_file.hpp"
 #include "burnish/tabulated_material.hpp"
 #include "burnish/wif.hpp"
+#include "core/files.hpp"
 #include "core/text.hpp"
 #include "formats/bsdf/tensor_file.hpp"
+#include "image/guard/format.hpp"
 #include "jobs/info/info_draft.hpp"
+#include "jobs/info/info_folder.hpp"
 #include "jobs/info/info_measured.hpp"
 #include "jobs/info/info_rig.hpp"
 #include "jobs/info/info_scene.hpp"
@@ -72,6 +77,11 @@ std::string describe_image(const std::string& path) {
     return text;
 }
 
+// Whether the file is a picture of a format that is not read.
+bool is_unread_image(const std::string& path) {
+    return is_foreign_image(read_file_head(path, kImageHeadBytes));
+}
+
 }  // namespace
 
 std::string describe_file(const std::string& path) {
@@ -85,11 +95,16 @@ std::string describe_file(const std::string& path) {
         return fmt::format("{}: environment, {}x{}\n{}", path, environment.radiance.width,
                            environment.radiance.height, describe_radiance(environment.radiance));
     }
+    std::error_code error;
+    if (!mesh && std::filesystem::is_directory(path, error)) return describe_folder(path);
     if (!mesh && is_tensor_file(path)) return describe_measured(path);
     if (!mesh && is_wif_file(path)) return describe_draft(path);
     if (!mesh && is_tabulated_material(path)) return describe_tabulated(path);
     if (!mesh && is_image_file(path)) return describe_image(path);
-    if (!mesh && is_rig_file(path)) return describe_rig(path);  // before scenes: both are JSON
+    if (!mesh && is_unread_image(path)) return describe_image(path);  // an error that says why
+    // Before scenes: they are JSON too.
+    if (const auto text = mesh ? std::nullopt : describe_own_description(path)) return *text;
+    if (!mesh && is_rig_file(path)) return describe_rig(path);
     if (!mesh && is_scene_file(path)) return describe_scene_file(path);
     Scene scene = load_model(path);
     warn_of_odd_normal_maps(scene);

@@ -187,16 +187,14 @@ std::string describe_scene(const std::string& path, const Scene& scene) {
     for (std::size_t i = 0; i < scene.cameras.size(); ++i)
         text += fmt::format("  camera {}: {}\n", i, describe_camera(scene.cameras[i]));
     for (const std::string& warning : scene.warnings) text += "  warning: " + warning + '\n';
+    for (const std::string& note : scene.notes) text += "  note: " + note + '\n';
     return text;
 }
 
 std::string describe_scene_file(const std::string& path) {
     SceneFile file = load_scene_file(path);
     LayeredMaterials materials(file.scene.materials, file.layers);
-    std::vector<std::string>& warnings = file.scene.warnings;
-    for (std::string& line : materials.apply(file.scene, {}))
-        if (std::ranges::find(warnings, line) == warnings.end())
-            warnings.push_back(std::move(line));
+    append_remarks(materials.apply(file.scene, {}), file.scene);
     warn_of_odd_normal_maps(file.scene);
     std::string text = describe_scene(path, file.scene);
     text += "  environment: " +

@@ -32,25 +32,29 @@ void append_sides(const Mesh& mesh, const glm::dmat4& transform, std::vector<Sid
     }
 }
 
+// The length below which `share` of the area lies. `sides` are in order.
+double quantile(const std::vector<Side>& sides, double share) {
+    double whole = 0.0, so_far = 0.0;
+    for (const Side& side : sides) whole += side.area;
+    for (const Side& side : sides) {
+        so_far += side.area;
+        if (so_far >= share * whole) return side.length;
+    }
+    return sides.back().length;
+}
+
 }  // namespace
 
-std::optional<double> texture_square_side(const Scene& scene, int material) {
+std::optional<TextureSquare> texture_square(const Scene& scene, int material) {
     std::vector<Side> sides;
-    double whole = 0.0;
     for (const Instance& instance : scene.instances)
         if (instance.mesh >= 0 && instance.material == material)
             append_sides(scene.meshes[static_cast<std::size_t>(instance.mesh)],
                          glm::dmat4(instance.transform), sides);
     if (sides.empty()) return std::nullopt;
-    for (const Side& side : sides) whole += side.area;
     std::sort(sides.begin(), sides.end(),
               [](const Side& a, const Side& b) { return a.length < b.length; });
-    double so_far = 0.0;
-    for (const Side& side : sides) {
-        so_far += side.area;
-        if (so_far >= 0.5 * whole) return side.length;
-    }
-    return sides.back().length;
+    return TextureSquare{quantile(sides, 0.5), quantile(sides, 0.25), quantile(sides, 0.75)};
 }
 
 }  // namespace burnish

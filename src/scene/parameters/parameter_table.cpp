@@ -68,7 +68,7 @@ struct Table {
     void add(Text name, Kind kind, double low, double high, Default standard, Text unit, Text help,
              std::span<const Text> choices = {}) {
         rows.push_back({name, group, kind, low, high, std::move(standard), "", unit, help, choices,
-                        belongs_to});
+                        belongs_to, ""});
         Parameter& row = rows.back();
         if (row.default_value) row.default_text = text_of(row, *row.default_value);
     }
@@ -91,7 +91,10 @@ struct Table {
         add(name, Kind::vector, -reach, reach, std::move(standard), "", help);
     }
     void position(Text name, Text help) { add(name, Kind::vector, -kFar, kFar, {}, "m", help); }
-    void text(Text name, Text help) { add(name, Kind::text, 0, 0, {}, "", help); }
+    void text(Text name, Text help, Text names = "FILE") {
+        add(name, Kind::text, 0, 0, {}, "", help);
+        rows.back().names = names;
+    }
 };
 
 void add_material(Table& t) {
@@ -134,7 +137,12 @@ void add_material(Table& t) {
              "averages normals");
     t.text("maps",
            "folder of maps of one surface, told by their names (ambientCG, Poly Haven, cgbookcase, "
-           "Substance, burnish export), or none");
+           "Substance, burnish export), or none",
+           "FOLDER");
+    t.belongs_to = "maps";
+    t.real("maps_tile_mm", 0.001, 1000000, {}, "mm",
+           "width of the maps on a model in meters, in place of uv_scale");
+    t.belongs_to = "";
     t.text("base_color_map", "color, sRGB; its alpha is the coverage");
     t.text("roughness_map", "perceptual roughness of glTF, linear");
     t.text("glossiness_map", "1 - roughness, linear, in place of roughness_map");
@@ -150,13 +158,15 @@ void add_material(Table& t) {
     t.belongs_to = "";
     t.text("scratch",
            "scratch map in place of a normal map: a folder made by burnish scratch, or brushed, "
-           "fine-random, deep-gouges, circular-brushed, swirl-marks, tool-marks");
+           "fine-random, deep-gouges, circular-brushed, swirl-marks, tool-marks",
+           "NAME|FOLDER");
     t.belongs_to = "scratch";
     t.choice("scratch_direction", scratch_direction_names(), choice_of(ScratchDirection::keep),
              "grooves of the lobe: keep the material's, or follow the scratches");
-    t.boolean("physical_size", false,
-              "the scratch map as large as its tile_mm says, on a model in meters: sets uv_scale");
     t.belongs_to = "";
+    t.boolean("physical_size", false,
+              "scratches, maps and measured materials as large as their folder or file says, on a "
+              "model in meters: sets uv_scale");
     t.text(
         "tabulated",
         "measured material in place of the lobe and its colours: a file of burnish capture fit, an "
@@ -171,7 +181,8 @@ void add_cloth(Table& t) {
     const Cloth standard;
     t.text("weave",
            "woven cloth in place of a normal map: plain, twill-2-1, twill-2-2, twill-3-1, "
-           "herringbone, satin-5, satin-8, basket, a .wif file, or none");
+           "herringbone, satin-5, satin-8, basket, a .wif file, or none",
+           "NAME|FILE");
     t.belongs_to = "weave";
     t.real(
         "weave_yarns", 1, 100000, decimal(standard.yarns), "",

@@ -62,7 +62,7 @@ const std::vector<std::vector<Names>>& alternatives() {
         {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
         {{"normal_map"}, height, scratch, weave},
         {{"weave_yarns"}, {"weave_yarns_per_cm"}},
-        {{"uv_scale"}, {"physical_size"}},
+        {{"uv_scale"}, {"physical_size", "maps_tile_mm"}},
         {{"tabulated"}, scratch, weave}};
     return all;
 }

@@ -91,8 +91,8 @@ void Editor::apply_materials(const Document& document, const ParameterValues& va
     const std::vector<Material> materials = stage_.scene.materials;
     const std::size_t textures = stage_.scene.textures.size();
     const std::vector<int> meshes = stage_.shown_meshes;
-    stage_.warnings.materials =
-        stage_.materials.apply(stage_.scene, values, values_of_materials(document, stage_));
+    take_remarks(stage_, stage_.materials.apply(stage_.scene, values,
+                                                values_of_materials(document, stage_)));
     if (stage_.scene.materials != materials) ++revisions_.materials;
     if (stage_.scene.textures.size() != textures) ++revisions_.textures;
     remember_meshes(stage_);

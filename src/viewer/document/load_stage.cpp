@@ -18,8 +18,8 @@ Stage load_stage(const Document& document, const Progress& progress) {
     progress.step("model", 0.0);
     Stage stage = open_stage(document.input, document.values);
     progress.step("materials", 0.5);
-    stage.warnings.materials =
-        stage.materials.apply(stage.scene, stage.values, values_of_materials(document, stage));
+    take_remarks(stage, stage.materials.apply(stage.scene, stage.values,
+                                              values_of_materials(document, stage)));
     remember_meshes(stage);
     find_odd_normal_maps(stage);
     if (document.lights) stage.scene.lights = *document.lights;

@@ -12,6 +12,7 @@
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "core/files.hpp"
+#include "gpu/device/program.hpp"
 #include "jobs/export_material.hpp"
 #include "jobs/render.hpp"
 #include "viewer/document/command_line.hpp"

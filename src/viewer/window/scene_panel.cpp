@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "burnish/stage.hpp"
+#include "gpu/device/program.hpp"
 #include "viewer/window/panels.hpp"
 
 namespace burnish::viewer {
