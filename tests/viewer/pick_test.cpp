@@ -130,7 +130,7 @@ TEST(Picker, FindsTheNearestTriangleOfEveryRay) {
     for (const bool orthographic : {false, true}) {
         // From outside, from inside of a sphere, from beyond.
         for (const glm::vec3 position :
-             {glm::vec3(0, 0.5f, 3), glm::vec3(0.2f, 0.1f, 0.3f), glm::vec3(3, -2, -4)}) {
+             {glm::vec3(0, 0.5f, 3), glm::vec3(0.4f, 0.3f, -0.7f), glm::vec3(3, -2, -4)}) {
             const Camera camera = camera_at(position, orthographic);
             for (int i = 0; i < 400; ++i) {
                 const Ray ray = ray_of(camera, {x(random), y(random)}, kWindow);
