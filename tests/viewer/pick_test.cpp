@@ -196,6 +196,16 @@ TEST(Picker, FollowsInstancesThatMove) {
     ray.origin = {0.1, 0.1, 10};
     EXPECT_FALSE(picker.pick(scene, ray).has_value());
     EXPECT_FALSE(Picker(Scene{}).pick(Scene{}, ray).has_value());
+    // A mesh that is changed in place, and one that only its instance moves.
+    for (glm::vec3& p : scene.meshes[0].positions) p *= 0.5f;
+    picker.update(scene);
+    ray.origin = {5, 0, 10};
+    EXPECT_NEAR(picker.pick(scene, ray)->distance, 9.5, 0.05);
+    scene.instances[0].transform = glm::mat4(1.0f);
+    picker.update_instances(scene);
+    EXPECT_FALSE(picker.pick(scene, ray).has_value());
+    ray.origin = {0, 0, 10};
+    EXPECT_NEAR(picker.pick(scene, ray)->distance, 9.5, 0.05);
 }
 
 // Corners at infinity, triangles without area and many triangles in one place must neither hang nor
