@@ -15,13 +15,9 @@
 
 #include "burnish/mesh.hpp"
 #include "burnish/scene.hpp"
+#include "viewer/inspect/ray.hpp"
 
 namespace burnish::viewer {
-
-struct WindowSize {
-    int width = 0;   // pixels, at least 1
-    int height = 0;  // pixels, at least 1
-};
 
 // The highest elevation of a turntable: short of the pole, where +y is no longer up.
 inline constexpr double kHighestElevation_deg = 89.9;
