@@ -10,6 +10,7 @@
 
 #include "burnish/load_model.hpp"
 #include "scene/camera/view.hpp"
+#include "viewer/motion/orbit.hpp"
 #include "viewer/viewer_scenes.hpp"
 
 namespace burnish::viewer {
