@@ -20,7 +20,7 @@
 namespace burnish::viewer {
 
 // The highest elevation of a turntable: short of the pole, where +y is no longer up.
-inline constexpr double kHighestElevation_deg = 89.9;
+inline constexpr double kHighestElevationDeg = 89.9;
 
 // Turntable about +y through `pivot`: the camera keeps its distance from it. A drag to the right turns the
 // model to the right, a drag down tips its top towards the eye. A drag as long as the window is high
