@@ -57,7 +57,7 @@ TEST(Orbit, KeepsTheDistanceAndTheUpDirection) {
         // 200 roundings of 1e-7.
         ASSERT_NEAR(distance_to(camera, glm::dvec3(camera.target)), distance, 2e-5 * distance);
         ASSERT_EQ(camera.up, glm::vec3(0, 1, 0));
-        ASSERT_LE(std::abs(angles_of(away_of(camera)).elevation_deg), kHighestElevation_deg + 1e-4);
+        ASSERT_LE(std::abs(angles_of(away_of(camera)).elevation_deg), kHighestElevationDeg + 1e-4);
         // Never upside down: the point above the target is seen above it.
         const glm::dvec3 target(camera.target);
         const auto above = pixel_of(camera, target + glm::dvec3(0, 0.1, 0), kFullWindow);

@@ -10,6 +10,7 @@
 
 #include "burnish/load_model.hpp"
 #include "scene/camera/view.hpp"
+#include "viewer/motion/orbit.hpp"
 #include "viewer/viewer_scenes.hpp"
 
 namespace burnish::viewer {
@@ -130,7 +131,7 @@ TEST(Picker, FindsTheNearestTriangleOfEveryRay) {
     for (const bool orthographic : {false, true}) {
         // From outside, from inside of a sphere, from beyond.
         for (const glm::vec3 position :
-             {glm::vec3(0, 0.5f, 3), glm::vec3(0.2f, 0.1f, 0.3f), glm::vec3(3, -2, -4)}) {
+             {glm::vec3(0, 0.5f, 3), glm::vec3(0.4f, 0.3f, -0.7f), glm::vec3(3, -2, -4)}) {
             const Camera camera = camera_at(position, orthographic);
             for (int i = 0; i < 400; ++i) {
                 const Ray ray = ray_of(camera, {x(random), y(random)}, kWindow);
@@ -196,6 +197,16 @@ TEST(Picker, FollowsInstancesThatMove) {
     ray.origin = {0.1, 0.1, 10};
     EXPECT_FALSE(picker.pick(scene, ray).has_value());
     EXPECT_FALSE(Picker(Scene{}).pick(Scene{}, ray).has_value());
+    // A mesh that is changed in place, and one that only its instance moves.
+    for (glm::vec3& p : scene.meshes[0].positions) p *= 0.5f;
+    picker.update(scene);
+    ray.origin = {5, 0, 10};
+    EXPECT_NEAR(picker.pick(scene, ray)->distance, 9.5, 0.05);
+    scene.instances[0].transform = glm::mat4(1.0f);
+    picker.update_instances(scene);
+    EXPECT_FALSE(picker.pick(scene, ray).has_value());
+    ray.origin = {0, 0, 10};
+    EXPECT_NEAR(picker.pick(scene, ray)->distance, 9.5, 0.05);
 }
 
 // Corners at infinity, triangles without area and many triangles in one place must neither hang nor

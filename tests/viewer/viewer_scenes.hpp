@@ -34,7 +34,14 @@ inline viewer::Hit hit_at(const Scene& scene, double x, double y) {
     return hit ? *hit : viewer::Hit{};
 }
 
-// A texture of one 8-bit texel that holds a tilted normal.
+inline std::vector<Method> all_methods() {
+    std::vector<Method> methods;
+    for (std::size_t i = 0; i < method_names().size(); ++i)
+        methods.push_back(static_cast<Method>(i));
+    return methods;
+}
+
+// A texture of one texel that holds a tilted normal.
 inline Texture normal_texel(glm::dvec3 n) {
     return constant_texture(glm::vec3(0.5 * glm::normalize(n) + 0.5));
 }

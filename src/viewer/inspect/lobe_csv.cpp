@@ -125,7 +125,7 @@ std::optional<std::string> csv_rows(const LobeReport& report, const MethodReport
 }
 
 std::string mdf_csv_header() {
-    return "mdf,p0,p1,method,nx,ny,nz,hx,hy,hz,D";
+    return "mdf,p0,p1,method,nx,ny,nz,hx,hy,hz,D_shown";
 }
 
 std::optional<std::string> mdf_csv_row(const LobeReport& report, const MethodReport& method) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <span>
+#include <string_view>
 
 #include "burnish/f32.hpp"
 #include "core/index_of.hpp"
@@ -18,6 +21,17 @@ namespace {
 bool is_drawn(const Instance& instance, const Scene& scene) {
     return instance.mesh >= 0 && index_of(instance.mesh) < scene.meshes.size() &&
            instance.material >= 0 && index_of(instance.material) < scene.materials.size();
+}
+
+// Changes with positions and indices.
+std::uint64_t content_of(const Mesh& mesh) {
+    const auto sum_of = [](const auto& values) -> std::uint64_t {
+        const auto bytes = std::as_bytes(std::span(values));
+        return std::hash<std::string_view>()(
+            {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    };
+    // An odd factor, so that the order counts.
+    return sum_of(mesh.positions) * 0x9E3779B97F4A7C15U + sum_of(mesh.indices);
 }
 
 // The box of the transformed corners; a little larger, for the rounding of single precision.
@@ -133,35 +147,32 @@ Picker::Picker(const Scene& scene) {
     update(scene);
 }
 
-Picker::Source Picker::source_of(const Mesh& mesh) {
-    return {mesh.positions.data(), mesh.indices.data(), mesh.positions.size(), mesh.indices.size()};
-}
-
 void Picker::update(const Scene& scene) {
-    sources_.resize(scene.meshes.size());
-    trees_.resize(scene.meshes.size());
+    meshes_.resize(scene.meshes.size());
     parallel_for(scene.meshes.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Source source = source_of(scene.meshes[i]);
-            if (trees_[i] && sources_[i] == source) continue;
-            trees_[i] = std::make_shared<const TriangleTree>(scene.meshes[i]);
-            sources_[i] = source;
+            const Mesh& mesh = scene.meshes[i];
+            const std::uint64_t content = content_of(mesh);
+            if (meshes_[i].tree && meshes_[i].content == content) continue;
+            meshes_[i] = {content, bounds_of(mesh), std::make_shared<const TriangleTree>(mesh)};
         }
     });
-    std::vector<Bounds> boxes;
-    for (const Mesh& mesh : scene.meshes) boxes.push_back(bounds_of(mesh));
+    update_instances(scene);
+}
+
+void Picker::update_instances(const Scene& scene) {
     placed_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
-        if (!is_drawn(instance, scene) || trees_[index_of(instance.mesh)]->triangles() == 0)
-            continue;
+        if (!is_drawn(instance, scene)) continue;
+        const KnownMesh& mesh = meshes_[index_of(instance.mesh)];
+        if (mesh.tree->triangles() == 0) continue;
         const glm::dmat4 transform(instance.transform);
         const double determinant = glm::determinant(glm::dmat3(transform));
         // A model that is scaled to a plane or a line has no inverse.
         if (!(std::abs(determinant) > 0) || !std::isfinite(determinant)) continue;
         placed_.push_back({static_cast<int>(i), glm::inverse(transform),
-                           box_in_world(boxes[index_of(instance.mesh)], transform),
-                           determinant < 0});
+                           box_in_world(mesh.bounds, transform), determinant < 0});
     }
 }
 
@@ -177,7 +188,7 @@ std::optional<Hit> Picker::pick(const Scene& scene, const Ray& ray) const {
         const TreeRay local = {glm::dvec3(placed.local_from_world * glm::dvec4(left.origin, 1.0)),
                                glm::dmat3(placed.local_from_world) * left.direction, left.from,
                                left.to};
-        const auto found = trees_[index_of(instance.mesh)]->nearest(
+        const auto found = meshes_[index_of(instance.mesh)].tree->nearest(
             local, both ? TriangleTree::Faces::both : TriangleTree::Faces::front);
         if (!found) continue;
         nearest = found;

@@ -11,9 +11,13 @@
 #include <optional>
 
 #include "burnish/scene.hpp"
-#include "viewer/motion/orbit.hpp"
 
 namespace burnish::viewer {
+
+struct WindowSize {
+    int width = 0;   // pixels, at least 1
+    int height = 0;  // pixels, at least 1
+};
 
 // Points origin + t direction, t from `from` to `to` meters.
 struct Ray {

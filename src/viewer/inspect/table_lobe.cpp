@@ -30,8 +30,9 @@ int place_of_share(const float* shares, int count, double xi, double& before) {
 
 }  // namespace
 
-TableLobe::TableLobe(std::shared_ptr<const TabulatedMaterial> material, int exemplar)
-    : material_(std::move(material)), exemplar_(exemplar) {
+TableLobe::TableLobe(std::shared_ptr<const TabulatedMaterial> material, int exemplar,
+                     std::shared_ptr<TableIntegrals> integrals)
+    : material_(std::move(material)), integrals_(std::move(integrals)), exemplar_(exemplar) {
     const float* D = material_->table(exemplar_);
     highest_cell_ = static_cast<int>(std::max_element(D, D + material_->grid.cells()) - D);
 }
@@ -59,18 +60,20 @@ f64::vec3 TableLobe::highest(double turns) const {
 }
 
 double TableLobe::area(f64::vec3 w, double turns) const {
-    std::call_once(areas_made_,
-                   [&] { areas_ = ndf_areas(material_->grid, material_->table(exemplar_)); });
-    const double more =
-        interpolated(areas_.data(), kAreaGrid, f64::tabulated_area_row(w, kAreaGrid.rings),
-                     f64::tabulated_turns(w.x, w.y) + turns);
+    std::call_once(integrals_->areas_made, [&] {
+        integrals_->areas = ndf_areas(material_->grid, material_->table(exemplar_));
+    });
+    const double more = interpolated(integrals_->areas.data(), kAreaGrid,
+                                     f64::tabulated_area_row(w, kAreaGrid.rings),
+                                     f64::tabulated_turns(w.x, w.y) + turns);
     return f64::tabulated_area(more, w);
 }
 
 const TabulatedDraws& TableLobe::draws() const {
-    std::call_once(draws_made_,
-                   [&] { draws_ = tabulated_draws(material_->grid, material_->table(exemplar_)); });
-    return draws_;
+    std::call_once(integrals_->draws_made, [&] {
+        integrals_->draws = tabulated_draws(material_->grid, material_->table(exemplar_));
+    });
+    return integrals_->draws;
 }
 
 f64::vec3 TableLobe::sample(f64::vec2 xi, double turns) const {
@@ -94,25 +97,35 @@ double TableLobe::density(const f64::LobePoint& q, double turns) const {
            static_cast<double>(draws().density[index_of(cell.ring * grid.azimuths + cell.column)]);
 }
 
-bool TableLobe::is_of(const TabulatedMaterial* material, int exemplar) const {
-    return material_.get() == material && exemplar_ == exemplar;
+namespace {
+
+struct KnownTable {
+    std::weak_ptr<const TabulatedMaterial> material;
+    int exemplar = 0;
+    std::shared_ptr<TableIntegrals> integrals;
+};
+constexpr std::size_t kMostKnownTables = 256;
+
+std::shared_ptr<TableIntegrals> integrals_of(
+    const std::shared_ptr<const TabulatedMaterial>& material, int exemplar) {
+    static std::mutex guard;
+    static std::vector<KnownTable> known;  // the latest at the end
+    const std::lock_guard lock(guard);
+    std::erase_if(known, [](const KnownTable& table) { return table.material.expired(); });
+    const auto found = std::find_if(known.begin(), known.end(), [&](const KnownTable& table) {
+        return table.exemplar == exemplar && table.material.lock() == material;
+    });
+    if (found != known.end()) return found->integrals;
+    if (known.size() >= kMostKnownTables) known.erase(known.begin());
+    known.push_back({material, exemplar, std::make_shared<TableIntegrals>()});
+    return known.back().integrals;
 }
+
+}  // namespace
 
 std::shared_ptr<const TableLobe> table_lobe(
     const std::shared_ptr<const TabulatedMaterial>& material, int exemplar) {
-    static std::mutex guard;
-    static std::vector<std::weak_ptr<const TableLobe>> known;
-    const std::lock_guard lock(guard);
-    std::shared_ptr<const TableLobe> found;
-    std::erase_if(known, [&](const std::weak_ptr<const TableLobe>& weak) {
-        const auto lobe = weak.lock();
-        if (lobe && lobe->is_of(material.get(), exemplar)) found = lobe;
-        return lobe == nullptr;
-    });
-    if (found) return found;
-    found = std::make_shared<const TableLobe>(material, exemplar);
-    known.push_back(found);
-    return found;
+    return std::make_shared<const TableLobe>(material, exemplar, integrals_of(material, exemplar));
 }
 
 }  // namespace burnish::viewer

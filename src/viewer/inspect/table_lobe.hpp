@@ -8,7 +8,6 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "burnish/f64.hpp"
@@ -17,9 +16,17 @@
 
 namespace burnish::viewer {
 
+// What a table is integrated to, when it is first needed.
+struct TableIntegrals {
+    std::once_flag areas_made, draws_made;
+    std::vector<float> areas;
+    TabulatedDraws draws;
+};
+
 class TableLobe {
   public:
-    TableLobe(std::shared_ptr<const TabulatedMaterial> material, int exemplar);
+    TableLobe(std::shared_ptr<const TabulatedMaterial> material, int exemplar,
+              std::shared_ptr<TableIntegrals> integrals);
 
     double D(const f64::LobePoint& q, double turns) const;
     NdfOrigin origin(const f64::LobePoint& q, double turns) const;
@@ -32,20 +39,16 @@ class TableLobe {
     f64::vec3 sample(f64::vec2 xi, double turns) const;
     double density(const f64::LobePoint& q, double turns) const;
 
-    bool is_of(const TabulatedMaterial* material, int exemplar) const;
-
   private:
     const TabulatedDraws& draws() const;
 
     std::shared_ptr<const TabulatedMaterial> material_;
+    std::shared_ptr<TableIntegrals> integrals_;
     int exemplar_ = 0, highest_cell_ = 0;
-    mutable std::once_flag areas_made_, draws_made_;
-    mutable std::vector<float> areas_;
-    mutable TabulatedDraws draws_;
 };
 
-// The exemplar's TableLobe: the same one as long as anybody holds it, so that its areas are made once.
-// A table must not be changed in place. Thread-safe.
+// The exemplar's TableLobe. The integrals of the last 256 exemplars are kept as long as their material is
+// alive. A table must not be changed in place. Thread-safe.
 std::shared_ptr<const TableLobe> table_lobe(
     const std::shared_ptr<const TabulatedMaterial>& material, int exemplar);
 

@@ -67,8 +67,8 @@ Camera orbited_by(const Camera& camera, glm::dvec3 pivot, double azimuth_rad,
     const DirectionAngles before = place_of(basis);
     const DirectionAngles after = {
         before.azimuth_deg + azimuth_rad * kDegreesPerRadian,
-        std::clamp(before.elevation_deg + elevation_rad * kDegreesPerRadian, -kHighestElevation_deg,
-                   kHighestElevation_deg)};
+        std::clamp(before.elevation_deg + elevation_rad * kDegreesPerRadian, -kHighestElevationDeg,
+                   kHighestElevationDeg)};
     const glm::dmat3 turned = level_axes(after) * glm::transpose(level_axes(before));
     const glm::dvec3 position = pivot + turned * (basis.position - pivot);
     const double distance = glm::length(basis.position - glm::dvec3(camera.target));

@@ -15,16 +15,12 @@
 
 #include "burnish/mesh.hpp"
 #include "burnish/scene.hpp"
+#include "viewer/inspect/ray.hpp"
 
 namespace burnish::viewer {
 
-struct WindowSize {
-    int width = 0;   // pixels, at least 1
-    int height = 0;  // pixels, at least 1
-};
-
 // The highest elevation of a turntable: short of the pole, where +y is no longer up.
-inline constexpr double kHighestElevation_deg = 89.9;
+inline constexpr double kHighestElevationDeg = 89.9;
 
 // Turntable about +y through `pivot`: the camera keeps its distance from it. A drag to the right turns the
 // model to the right, a drag down tips its top towards the eye. A drag as long as the window is high
