@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "jobs/models/brdf_fit.hpp"
+#include "jobs/models/brdf_fit_plot.hpp"
+#include "jobs/models/brdf_fit_table.hpp"
 #include "support/bsdf_writer.hpp"
 #include "support/test_folder.hpp"
 
@@ -129,6 +131,76 @@ TEST(FitMeasured, TablesSayWhatWasFitted) {
     EXPECT_TRUE(fit["shape"].contains("alpha_x") && fit["shape"].contains("F0"));
     EXPECT_EQ(document["materials"][0]["curves"].size(), 3U);
     EXPECT_EQ(document["made"]["command"], request.command);
+}
+
+// Every number at a bound has a star behind it, and a line says what the stars are.
+TEST(FitMeasured, TablesMarkNumbersAtABound) {
+    MeasuredFit fit;
+    fit.fits.resize(1);
+    BrdfFit& one = fit.fits[0];
+    one.model = "cook-torrance";
+    one.lobe = {1, 0.25, 1};
+    one.lobe_size = 3;
+    one.kd = {0, 0.5, 0.25};
+    one.ks = {0.75, 1, 1};
+    one.converged = true;
+    const std::vector<MeasuredFit> fits = {fit};
+    EXPECT_EQ(fit_lines(fit).find('*'), std::string::npos) << fit_lines(fit);
+    EXPECT_NE(fit_csv(fits, "").find(",1,0.25,1,,,\n"), std::string::npos) << fit_csv(fits, "");
+    std::vector<MeasuredFit> marked = fits;
+    BrdfFit& other = marked[0].fits[0];
+    other.kd_at_bound = {true, false, false};
+    other.ks_at_bound = {false, true, true};
+    other.lobe_at_bound[2] = true;
+    const std::string lines = fit_lines(marked[0]);
+    for (const char* word : {"0* 0.5 0.25 ", "0.75 1* 1* ", "m 0.25, F0 1*\n", "  * at an end"})
+        EXPECT_NE(lines.find(word), std::string::npos) << word << "\n" << lines;
+    EXPECT_NE(fit_csv(marked, "").find(",1,0.25,1,,,kd_r ks_g ks_b F0\n"), std::string::npos);
+    const auto json = nlohmann::json::parse(fit_json(marked, ""));
+    EXPECT_EQ(json["materials"][0]["fits"][0]["at_bound"],
+              (std::vector<std::string>{"kd_r", "ks_g", "ks_b", "F0"}));
+}
+
+// The lines of the figure are the numbers of the curves: measured and fitted, one panel an incident
+// direction, in both scales.
+TEST(FitMeasured, TheFigureHasTheMeasurementBesideItsFits) {
+    const ScratchFolder folder;
+    const auto file = folder.write("ggx.bsdf", ggx_like(0.25, 0.25).text());
+    const std::vector<MeasuredFit> fits = {
+        fit_measured(file, std::vector<std::string>{"ggx", "ward", "phong"}, {}, quick())};
+    const plot::Figure figure = fit_figure(fits, 2, 0);
+    ASSERT_EQ(figure.rows.size(), 2U);
+    for (const plot::PanelRow& row : figure.rows) EXPECT_EQ(row.panels.size(), 3U);
+    ASSERT_EQ(figure.legend.size(), 3U);
+    EXPECT_EQ(figure.legend[0].label, "measured");
+    EXPECT_EQ(figure.legend[1].label, "ggx");
+    // The black line of the measurement goes through its own value at every angle that is looked
+    // at, in the linear panel of light at about 50 degrees.
+    const PlaneCurve& curve = fits[0].curves[1];
+    double most = 0;
+    for (const auto& values : {curve.measured, curve.fitted[0], curve.fitted[1]})
+        for (const FitRgb& f : values)
+            most = std::max(most, 0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2]);
+    const plot::DrawnFigure drawn = plot::draw_figure(figure, 2);
+    ASSERT_EQ(drawn.areas.at(1).name, "polar");
+    const plot::Box half = drawn.areas.at(1).box;
+    for (const double degrees : {20.0, 40.0, 55.0, 65.0}) {
+        const auto i = static_cast<std::size_t>(2 * (degrees + 85));
+        ASSERT_EQ(curve.theta_deg[i], degrees);
+        const FitRgb& f = curve.measured[i];
+        const double r = (0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2]) / most;
+        const double theta = degrees * std::numbers::pi / 180;
+        const double x = half.x + half.width / 2 * (1 + r * std::sin(theta));
+        const double y = half.bottom() - half.height * r * std::cos(theta);
+        // A fit may lie on the line: then some pixel across it is black still, as it is wider.
+        float darkest = 1;
+        for (double off = -2; off <= 2; off += 0.5) {
+            const float* p = drawn.image.at(static_cast<int>(2 * (x + off * std::sin(theta))),
+                                            static_cast<int>(2 * (y - off * std::cos(theta))));
+            darkest = std::min(darkest, std::max({p[0], p[1], p[2]}));
+        }
+        EXPECT_LT(darkest, 0.3f) << degrees;
+    }
 }
 
 TEST(FitMeasured, WrongWishesAreRefusedInOneLine) {
