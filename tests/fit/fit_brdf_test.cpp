@@ -219,7 +219,7 @@ TEST(FitBrdf, NumbersAtABoundAreMarked) {
     const Truth within{"cook-torrance", {1, 0.21, 0.35}, {0.6, 0.5, 0.9}};
     const FitModel& model = model_named(within.model);
     EXPECT_EQ(marks(fit_brdf(model, samples_of(within, 800), {})), "");
-    const Truth bright{"cook-torrance", {1, 0.21, 1}, {3, 2, 2.5}};
+    const Truth bright{"cook-torrance", {1, 0.21, 1}, {6, 5, 7}};
     const BrdfFit fit = fit_brdf(model, samples_of(bright, 800), {});
     EXPECT_EQ(fit.ks, (FitRgb{1, 1, 1}));
     EXPECT_EQ(fit.lobe[2], 1);

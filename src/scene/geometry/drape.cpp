@@ -91,7 +91,7 @@ void push_out(Sheet& cloth) {
     }
 }
 
-// Two nodes of different parts of the cloth that may touch during a step.
+// Two nodes of different parts of the cloth that may touch before the next search.
 struct Contact {
     std::size_t a, b;
 };
@@ -124,9 +124,9 @@ class Buckets {
                     const std::size_t at = bucket(other);
                     for (std::size_t k = starts_[at]; k < starts_[at + 1]; ++k) {
                         const glm::vec3 q = cloth_.now[nodes_[k]];
-                        // Cells share buckets: one that holds both cells is looked at twice.
-                        if (nodes_[k] <= a || cell_of(q) != other) continue;
-                        if (glm::dot(q - p, q - p) < reach_ * reach_) visit(nodes_[k]);
+                        if (nodes_[k] <= a || glm::dot(q - p, q - p) >= reach_ * reach_) continue;
+                        // Cells share buckets: one that holds two of them is looked at twice.
+                        if (cell_of(q) == other) visit(nodes_[k]);
                     }
                 }
     }
@@ -147,9 +147,9 @@ class Buckets {
     std::vector<std::size_t> starts_, nodes_;
 };
 
-std::vector<Contact> contacts_of(const Sheet& cloth) {
-    // A node moves by less than half a spacing in a step.
-    const Buckets buckets(cloth, 2.0f * kApart * cloth.spacing());
+// Pairs that are within `reach` of each other.
+std::vector<Contact> contacts_of(const Sheet& cloth, float reach) {
+    const Buckets buckets(cloth, reach);
     const auto nodes = static_cast<std::size_t>(cloth.nodes);
     const auto steps = [](std::size_t i, std::size_t j) { return i > j ? i - j : j - i; };
     std::vector<Contact> contacts;
@@ -161,6 +161,33 @@ std::vector<Contact> contacts_of(const Sheet& cloth) {
         });
     return contacts;
 }
+
+// Contacts that are searched again only after a node has moved far enough to make a new one.
+class Contacts {
+  public:
+    const std::vector<Contact>& now(const Sheet& cloth) {
+        const float apart = kApart * cloth.spacing();
+        // Two nodes that were 2 apart and have moved by 0.5 apart each are apart still.
+        if (moved_by(cloth, 0.5f * apart)) {
+            contacts_ = contacts_of(cloth, 2.0f * apart);
+            searched_at_ = cloth.now;
+        }
+        return contacts_;
+    }
+
+  private:
+    bool moved_by(const Sheet& cloth, float distance) const {
+        if (searched_at_.empty()) return true;
+        for (std::size_t i = 0; i < cloth.now.size(); ++i) {
+            const glm::vec3 moved = cloth.now[i] - searched_at_[i];
+            if (glm::dot(moved, moved) > distance * distance) return true;
+        }
+        return false;
+    }
+
+    std::vector<Contact> contacts_;
+    std::vector<glm::vec3> searched_at_;
+};
 
 void keep_apart(Sheet& cloth, const std::vector<Contact>& contacts) {
     const float apart = kApart * cloth.spacing();
@@ -180,16 +207,16 @@ void keep_apart(Sheet& cloth, const std::vector<Contact>& contacts) {
 // passes over the threads, always in the same order so that every run gives the same cloth.
 void simulate(Sheet& cloth, int steps, int passes) {
     constexpr float kStep = 1.0f / 60.0f, kGravity = -1.5f, kKept = 0.97f;
+    Contacts contacts;
     for (int step = 0; step < steps; ++step) {
         for (std::size_t i = 0; i < cloth.now.size(); ++i) {
             const glm::vec3 moved = (cloth.now[i] - cloth.before[i]) * kKept;
             cloth.before[i] = cloth.now[i];
             cloth.now[i] += moved + glm::vec3(0.0f, kGravity * kStep * kStep, 0.0f);
         }
-        const std::vector<Contact> contacts = contacts_of(cloth);
         for (int pass = 0; pass < passes; ++pass) {
             for (const Threads& threads : kThreads) pull(cloth, threads, pass % 2 == 1);
-            keep_apart(cloth, contacts);
+            keep_apart(cloth, contacts.now(cloth));
             push_out(cloth);
         }
     }
