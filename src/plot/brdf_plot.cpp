@@ -33,7 +33,7 @@ double albedo_of(const BrdfSubject& subject, Direction<double> wi) {
     for (int i = 0; i < kPoints; ++i) {
         double density = 0;
         const Direction<double> wo = drawn(subject, wi, even_point(i), density);
-        if (density > 0 && wo.z > 0) sum += subject.f(wi, wo) * wo.z / density;
+        if (density > 0 && wo.z > 0) sum += subject.measured.f(wi, wo) * wo.z / density;
     }
     return sum / kPoints;
 }
@@ -63,7 +63,10 @@ std::vector<Point> polar_cut(const BrdfSubject& subject, Direction<double> wi, d
     const double mirror = std::atan2(wi.x * x + wi.y * y, wi.z);
     const double hints[] = {mirror, -mirror, 0.0};
     // The samples end just above the horizon, on which every model is 0 by definition.
-    const double end = std::numbers::pi / 2 - 1e-4;
+    const double horizon = std::numbers::pi / 2 - 1e-4;
+    const double end = subject.model
+                           ? horizon
+                           : std::min(horizon, std::acos(subject.measured.least_cosine) - 1e-9);
     return sampled_curve(f, -end, end, hints);
 }
 

@@ -174,33 +174,43 @@ TEST(FitMeasured, TheFigureHasTheMeasurementBesideItsFits) {
     ASSERT_EQ(figure.legend.size(), 3U);
     EXPECT_EQ(figure.legend[0].label, "measured");
     EXPECT_EQ(figure.legend[1].label, "ggx");
-    // The black line of the measurement goes through its own value at every angle that is looked
-    // at, in the linear panel of light at about 50 degrees.
+    // The line of the best fit goes through its own value, in the linear panel of light at about 50
+    // degrees, and so does the line of the measurement where it is drawn alone.
+    const auto luminance = [](const FitRgb& f) {
+        return 0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2];
+    };
     const PlaneCurve& curve = fits[0].curves[1];
-    double most = 0;
-    for (const auto& values : {curve.measured, curve.fitted[0], curve.fitted[1]})
-        for (const FitRgb& f : values)
-            most = std::max(most, 0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2]);
-    const plot::DrawnFigure drawn = plot::draw_figure(figure, 2);
-    ASSERT_EQ(drawn.areas.at(1).name, "polar");
-    const plot::Box half = drawn.areas.at(1).box;
-    for (const double degrees : {20.0, 40.0, 55.0, 65.0}) {
-        const auto i = static_cast<std::size_t>(2 * (degrees + 85));
-        ASSERT_EQ(curve.theta_deg[i], degrees);
-        const FitRgb& f = curve.measured[i];
-        const double r = (0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2]) / most;
-        const double theta = degrees * std::numbers::pi / 180;
-        const double x = half.x + half.width / 2 * (1 + r * std::sin(theta));
-        const double y = half.bottom() - half.height * r * std::cos(theta);
-        // A fit may lie on the line: then some pixel across it is black still, as it is wider.
-        float darkest = 1;
-        for (double off = -2; off <= 2; off += 0.5) {
-            const float* p = drawn.image.at(static_cast<int>(2 * (x + off * std::sin(theta))),
-                                            static_cast<int>(2 * (y - off * std::cos(theta))));
-            darkest = std::min(darkest, std::max({p[0], p[1], p[2]}));
+    const auto largest = [&](const std::vector<FitRgb>& values) {
+        double most = 0;
+        for (const FitRgb& f : values) most = std::max(most, luminance(f));
+        return most;
+    };
+    const auto expect_line = [&](std::size_t models, const std::vector<FitRgb>& values, double most,
+                                 const plot::Rgb& color) {
+        const plot::DrawnFigure drawn = plot::draw_figure(fit_figure(fits, models, 0), 2);
+        ASSERT_EQ(drawn.areas.at(1).name, "polar");
+        const plot::Box half = drawn.areas.at(1).box;
+        for (const double degrees : {20.0, 40.0, 55.0, 65.0}) {
+            const auto i = static_cast<std::size_t>(2 * (degrees + 85));
+            ASSERT_EQ(curve.theta_deg[i], degrees);
+            const double r = luminance(values[i]) / most;
+            const double theta = degrees * std::numbers::pi / 180;
+            const double x = half.x + half.width / 2 * (1 + r * std::sin(theta));
+            const double y = half.bottom() - half.height * r * std::cos(theta);
+            double nearest = 3;
+            for (int k = 0; k < 9; ++k) {  // within a pixel, for rounding
+                const float* p = drawn.image.at(static_cast<int>(2 * x) + k % 3 - 1,
+                                                static_cast<int>(2 * y) + k / 3 - 1);
+                nearest = std::min(nearest, std::abs(static_cast<double>(p[0]) - color.r) +
+                                                std::abs(static_cast<double>(p[1]) - color.g) +
+                                                std::abs(static_cast<double>(p[2]) - color.b));
+            }
+            EXPECT_LT(nearest, 0.1) << degrees;
         }
-        EXPECT_LT(darkest, 0.3f) << degrees;
-    }
+    };
+    const double measured = largest(curve.measured), fitted = largest(curve.fitted[0]);
+    expect_line(0, curve.measured, measured, plot::kInk);
+    expect_line(1, curve.fitted[0], std::max(measured, fitted), plot::series_color(0));
 }
 
 TEST(FitMeasured, WrongWishesAreRefusedInOneLine) {

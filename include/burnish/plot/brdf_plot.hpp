@@ -28,6 +28,9 @@ struct MeasuredReflection {
     std::function<Direction<double>(Direction<double> wi, std::array<double, 3> xi,
                                     double& density)>
         sample;
+    // Directions wo closer to the horizon than this cosine are not drawn, because measurements are
+    // unreliable there. Albedos count them.
+    double least_cosine = 0;
 };
 
 // One model with its parameters, or a measured material.
@@ -38,7 +41,8 @@ struct BrdfSubject {
     MeasuredReflection measured = {};
 
     double f(Direction<double> wi, Direction<double> wo) const {
-        return model ? model->value_f64(p, wi, wo) : measured.f(wi, wo);
+        if (model) return model->value_f64(p, wi, wo);
+        return wo.z >= measured.least_cosine ? measured.f(wi, wo) : 0.0;
     }
 };
 

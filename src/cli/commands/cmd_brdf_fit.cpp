@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kBrdfFitFooter = R"(
 FILE is a measured material of the RGL database (.bsdf, color or spectral). Each model is fitted
-with a Lambertian term by non-linear least squares: f = kd/pi + ks lobe, kd and ks for each colour,
+with a Lambertian term by non-linear least squares: f = kd/pi + ks lobe, kd and ks for each color,
 one lobe for all. What is made small is the root mean square over solid angle and colors of the
 difference in
   rms   f cos(theta_i): Ngan, Durand & Matusik 2005. Peaks decide

@@ -18,7 +18,7 @@ comes from it, m = sqrt(alpha_x alpha_y), exponents 2/m^2 - 2, tau = 2 sigma/m; 
 (n + 2)/(2 pi) where it scales a power of a cosine, F0 is 1 unless --f0 says otherwise. A model can
 have its own: --brdf ggx,phong:n=50:ks=2, with the names that brdf eval --help lists and that
 the figure's caption repeats. FILE.bsdf is a measured material of the RGL database, drawn by its
-luminance.
+luminance and up to 85 degrees.
 
 Kinds
   polar     f in the plane of incidence, or in the cut at --cut; a line a model

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "burnish/plot/brdf_plot.hpp"
@@ -14,12 +15,25 @@ namespace {
 
 constexpr double kPanelWidth = 340;
 
-// Of a model in every figure, whichever others are drawn. Series 4 is black, as the measurement.
-plot::Series series_of(const std::string& model, std::vector<plot::Point> points) {
-    const auto names = fit_model_names();
+// The models that a figure draws, in the order in which they appear: a model has the same color for
+// all materials.
+std::vector<std::string> models_of(std::span<const MeasuredFit> fits, std::size_t most_models) {
+    std::vector<std::string> models;
+    for (const MeasuredFit& fit : fits)
+        for (std::size_t m = 0; m < std::min(most_models, fit.fits.size()); ++m)
+            if (std::find(models.begin(), models.end(), fit.fits[m].model) == models.end())
+                models.push_back(fit.fits[m].model);
+    return models;
+}
+
+plot::Series series_of(const std::string& model, const std::vector<std::string>& models,
+                       std::vector<plot::Point> points) {
+    // Series 4 is black, as the measurement is, and 6 has the color of the light; with 7 the same
+    // colors begin again, dashed.
+    constexpr std::array<std::size_t, 10> kSeries = {0, 1, 2, 3, 5, 7, 8, 9, 10, 12};
     const auto place =
-        static_cast<std::size_t>(std::find(names.begin(), names.end(), model) - names.begin());
-    plot::Series series = plot::series(place < 4 ? place : place + 1, model, std::move(points));
+        static_cast<std::size_t>(std::find(models.begin(), models.end(), model) - models.begin());
+    plot::Series series = plot::series(kSeries.at(place), model, std::move(points));
     series.width = 1.5;
     return series;
 }
@@ -36,7 +50,8 @@ std::vector<plot::Point> points_of(const PlaneCurve& curve, const std::vector<Fi
 }
 
 plot::Panel panel_of(const MeasuredFit& fit, std::size_t index, plot::ScaleKind kind,
-                     std::size_t most_models, double width) {
+                     const std::vector<std::string>& models, std::size_t most_models,
+                     double width) {
     const PlaneCurve& curve = fit.curves[index];
     plot::PolarCurves polar;
     polar.kind = kind;
@@ -44,7 +59,8 @@ plot::Panel panel_of(const MeasuredFit& fit, std::size_t index, plot::ScaleKind 
     // First, so that the fits lie on it.
     polar.curves.push_back(series_of_measured(points_of(curve, curve.measured)));
     for (std::size_t m = 0; m < std::min(most_models, fit.fits.size()); ++m)
-        polar.curves.push_back(series_of(fit.fits[m].model, points_of(curve, curve.fitted[m])));
+        polar.curves.push_back(
+            series_of(fit.fits[m].model, models, points_of(curve, curve.fitted[m])));
     return plot::polar_curves_panel(
         polar, fmt::format("light at {}\u00b0", plot::number_text(curve.theta_o_deg)),
         width > 0 ? width : kPanelWidth);
@@ -65,19 +81,15 @@ plot::Figure fit_figure(std::span<const MeasuredFit> fits, std::size_t most_mode
                         double panel_px) {
     plot::Figure figure;
     figure.title = "Measured materials and the models that fit them";
+    const std::vector<std::string> models = models_of(fits, most_models);
     std::vector<plot::Series> drawn = {series_of_measured({})};
+    for (const std::string& model : models) drawn.push_back(series_of(model, models, {}));
     for (const MeasuredFit& fit : fits) {
         for (const plot::ScaleKind kind : {plot::ScaleKind::linear, plot::ScaleKind::log}) {
             plot::PanelRow row{std::filesystem::path(fit.file).stem().string(), {}, {}};
             for (std::size_t i = 0; i < fit.curves.size(); ++i)
-                row.panels.push_back(panel_of(fit, i, kind, most_models, panel_px));
+                row.panels.push_back(panel_of(fit, i, kind, models, most_models, panel_px));
             figure.rows.push_back(std::move(row));
-        }
-        for (std::size_t m = 0; m < std::min(most_models, fit.fits.size()); ++m) {
-            const std::string& model = fit.fits[m].model;
-            const auto same = [&](const plot::Series& one) { return one.label == model; };
-            if (std::none_of(drawn.begin(), drawn.end(), same))
-                drawn.push_back(series_of(model, {}));
         }
         figure.caption += fmt::format(
             "{}: {} over that of black, {}. ", std::filesystem::path(fit.file).stem().string(),

@@ -1,8 +1,10 @@
 #include "jobs/models/measured_lobe.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "burnish/f64.hpp"
+#include "core/constants.hpp"
 
 namespace burnish {
 
@@ -25,7 +27,8 @@ plot::MeasuredReflection measured_reflection(std::shared_ptr<const RglBrdf> brdf
             },
             [brdf, &kept](Direction<double> wi, std::array<double, 3> xi, double& density) {
                 return kept.sample(wi, {xi[0], xi[1]}, density);
-            }};
+            },
+            std::cos(kMostShownDeg * kDegree)};
 }
 
 const RglBrdf& MeasuredFiles::at(const std::string& path) {

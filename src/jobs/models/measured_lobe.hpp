@@ -24,6 +24,10 @@ RglBrdf::Rgb measured_f(const RglBrdf& brdf, Direction<double> wi, Direction<dou
 // Of Rec. 709.
 double luminance_of(const RglBrdf::Rgb& rgb);
 
+// Figures leave out directions further from the normal: the tables do not vanish at the horizon as
+// they should, and f grows without bound there.
+inline constexpr double kMostShownDeg = 85;
+
 // The luminance of f, and its sampler.
 plot::MeasuredReflection measured_reflection(std::shared_ptr<const RglBrdf> brdf);
 

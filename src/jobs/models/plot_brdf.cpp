@@ -163,7 +163,8 @@ std::string about_f(const std::vector<BrdfSubject>& subjects) {
     const auto measured = [](const BrdfSubject& subject) { return !subject.model; };
     std::string text = "Specular f per steradian, without the cosine";
     if (std::any_of(subjects.begin(), subjects.end(), measured))
-        text += "; of a measured material all of f, its luminance";
+        text += fmt::format("; of a measured material all of f, its luminance, to {}\u00b0",
+                            kMostShownDeg);
     return text + ". ";
 }
 
