@@ -175,7 +175,8 @@ TEST(FitMeasured, TheFigureHasTheMeasurementBesideItsFits) {
     EXPECT_EQ(figure.legend[0].label, "measured");
     EXPECT_EQ(figure.legend[1].label, "ggx");
     // The line of the best fit goes through its own value, in the linear panel of light at about 50
-    // degrees, and so does the line of the measurement where it is drawn alone.
+    // degrees, and so does the line of the measurement where it is drawn alone. Where both lie on one
+    // another they take turns in dashes: 40 % of the fit is seen at least.
     const auto luminance = [](const FitRgb& f) {
         return 0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2];
     };
@@ -186,11 +187,12 @@ TEST(FitMeasured, TheFigureHasTheMeasurementBesideItsFits) {
         return most;
     };
     const auto expect_line = [&](std::size_t models, const std::vector<FitRgb>& values, double most,
-                                 const plot::Rgb& color) {
+                                 const plot::Rgb& color, double least) {
         const plot::DrawnFigure drawn = plot::draw_figure(fit_figure(fits, models, 0), 2);
         ASSERT_EQ(drawn.areas.at(1).name, "polar");
         const plot::Box half = drawn.areas.at(1).box;
-        for (const double degrees : {20.0, 40.0, 55.0, 65.0}) {
+        int seen = 0, looked_at = 0;
+        for (double degrees = 10; degrees <= 75; degrees += 0.5) {
             const auto i = static_cast<std::size_t>(2 * (degrees + 85));
             ASSERT_EQ(curve.theta_deg[i], degrees);
             const double r = luminance(values[i]) / most;
@@ -205,12 +207,14 @@ TEST(FitMeasured, TheFigureHasTheMeasurementBesideItsFits) {
                                                 std::abs(static_cast<double>(p[1]) - color.g) +
                                                 std::abs(static_cast<double>(p[2]) - color.b));
             }
-            EXPECT_LT(nearest, 0.1) << degrees;
+            seen += nearest < 0.1;
+            ++looked_at;
         }
+        EXPECT_GE(seen, least * looked_at) << models;
     };
     const double measured = largest(curve.measured), fitted = largest(curve.fitted[0]);
-    expect_line(0, curve.measured, measured, plot::kInk);
-    expect_line(1, curve.fitted[0], std::max(measured, fitted), plot::series_color(0));
+    expect_line(0, curve.measured, measured, plot::kInk, 1);
+    expect_line(1, curve.fitted[0], std::max(measured, fitted), plot::series_color(0), 0.4);
 }
 
 TEST(FitMeasured, WrongWishesAreRefusedInOneLine) {
