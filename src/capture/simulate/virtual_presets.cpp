@@ -93,8 +93,8 @@ Recipe classes() {
     return {{beckmann(), ggx(), two_lobes(), asymmetric()}, [](double u, double v) {
                 const int patch = (u >= 0.5 ? 1 : 0) + (v >= 0.5 ? 2 : 0);
                 const double pu = 2.0 * u - std::floor(2.0 * u), pv = 2.0 * v - std::floor(2.0 * v);
-                VirtualTexel t = texel(patch, rings(pu, pv), {0.032, 0.024, 0.019},
-                                       0.067 + 0.027 * std::sin(6.0 * pu + 5.0 * pv));
+                VirtualTexel t = texel(patch, rings(pu, pv), {0.058, 0.044, 0.034},
+                                       0.066 + 0.027 * std::sin(6.0 * pu + 5.0 * pv));
                 const double s = shade(u, v);
                 for (double& c : t.diffuse) c *= s;
                 return t;
