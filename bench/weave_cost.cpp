@@ -52,8 +52,8 @@ void measure_weaves(Report& report) {
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     report.rows.push_back(
-        {"cloth, 4096x4096, 2/2 twill of 128x128 yarns: height, normals, direction, colour, id",
-         2.0, median(wall), half_quartile_distance(wall), "s"});
+        {"cloth, 4096x4096, 2/2 twill of 128x128 yarns: height, normals, direction, color, id", 2.0,
+         median(wall), half_quartile_distance(wall), "s"});
     report.rows.push_back({"the same, processor time of all cores", 0, median(processor),
                            half_quartile_distance(processor), "s"});
 }

@@ -47,6 +47,10 @@ struct BrdfFit {
     LobeParameters lobe{};  // in the order of its BrdfModel, own ks at 1
     std::size_t lobe_size = 0;
     FitRgb kd{}, ks{};
+    // Which numbers ended at an end of the range that was searched: the best value may lie beyond
+    // it, or the number does not matter. Parameters that the fit holds fixed are never marked.
+    std::array<bool, kMostBrdfParameters> lobe_at_bound{};
+    std::array<bool, 3> kd_at_bound{}, ks_at_bound{};
     double rms = 0, log_rms = 0;  // by either metric, whichever was fitted
     double start = 0;             // error by the fitted metric where the best search began
     int iterations = 0;

@@ -45,6 +45,7 @@ std::span<const VirtualPreset> virtual_presets();
 struct VirtualSettings {
     int width = 64, height = 64;
     double width_mm = 60.0;
+    // At 1.5 no preset reflects more light than it receives, at angles up to 85 degrees.
     double eta = 1.5;
     double tilt_deg = 0.0;  // normals wave by up to this
 };

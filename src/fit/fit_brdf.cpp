@@ -24,6 +24,9 @@ constexpr std::array<std::string_view, 2> kMetricNames = {"rms", "log"};
 constexpr double kMostLobe = 1e12;
 // Number of samples, about, on which starts are compared.
 constexpr std::size_t kStartSamples = 800;
+// Share of its range within which a number is at a bound. Steps are cut at the bounds, so that a
+// number that is held there is at it exactly or by rounding.
+constexpr double kAtBound = 1e-9;
 // Of central differences: numbers of a search are logarithms or shares, of order 1.
 constexpr double kDifference = 1e-6;
 
@@ -61,6 +64,26 @@ struct TwoSums {
         return best;
     }
 };
+
+bool at_bound(double x, double low, double high) {
+    return std::min(x - low, high - x) <= kAtBound * (high - low);
+}
+
+// Which parameters of the lobe depend on a number of the search that is at a bound.
+std::array<bool, kMostBrdfParameters> lobe_at_bound(const FitVariant& variant,
+                                                    std::span<const double> q) {
+    std::array<bool, kMostBrdfParameters> marked{};
+    const LobeParameters lobe = variant.lobe(q);
+    for (std::size_t j = 0; j < variant.free.size(); ++j) {
+        const FreeParameter& range = variant.free[j];
+        if (!at_bound(q[j], range.low, range.high)) continue;
+        std::vector<double> inside(q.begin(), q.end());
+        inside[j] = 0.5 * (range.low + range.high);
+        const LobeParameters other = variant.lobe(inside);
+        for (std::size_t i = 0; i < lobe.size(); ++i) marked[i] |= other[i] != lobe[i];
+    }
+    return marked;
+}
 
 // One variant of a model over the samples.
 class Search {
@@ -236,9 +259,14 @@ BrdfFit Search::fit_of(const LeastSquaresResult& result) const {
         const ShapeParameter& p = model_.brdf->parameters[i];
         fit.lobe[i] = std::clamp(fit.lobe[i], p.low, p.high);
     }
+    fit.lobe_at_bound =
+        lobe_at_bound(variant_, std::span(result.x.data(), static_cast<std::size_t>(n)));
     for (Index c = 0; c < 3; ++c) {
-        fit.kd[static_cast<std::size_t>(c)] = result.x[n + c];
-        fit.ks[static_cast<std::size_t>(c)] = result.x[n + 3 + c];
+        const auto k = static_cast<std::size_t>(c);
+        fit.kd[k] = result.x[n + c];
+        fit.ks[k] = result.x[n + 3 + c];
+        fit.kd_at_bound[k] = at_bound(fit.kd[k], 0, 1);
+        fit.ks_at_bound[k] = at_bound(fit.ks[k], 0, model_.most_scale);
     }
     fit.start = std::sqrt(result.start_sum);
     fit.iterations = result.iterations;

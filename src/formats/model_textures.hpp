@@ -15,7 +15,7 @@ struct NamedTextureUse {
     const char* name;
 };
 inline constexpr NamedTextureUse kTextureUses[] = {
-    {&Material::base_color_texture, "base colour texture"},
+    {&Material::base_color_texture, "base color texture"},
     {&Material::metallic_roughness_texture, "metallic-roughness texture"},
     {&Material::normal_texture, "normal map"},
     {&Material::occlusion_texture, "occlusion texture"},

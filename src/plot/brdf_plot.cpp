@@ -19,9 +19,29 @@ Direction<double> direction(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
+Direction<double> drawn(const BrdfSubject& subject, Direction<double> wi, std::array<double, 3> xi,
+                        double& density) {
+    return subject.model ? subject.model->sampler_f64.sample(subject.p, wi, xi, density)
+                         : subject.measured.sample(wi, xi, density);
+}
+
+double albedo_of(const BrdfSubject& subject, Direction<double> wi) {
+    if (subject.model) return directional_albedo(*subject.model, subject.p, wi);
+    // The samples follow the measurement, so that the terms of the mean are nearly equal.
+    constexpr int kPoints = 4096;
+    double sum = 0;
+    for (int i = 0; i < kPoints; ++i) {
+        double density = 0;
+        const Direction<double> wo = drawn(subject, wi, even_point(i), density);
+        if (density > 0 && wo.z > 0) sum += subject.measured.f(wi, wo) * wo.z / density;
+    }
+    return sum / kPoints;
+}
+
 }  // namespace
 
 std::string parameters_text(const BrdfSubject& subject) {
+    if (!subject.model) return "measured";
     std::string text;
     for (std::size_t i = 0; i < subject.model->parameters.size(); ++i)
         text += fmt::format("{}{} {}", i == 0 ? "" : ", ", subject.model->parameters[i].name,
@@ -43,7 +63,10 @@ std::vector<Point> polar_cut(const BrdfSubject& subject, Direction<double> wi, d
     const double mirror = std::atan2(wi.x * x + wi.y * y, wi.z);
     const double hints[] = {mirror, -mirror, 0.0};
     // The samples end just above the horizon, on which every model is 0 by definition.
-    const double end = std::numbers::pi / 2 - 1e-4;
+    const double horizon = std::numbers::pi / 2 - 1e-4;
+    const double end = subject.model
+                           ? horizon
+                           : std::min(horizon, std::acos(subject.measured.least_cosine) - 1e-9);
     return sampled_curve(f, -end, end, hints);
 }
 
@@ -59,9 +82,8 @@ BrdfPeak peak_of(const BrdfSubject& subject, Direction<double> wi) {
     };
     constexpr int kSamples = 2048, kRings = 45, kSectors = 90;
     for (int i = 0; i < kSamples; ++i) {
-        const std::array<double, 3> xi = even_point(i);
         double density = 0;
-        consider(subject.model->sampler_f64.sample(subject.p, wi, xi, density));
+        consider(drawn(subject, wi, even_point(i), density));
     }
     for (int i = 0; i < kRings * kSectors; ++i)
         consider(direction((i / kSectors + 0.5) / kRings * std::numbers::pi / 2,
@@ -87,8 +109,7 @@ std::vector<Point> albedo_curve(const BrdfSubject& subject, double azimuth_deg) 
     for (int i = 0; i <= 18; ++i) curve.push_back({80 + 0.5 * i, 0});
     parallel_for(curve.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            curve[i].y =
-                directional_albedo(*subject.model, subject.p, incident(curve[i].x, azimuth_deg));
+            curve[i].y = albedo_of(subject, incident(curve[i].x, azimuth_deg));
     });
     return curve;
 }

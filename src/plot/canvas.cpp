@@ -99,7 +99,7 @@ struct Canvas::State {
         cairo_set_line_width(cairo, s.width);
         cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
         cairo_set_line_cap(cairo, s.dash.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-        cairo_set_dash(cairo, s.dash.data(), static_cast<int>(s.dash.size()), 0);
+        cairo_set_dash(cairo, s.dash.data(), static_cast<int>(s.dash.size()), s.dash_start);
         cairo_stroke(cairo);
     }
     void set_font(const TextStyle& style, int level) const {

@@ -62,7 +62,7 @@ Oklab through(std::span<const Oklab> stops, double t) {
             catmull_rom(a.b, b.b, c.b, d.b, u)};
 }
 
-// Colours at equal distances along the curve. 1024: neighbours differ by less than an 8-bit code.
+// Colors at equal distances along the curve. 1024: neighbours differ by less than an 8-bit code.
 constexpr std::size_t kEntries = 1024;
 
 std::vector<Oklab> evenly(std::span<const LightnessChromaHue> chosen) {

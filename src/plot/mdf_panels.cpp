@@ -54,7 +54,7 @@ void draw_disk_axes(Canvas& canvas, const Box& box) {
     canvas.frame(box, {.color = kFaint, .width = 0.8});
 }
 
-// Colours of the values; texels just outside take the value of the rim, which the circle cuts.
+// Colors of the values; texels just outside take the value of the rim, which the circle cuts.
 Image colored(const MdfSubject& subject, const Image& values, const Scale& scale) {
     const MdfEvaluator lobe(subject);
     const int side = values.width;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "plot/axes.hpp"
+#include "plot/curves_together.hpp"
 
 namespace burnish::plot {
 namespace {
@@ -20,11 +21,11 @@ bool is_drawn(Point p) {
     return !std::isnan(p.x) && !std::isnan(p.y);
 }
 
-void draw_line(Canvas& canvas, const LinePlot& plot, const Series& line, const Box& box) {
+DrawnCurve drawn_curve(const LinePlot& plot, const Series& line, const Box& box) {
+    DrawnCurve curve{{}, {.color = line.color, .width = line.width, .dash = line.dash}};
     std::vector<Point> piece;
-    const Stroke stroke{.color = line.color, .width = line.width, .dash = line.dash};
     const auto flush = [&] {
-        if (piece.size() > 1) canvas.polyline(piece, stroke);
+        if (piece.size() > 1) curve.pieces.push_back(std::move(piece));
         piece.clear();
     };
     for (const Point& p : line.points) {
@@ -35,6 +36,17 @@ void draw_line(Canvas& canvas, const LinePlot& plot, const Series& line, const B
         }
     }
     flush();
+    return curve;
+}
+
+void draw_lines(Canvas& canvas, const LinePlot& plot, const Box& box) {
+    std::vector<DrawnCurve> curves;
+    for (const Series& line : plot.lines) curves.push_back(drawn_curve(plot, line, box));
+    const auto clip = canvas.clip_to(box);
+    draw_curves(canvas, curves, [&](Point p) {
+        // 1.5: within a stroke's width of the axis, where all that is 0 lies.
+        return p.x >= box.x && p.x <= box.right() && p.y >= box.y && p.y < box.bottom() - 1.5;
+    });
 }
 
 // Marks the place where a line leaves at the top by a small arrow in its color, just inside the
@@ -89,10 +101,7 @@ void draw_line_plot(Canvas& canvas, const LinePlot& plot, const Box& outer) {
     draw_x_axis(canvas, box, plot.x.scale, plot.x.label, true);
     draw_y_axis(canvas, box, plot.y.scale, plot.y.label, true);
     draw_marks(canvas, plot, box);
-    {
-        const auto clip = canvas.clip_to(box);
-        for (const Series& line : plot.lines) draw_line(canvas, plot, line, box);
-    }
+    draw_lines(canvas, plot, box);
     int marked = 0;
     for (const Series& line : plot.lines)
         if (mark_cut(canvas, plot, line, box, marked)) ++marked;

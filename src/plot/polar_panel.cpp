@@ -6,6 +6,7 @@
 #include "burnish/plot/brdf_plot.hpp"
 #include "core/constants.hpp"
 #include "plot/axes.hpp"
+#include "plot/curves_together.hpp"
 
 namespace burnish::plot {
 namespace {
@@ -76,8 +77,8 @@ void draw_light(Canvas& canvas, const Half& half, double incidence_deg) {
     canvas.text({at.x + 8, at.y}, "light", style);
 }
 
-void draw_curve(Canvas& canvas, const Half& half, const Scale& scale,
-                const std::vector<Point>& curve, const Stroke& stroke) {
+// The curve from the origin and back to it.
+std::vector<Point> placed(const Half& half, const Scale& scale, const std::vector<Point>& curve) {
     std::vector<Point> line;
     line.push_back(half.origin);
     for (const Point& p : curve) {
@@ -86,49 +87,58 @@ void draw_curve(Canvas& canvas, const Half& half, const Scale& scale,
         line.push_back(half.at(p.x, r > 0 ? std::min(r, 4.0) : 0.0));
     }
     line.push_back(half.origin);
-    canvas.polyline(line, stroke);
+    return line;
+}
+
+void draw_polar_curves(Canvas& canvas, const Half& half, const Scale& scale,
+                       const std::vector<Series>& curves) {
+    std::vector<DrawnCurve> drawn;
+    for (const Series& curve : curves)
+        drawn.push_back({{placed(half, scale, curve.points)},
+                         {.color = curve.color, .width = curve.width, .dash = curve.dash}});
+    const auto clip = canvas.clip_to_circle(half.origin, half.radius);
+    draw_curves(canvas, drawn, [&](Point p) {
+        const double r = std::hypot(p.x - half.origin.x, p.y - half.origin.y);
+        // All curves meet at the origin and on the horizon, as all that is 0 does.
+        return r > 6 && r <= half.radius && p.y < half.origin.y - 1.5;
+    });
+}
+
+// "leaves the plot: ward, to 12; ..."
+std::string beyond_rim(const std::vector<Series>& curves, double rim) {
+    std::string text;
+    for (const Series& curve : curves) {
+        double top = 0;
+        for (const Point& p : curve.points) top = std::max(top, p.y);
+        // 1.01: a curve that only touches the rim is not cut.
+        if (top > 1.01 * rim)
+            text += (text.empty() ? "leaves the plot: " : "; ") + curve.label + ", to " +
+                    number_text(top, 2);
+    }
+    return text;
+}
+
+double largest_within(const std::vector<Series>& curves, double angle) {
+    double most = 0;
+    for (const Series& curve : curves)
+        for (const Point& p : curve.points)
+            if (std::abs(p.x) <= angle) most = std::max(most, p.y);
+    return most;
 }
 
 }  // namespace
 
-Panel polar_panel(const PolarPlot& plot, std::string title, double width) {
-    const double cut = plot.cut_deg.value_or(plot.azimuth_deg);
-    const Direction<double> wi = incident(plot.incidence_deg, plot.azimuth_deg);
-    std::vector<std::vector<Point>> curves;
-    double most = 0;
-    const double seen = std::max(kSeen, plot.incidence_deg * kDegree);
-    for (const BrdfSubject& subject : plot.subjects) {
-        curves.push_back(polar_cut(subject, wi, cut));
-        for (const Point& p : curves.back())
-            if (std::abs(p.x) <= seen) most = std::max(most, p.y);
-    }
-    const Scale scale = scale_to(plot.kind, plot.high.value_or(most));
-    std::string cut_off;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        double top = 0;
-        for (const Point& p : curves[i]) top = std::max(top, p.y);
-        if (top > 1.01 * scale.high)
-            cut_off += (cut_off.empty() ? "leaves the plot: " : "; ") + plot.subjects[i].label +
-                       ", to " + number_text(top, 2);
-    }
-    // The light lies in the cut, on the one side or on the other.
-    const double across =
-        std::sin((plot.azimuth_deg - cut) * kDegree) * std::sin(plot.incidence_deg * kDegree);
-    const bool in_plane = std::abs(across) < 1e-6;
-    const double side = std::cos((plot.azimuth_deg - cut) * kDegree) < 0 ? -1 : 1;
+Panel polar_curves_panel(const PolarCurves& plot, std::string title, double width) {
+    const double seen = std::max(kSeen, std::abs(plot.light_deg.value_or(0)) * kDegree);
+    const Scale scale = scale_to(plot.kind, plot.high.value_or(largest_within(plot.curves, seen)));
     Panel panel{
         std::move(title), width, std::floor((width - 2 * kSide) / 2) + kTop + kBelow, {}, {}};
-    panel.note = cut_off;
-    panel.draw = [=, incidence = plot.incidence_deg](Canvas& canvas, const Box& box) {
+    panel.note = beyond_rim(plot.curves, scale.high);
+    panel.draw = [plot, scale](Canvas& canvas, const Box& box) {
         const Half half = half_of(box);
         draw_polar_grid(canvas, half, scale);
-        if (in_plane) draw_light(canvas, half, side * incidence);
-        {
-            const auto clip = canvas.clip_to_circle(half.origin, half.radius);
-            for (std::size_t i = 0; i < curves.size(); ++i)
-                draw_curve(canvas, half, scale, curves[i],
-                           {.color = series_color(i), .width = 1.8, .dash = series_dash(i)});
-        }
+        if (plot.light_deg) draw_light(canvas, half, *plot.light_deg);
+        draw_polar_curves(canvas, half, scale, plot.curves);
         TextStyle label = kAxisLabel;
         label.align = Align::center;
         label.stand = Stand::top;
@@ -140,6 +150,25 @@ Panel polar_panel(const PolarPlot& plot, std::string title, double width) {
                                    2 * half.radius, half.radius});
     };
     return panel;
+}
+
+Panel polar_panel(const PolarPlot& plot, std::string title, double width) {
+    const double cut = plot.cut_deg.value_or(plot.azimuth_deg);
+    const Direction<double> wi = incident(plot.incidence_deg, plot.azimuth_deg);
+    PolarCurves curves;
+    for (std::size_t i = 0; i < plot.subjects.size(); ++i)
+        curves.curves.push_back(
+            series(i, plot.subjects[i].label, polar_cut(plot.subjects[i], wi, cut)));
+    curves.kind = plot.kind;
+    curves.high = plot.high.value_or(
+        largest_within(curves.curves, std::max(kSeen, plot.incidence_deg * kDegree)));
+    // The light lies in the cut, on the one side or on the other.
+    const double across =
+        std::sin((plot.azimuth_deg - cut) * kDegree) * std::sin(plot.incidence_deg * kDegree);
+    if (std::abs(across) < 1e-6)
+        curves.light_deg = std::cos((plot.azimuth_deg - cut) * kDegree) < 0 ? -plot.incidence_deg
+                                                                            : plot.incidence_deg;
+    return polar_curves_panel(curves, std::move(title), width);
 }
 
 }  // namespace burnish::plot

@@ -146,7 +146,7 @@ void check_same_size(const Image& a, const Image& b) {
 using Rgb = std::array<float, 3>;
 
 // Three stops from black: lightness grows with the difference on both sides, and blue against
-// orange holds for colour-blind eyes too.
+// orange holds for color-blind eyes too.
 Rgb ramp(float amount, const Rgb& middle, const Rgb& end) {
     Rgb color{};
     for (std::size_t c = 0; c < 3; ++c) {

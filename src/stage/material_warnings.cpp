@@ -92,14 +92,14 @@ void append_hidden(const Scene& scene, const std::vector<ParameterValues>& value
         if (cloth_of(material) && material.conductor &&
             (set.is_set("warp_color") || set.is_set("weft_color")))
             append_once(warnings,
-                        "warp_color, weft_color: a measured metal has its own colour: nothing "
+                        "warp_color, weft_color: a measured metal has its own color: nothing "
                         "changes");
         if (!tabulated_of(material)) continue;
         std::vector<std::string_view> hidden;
         for (const std::string_view name : kHidden)
             if (set.is_set(name)) hidden.push_back(name);
         if (hidden.empty()) continue;
-        append_once(warnings, fmt::format("{}: a tabulated material has a lobe and colours of its "
+        append_once(warnings, fmt::format("{}: a tabulated material has a lobe and colors of its "
                                           "own: nothing changes",
                                           fmt::join(hidden, ", ")));
     }

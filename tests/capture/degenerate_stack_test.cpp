@@ -215,7 +215,7 @@ TEST_P(DegenerateStack, ThreeLights) {
         GetParam());
 }
 
-// A broken pixel of a sensor: a colour beyond half floats is cut, not refused after the fit.
+// A broken pixel of a sensor: a color beyond half floats is cut, not refused after the fit.
 TEST_P(DegenerateStack, OnePixelAMillionTimesAsBright) {
     const Rig rig = distant_lights(kFourSides);
     const TabulatedMaterial m =

@@ -122,7 +122,7 @@ TEST(CaptureExport, TheTexturesAreTheMaterialInTheWordsOfGltf) {
         std::atan2(2 * value(stretch, 3, 4, 1) - 1, 2 * value(stretch, 3, 4, 0) - 1);
     EXPECT_LT(angle_apart(direction, grain + kPi / 2, kPi), 1e-3);
     EXPECT_NEAR(value(stretch, 11, 4, 2), 0.0, 0.05);  // round
-    // Luminances come back exactly; of colours each is a compromise.
+    // Luminances come back exactly; of colors each is a compromise.
     const double metallic = value(rough, 3, 4, 2);
     double diffuse = 0, specular = 0;
     constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};
@@ -130,7 +130,7 @@ TEST(CaptureExport, TheTexturesAreTheMaterialInTheWordsOfGltf) {
         diffuse += kWeights[c] * value(base, 3, 4, c) * (1 - metallic);
         specular += kWeights[c] * (0.04 * (1 - metallic) + value(base, 3, 4, c) * metallic);
     }
-    // Base colour has 8 bits: 0.9 % of white at most.
+    // Base color has 8 bits: 0.9 % of white at most.
     EXPECT_NEAR(diffuse, 0.2126 * 0.1 + 0.7152 * 0.2 + 0.0722 * 0.05, 0.005);
     EXPECT_NEAR(specular, 0.2126 * 0.5 + 0.7152 * 0.45 + 0.0722 * 0.4, 0.005);
     for (int c = 0; c < 3; ++c)
@@ -236,7 +236,7 @@ TEST(CaptureExport, WarnsOfWhatGltfCannotSay) {
         capture({"export", write_material(folder, m), "-o", folder.path("out")});
     EXPECT_EQ(outcome.exit_code, 0);
     expect_parts(outcome.complaint, {"1 mm a texel", "25 % of the texels reflect less than 4 %",
-                                     "25 % of the texels have a specular colour above 1",
+                                     "25 % of the texels have a specular color above 1",
                                      "17 % of the texels have "
                                      "distributions"});
 }

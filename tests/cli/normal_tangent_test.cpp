@@ -18,7 +18,7 @@
 // The other codes are rounded as coarsely. A test below takes this cause away; there a column as a
 // whole is asked to stay below 2/255.
 //
-// Where a dielectric dome falls off, light that leaves the coloured base crosses the surface at the
+// Where a dielectric dome falls off, light that leaves the colored base crosses the surface at the
 // angle of the geometry (diffuse_through(wo.z) in shaders/lib/shade.glsl), which on the right is
 // the flat square's. With max(dot(p.n, wo), 0) there instead, 98 % of that zone are within 2/255
 // under one light, not 78 %.

@@ -311,7 +311,7 @@ TEST(InfoCommand, SaysWhatASceneFileSays) {
     for (const char* part : {"material turned copper: metal copper, alpha (0.08, 0.35)",
                              "environment: builtin:studio", "camera of the picture: at ("})
         EXPECT_NE(cup.output.find(part), std::string::npos) << part << "\n" << cup.output;
-    EXPECT_EQ(cup.output.find("base colour"), std::string::npos) << cup.output;
+    EXPECT_EQ(cup.output.find("base color"), std::string::npos) << cup.output;
 }
 
 TEST(InfoCommand, GroupsMaterialsThatDifferInNumbersAlone) {

@@ -81,7 +81,7 @@ TEST(WeaveCommand, ColorsComeBackAsTheFileHasThem) {
     }
     EXPECT_EQ(dark + light + holes, 128 * 128);
     EXPECT_NEAR(dark, light, 128 * 128 / 50);  // houndstooth is as dark as it is light
-    // Marked as colour, so that a viewer and our own renderer take it for that.
+    // Marked as color, so that a viewer and our own renderer take it for that.
     EXPECT_NEAR(read_image(out + "/color.png").pixels[0], linear_from_srgb(colors.pixels[0]),
                 1e-6f);
 }
@@ -105,7 +105,7 @@ TEST(WeaveCommand, InfoTellsWhatADraftHolds) {
     const Outcome info = run_burnish({"info", kExamples + "satin-stripe.wif"});
     ASSERT_EQ(info.exit_code, 0) << info.complaint;
     for (const char* part : {"\"Satin stripe\"", "32 ends, 4 picks, 8 shafts, 4 treadles",
-                             "2 colours", "warp over 3 picks", "weft over 3 ends", "50.0 %",
+                             "2 colors", "warp over 3 picks", "weft over 3 ends", "50.0 %",
                              "    .###.###.###.###...#...#...#...#\n"})
         EXPECT_NE(info.output.find(part), std::string::npos) << part << "\n" << info.output;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "burnish/error.hpp"
 #include "core/constants.hpp"
@@ -200,6 +201,33 @@ TEST(FitBrdf, ParametersStayInTheirRanges) {
         }
         EXPECT_TRUE(std::isfinite(fit.rms)) << model.name;
     }
+}
+
+// The samples are brighter than any ks of at most 1 makes them: all three ks are marked. A model
+// that is found again has no number at a bound.
+TEST(FitBrdf, NumbersAtABoundAreMarked) {
+    const auto marks = [](const BrdfFit& fit) {
+        std::string text;
+        for (std::size_t c = 0; c < 3; ++c) {
+            text += fit.kd_at_bound[c] ? "d" : "";
+            text += fit.ks_at_bound[c] ? "s" : "";
+        }
+        for (std::size_t i = 0; i < fit.lobe_size; ++i)
+            if (fit.lobe_at_bound[i]) text += std::to_string(i);
+        return text;
+    };
+    const Truth within{"cook-torrance", {1, 0.21, 0.35}, {0.6, 0.5, 0.9}};
+    const FitModel& model = model_named(within.model);
+    EXPECT_EQ(marks(fit_brdf(model, samples_of(within, 800), {})), "");
+    const Truth bright{"cook-torrance", {1, 0.21, 1}, {6, 5, 7}};
+    const BrdfFit fit = fit_brdf(model, samples_of(bright, 800), {});
+    EXPECT_EQ(fit.ks, (FitRgb{1, 1, 1}));
+    EXPECT_EQ(fit.lobe[2], 1);
+    const std::string found = marks(fit);
+    EXPECT_EQ(std::count(found.begin(), found.end(), 's'), 3) << found;
+    EXPECT_NE(found.find('2'), std::string::npos) << found << ": F0";
+    EXPECT_EQ(found.find('0'), std::string::npos) << found << ": ks of the lobe is not searched";
+    EXPECT_EQ(found.find('1'), std::string::npos) << found << ": m";
 }
 
 TEST(FitBrdf, BlackIsFittedByBlack) {

@@ -156,7 +156,7 @@ TEST(GltfTextures, TheBestVersionThatIsReadIsDrawn) {
     writer.root["images"][0] = {{"uri", "gone.png"}};
     scene = load_bytes(writer);
     EXPECT_EQ(width_drawn(scene), -1);
-    EXPECT_TRUE(warns(scene, "drawn without it: base colour texture of materials[0]"));
+    EXPECT_TRUE(warns(scene, "drawn without it: base color texture of materials[0]"));
     texture["extensions"]["EXT_texture_avif"]["source"] = 9;
     EXPECT_NE(error_of(writer).find("textures[0].extensions.EXT_texture_avif.source"),
               std::string::npos);

@@ -138,7 +138,7 @@ TEST(GltfMaterials, TexturesWithoutCoordinatesAreDropped) {
         {{"normalTexture", {{"index", 0}}},
          {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}}});
     Scene scene = load_bytes(writer);  // the square has only TEXCOORD_0
-    EXPECT_TRUE(warns(scene, "no TEXCOORD_1: not used: base colour texture"));
+    EXPECT_TRUE(warns(scene, "no TEXCOORD_1: not used: base color texture"));
     const auto used = [&] {
         return scene.materials[static_cast<std::size_t>(scene.instances.at(0).material)];
     };

@@ -182,19 +182,18 @@ TEST(Wif, ColorsThatLackSomethingAreNamed) {
     sections["WEFT"] = "Threads=3\n";
     const WifFile some = read(text_of(sections));
     EXPECT_EQ(some.warnings,
-              std::vector<std::string>{"[WEFT]: 2 of the threads have no colour, and there is no "
+              std::vector<std::string>{"[WEFT]: 2 of the threads have no color, and there is no "
                                        "Color= for all of them: they are gray"});
     ASSERT_EQ(some.draft.weft_colors.size(), 3u);
     EXPECT_EQ(some.draft.weft_colors[0], glm::vec3(0.0f));
     EXPECT_NEAR(static_cast<double>(some.draft.weft_colors[1].y), std::pow(0.555 / 1.055, 2.4),
                 1e-6);
     sections["WEFT"] = "Threads=3\nColor=2\n";
-    EXPECT_TRUE(
-        has(read(text_of(sections)).warnings,
-            "2 of the threads have a colour that [COLOR TABLE] lacks, such as 2: they are"));
+    EXPECT_TRUE(has(read(text_of(sections)).warnings,
+                    "2 of the threads have a color that [COLOR TABLE] lacks, such as 2: they are"));
     sections["WEFT COLORS"] = "1=7\n";
     const WifFile none = read(text_of(sections));
-    EXPECT_TRUE(has(none.warnings, "such as 7: they have the colour of the material"));
+    EXPECT_TRUE(has(none.warnings, "such as 7: they have the color of the material"));
     EXPECT_TRUE(none.draft.weft_colors.empty());
     sections["WEFT"] = "Threads=3\nColor=1\n";
     EXPECT_TRUE(has(read(text_of(sections)).warnings, "such as 7: they have the one of Color="));
@@ -210,7 +209,7 @@ TEST(Wif, ColorsThatLackSomethingAreNamed) {
               std::string::npos);
 }
 
-// A count of the palette that its table does not keep to changes no colour.
+// A count of the palette that its table does not keep to changes no color.
 TEST(Wif, ColorsThatNothingUsesAreNotParsed) {
     Sections sections = small();
     sections["COLOR PALETTE"] = "Entries=1\nForm=RGB\nRange=0,255\n";
@@ -222,7 +221,7 @@ TEST(Wif, ColorsThatNothingUsesAreNotParsed) {
     EXPECT_EQ(file.draft.warp_colors[0], glm::vec3(1.0f, 0.0f, 0.0f));
     EXPECT_EQ(file.draft.warp_colors[2], glm::vec3(0.0f, 1.0f, 0.0f));
     EXPECT_TRUE(has(file.warnings, "2 rows of [WARP COLORS], 3 rows of [COLOR TABLE]"));
-    EXPECT_TRUE(has(file.warnings, "Entries=1, but colour 2 is used: it is drawn"));
+    EXPECT_TRUE(has(file.warnings, "Entries=1, but color 2 is used: it is drawn"));
     EXPECT_EQ(file.warnings.size(), 2u);
 }
 

@@ -67,7 +67,7 @@ void expect_sound_material(const Material& m, std::size_t textures) {
         expect(use->texture < static_cast<int>(textures), "a texture out of range");
         expect(finite_columns(use->transform), "a texture transform");
     }
-    expect(finite_parts(m.base_color) && finite_parts(m.emissive), "a colour");
+    expect(finite_parts(m.base_color) && finite_parts(m.emissive), "a color");
     expect(finite(m.metallic) && finite(m.normal_scale), "a factor");
     expect(finite(m.occlusion_strength) && finite(m.alpha_cutoff), "a factor");
     expect(finite(m.anisotropy_rotation), "a rotation");

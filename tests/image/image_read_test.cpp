@@ -1,4 +1,4 @@
-// What the readers make of good files: values, depth, channels, colour encoding.
+// What the readers make of good files: values, depth, channels, color encoding.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ class EveryFormat : public testing::TestWithParam<Encoding> {};
 
 // Root mean square loss that the encoding may cause, in display values.
 double allowed_loss(const Encoding& encoding) {
-    // Waves of another length in each channel, whose colour 4:2:0 halves.
+    // Waves of another length in each channel, whose color 4:2:0 halves.
     if (encoding.label.find("jpeg") != std::string::npos) return 0.08;
     if (encoding.label == "webp_lossy" || encoding.format == "heif") return 0.1;
     if (encoding.label.find("dwaa") != std::string::npos) return 0.02;
@@ -73,7 +73,7 @@ TEST_P(EveryFormat, KeepsValuesSizeAndDepth) {
                                                              : TexelType::f32;
     ASSERT_EQ(texture.type, type);
     EXPECT_EQ(texture.color_space, type == TexelType::f32 ? ColorSpace::linear : ColorSpace::srgb);
-    // Float formats with alpha hold it premultiplied, whatever the picture was: made for colours.
+    // Float formats with alpha hold it premultiplied, whatever the picture was: made for colors.
     const bool divided = encoding.channels == 4 && encoding.format == "openexr";
     // OpenImageIO's encoder of WebP changes colors under alpha; image_formats_test.cpp has a file of
     // another one.

@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "jobs/models/brdf_fit.hpp"
+#include "jobs/models/brdf_fit_plot.hpp"
+#include "jobs/models/brdf_fit_table.hpp"
 #include "support/bsdf_writer.hpp"
 #include "support/test_folder.hpp"
 
@@ -129,6 +131,90 @@ TEST(FitMeasured, TablesSayWhatWasFitted) {
     EXPECT_TRUE(fit["shape"].contains("alpha_x") && fit["shape"].contains("F0"));
     EXPECT_EQ(document["materials"][0]["curves"].size(), 3U);
     EXPECT_EQ(document["made"]["command"], request.command);
+}
+
+// Every number at a bound has a star behind it, and a line says what the stars are.
+TEST(FitMeasured, TablesMarkNumbersAtABound) {
+    MeasuredFit fit;
+    fit.fits.resize(1);
+    BrdfFit& one = fit.fits[0];
+    one.model = "cook-torrance";
+    one.lobe = {1, 0.25, 1};
+    one.lobe_size = 3;
+    one.kd = {0, 0.5, 0.25};
+    one.ks = {0.75, 1, 1};
+    one.converged = true;
+    const std::vector<MeasuredFit> fits = {fit};
+    EXPECT_EQ(fit_lines(fit).find('*'), std::string::npos) << fit_lines(fit);
+    EXPECT_NE(fit_csv(fits, "").find(",1,0.25,1,,,\n"), std::string::npos) << fit_csv(fits, "");
+    std::vector<MeasuredFit> marked = fits;
+    BrdfFit& other = marked[0].fits[0];
+    other.kd_at_bound = {true, false, false};
+    other.ks_at_bound = {false, true, true};
+    other.lobe_at_bound[2] = true;
+    const std::string lines = fit_lines(marked[0]);
+    for (const char* word : {"0* 0.5 0.25 ", "0.75 1* 1* ", "m 0.25, F0 1*\n", "  * at an end"})
+        EXPECT_NE(lines.find(word), std::string::npos) << word << "\n" << lines;
+    EXPECT_NE(fit_csv(marked, "").find(",1,0.25,1,,,kd_r ks_g ks_b F0\n"), std::string::npos);
+    const auto json = nlohmann::json::parse(fit_json(marked, ""));
+    EXPECT_EQ(json["materials"][0]["fits"][0]["at_bound"],
+              (std::vector<std::string>{"kd_r", "ks_g", "ks_b", "F0"}));
+}
+
+// The lines of the figure are the numbers of the curves: measured and fitted, one panel an incident
+// direction, in both scales.
+TEST(FitMeasured, TheFigureHasTheMeasurementBesideItsFits) {
+    const ScratchFolder folder;
+    const auto file = folder.write("ggx.bsdf", ggx_like(0.25, 0.25).text());
+    const std::vector<MeasuredFit> fits = {
+        fit_measured(file, std::vector<std::string>{"ggx", "ward", "phong"}, {}, quick())};
+    const plot::Figure figure = fit_figure(fits, 2, 0);
+    ASSERT_EQ(figure.rows.size(), 2U);
+    for (const plot::PanelRow& row : figure.rows) EXPECT_EQ(row.panels.size(), 3U);
+    ASSERT_EQ(figure.legend.size(), 3U);
+    EXPECT_EQ(figure.legend[0].label, "measured");
+    EXPECT_EQ(figure.legend[1].label, "ggx");
+    // The line of the best fit goes through its own value, in the linear panel of light at about 50
+    // degrees, and so does the line of the measurement where it is drawn alone. Where both lie on one
+    // another they take turns in dashes: 40 % of the fit is seen at least.
+    const auto luminance = [](const FitRgb& f) {
+        return 0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2];
+    };
+    const PlaneCurve& curve = fits[0].curves[1];
+    const auto largest = [&](const std::vector<FitRgb>& values) {
+        double most = 0;
+        for (const FitRgb& f : values) most = std::max(most, luminance(f));
+        return most;
+    };
+    const auto expect_line = [&](std::size_t models, const std::vector<FitRgb>& values, double most,
+                                 const plot::Rgb& color, double least) {
+        const plot::DrawnFigure drawn = plot::draw_figure(fit_figure(fits, models, 0), 2);
+        ASSERT_EQ(drawn.areas.at(1).name, "polar");
+        const plot::Box half = drawn.areas.at(1).box;
+        int seen = 0, looked_at = 0;
+        for (double degrees = 10; degrees <= 75; degrees += 0.5) {
+            const auto i = static_cast<std::size_t>(2 * (degrees + 85));
+            ASSERT_EQ(curve.theta_deg[i], degrees);
+            const double r = luminance(values[i]) / most;
+            const double theta = degrees * std::numbers::pi / 180;
+            const double x = half.x + half.width / 2 * (1 + r * std::sin(theta));
+            const double y = half.bottom() - half.height * r * std::cos(theta);
+            double nearest = 3;
+            for (int k = 0; k < 9; ++k) {  // within a pixel, for rounding
+                const float* p = drawn.image.at(static_cast<int>(2 * x) + k % 3 - 1,
+                                                static_cast<int>(2 * y) + k / 3 - 1);
+                nearest = std::min(nearest, std::abs(static_cast<double>(p[0]) - color.r) +
+                                                std::abs(static_cast<double>(p[1]) - color.g) +
+                                                std::abs(static_cast<double>(p[2]) - color.b));
+            }
+            seen += nearest < 0.1;
+            ++looked_at;
+        }
+        EXPECT_GE(seen, least * looked_at) << models;
+    };
+    const double measured = largest(curve.measured), fitted = largest(curve.fitted[0]);
+    expect_line(0, curve.measured, measured, plot::kInk, 1);
+    expect_line(1, curve.fitted[0], std::max(measured, fitted), plot::series_color(0), 0.4);
 }
 
 TEST(FitMeasured, WrongWishesAreRefusedInOneLine) {

@@ -184,11 +184,11 @@ TEST(Draft, BrokenOnesAreNamed) {
               "cloth: warp_up: expected 4 cells, found 3");
     EXPECT_EQ(says([](Draft& d) { d.warp_up[1] = 2; }), "cloth: warp_up: expected 0 or 1, found 2");
     EXPECT_EQ(says([](Draft& d) { d.warp_colors.resize(3); }),
-              "cloth: warp_colours: expected 2 or none, found 3");
+              "cloth: warp_colors: expected 2 or none, found 3");
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_NE(says([&](Draft& d) {
                   d.weft_colors.assign(2, glm::vec3(0, nan, 0));
-              }).find("weft_colours: expected finite"),
+              }).find("weft_colors: expected finite"),
               std::string::npos);
 }
 

@@ -55,7 +55,7 @@ TEST(BrdfPlot, ThePolarCutHoldsASpike) {
     }
 }
 
-// The line itself: pixels at the radius of f have its colour, inside and outside they have not.
+// The line itself: pixels at the radius of f have its color, inside and outside they have not.
 TEST(BrdfPlot, TheDrawnLineLiesAtF) {
     PolarPlot plot;
     plot.subjects = {subject("beckmann", {0.4, 0.4, 1})};

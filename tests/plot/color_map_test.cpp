@@ -1,4 +1,4 @@
-// The colour maps: even steps, rising lightness, for colour-blind eyes too.
+// The color maps: even steps, rising lightness, for color-blind eyes too.
 #include "burnish/plot/color_map.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ double distance(const Rgb& x, const Rgb& y) {
     return std::hypot(a.L - b.L, a.a - b.a, a.b - b.b);
 }
 
-// Total colour blindness for one of the cones: Machado, Oliveira & Fernandes, "A
+// Total color blindness for one of the cones: Machado, Oliveira & Fernandes, "A
 // Physiologically-based Model for Simulation of Color Vision Deficiency", 2009, severity 1, on
 // linear light.
 using Matrix = std::array<std::array<double, 3>, 3>;

@@ -1,4 +1,4 @@
-// Plots of distributions against what they are said to show: pixels against colours of D, grids
+// Plots of distributions against what they are said to show: pixels against colors of D, grids
 // against the maps as K11 prints them, spikes that must not be lost.
 #include "burnish/plot/mdf_plot.hpp"
 

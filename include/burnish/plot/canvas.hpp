@@ -38,6 +38,7 @@ struct Stroke {
     double width = 1;
     std::vector<double> dash = {};  // lengths of strokes and gaps; empty: solid
     double opacity = 1;
+    double dash_start = 0;  // how far into the dashes a line begins
 };
 
 // Dashes that go with series_color(index): solid for the first seven, then dashed, then dotted.

@@ -24,6 +24,7 @@ Reads the columns
                   ggx, ggx-separable         alpha_x  alpha_y  F0
                   beckmann                   alpha_x  alpha_y  F0
                   microfacet                 those of its mdf, F0
+                or the path of a measured material of the RGL database, FILE.bsdf
   p0 .. p4      its parameters: e and n from 0 to 1000000, alphas and m from 0.001 to 1.5,
                 F0, Rd, Rs and ks from 0 to 1 (ks of lafortune and phong to 1000000), C from
                 -10 to 10, sigma from 0 to 5 and tau from 0.1 to 1000 wavelengths;
@@ -38,7 +39,9 @@ with directions in tangent space: x tangent, y bitangent, z normal. Adds
                 ashikhmin-shirley-diffuse is the diffuse term of that model. he is the
                 directional-diffuse term, always computed in double precision. phong is not
                 reciprocal; phong, ward-duer and, more slowly, ward grow without bound at
-                grazing angles
+                grazing angles. Of a measured material f is all of the reflectance, its
+                luminance, and i is the direction that the file calls incident
+  f_r f_g f_b   with --rgb: f of each color, linear Rec. 709. A model has f three times
 )";
 
 }  // namespace
@@ -47,7 +50,7 @@ void add_brdf_command(CLI::App& parent, Session& session) {
     CLI::App* brdf = parent.add_subcommand("brdf", "Reflection models");
     require_command(*brdf);
     add_eval_command(*brdf, session, "Evaluate a model for every row of a table", kBrdfColumns,
-                     eval_brdf_table);
+                     true, eval_brdf_table);
     add_brdf_fit_command(*brdf, session);
     add_brdf_plot_command(*brdf, session);
 }

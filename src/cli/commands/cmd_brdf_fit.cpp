@@ -14,23 +14,26 @@ namespace burnish::cli {
 namespace {
 
 constexpr const char* kBrdfFitFooter = R"(
-FILE is a measured material of the RGL database (.bsdf, colour or spectral). Each model is fitted
-with a Lambertian term by non-linear least squares: f = kd/pi + ks lobe, kd and ks for each colour,
-one lobe for all. What is made small is the root mean square over solid angle and colours of the
+FILE is a measured material of the RGL database (.bsdf, color or spectral). Each model is fitted
+with a Lambertian term by non-linear least squares: f = kd/pi + ks lobe, kd and ks for each color,
+one lobe for all. What is made small is the root mean square over solid angle and colors of the
 difference in
   rms   f cos(theta_i): Ngan, Durand & Matusik 2005. Peaks decide
   log   ln(1 + f cos(theta_i)): Low et al. 2012. Peaks and the rest both count
 Both errors are printed, best model first. A .csv holds a row a model, its p0..p4 those of brdf eval;
-a .json also the curves, measured and fitted, in the plane of incidence.
+a .json also the curves, measured and fitted, in the plane of incidence. --plot draws these curves:
+the measurement and the four best fits, or all models that --model names. A * marks numbers that
+ended at an end of the range that is searched.
 docs/evidence/measured-fits.md shows what came out for some materials.
 
 Examples:
   burnish brdf fit paper_white_rgb.bsdf
-  burnish brdf fit satin.bsdf vinyl.bsdf --model ggx,cook-torrance,ward --metric log -o fits.json)";
+  burnish brdf fit satin.bsdf vinyl.bsdf --model ggx,cook-torrance,ward --metric log -o fits.json
+  burnish brdf fit satin.bsdf --model ggx,lafortune --plot satin.svg)";
 
 struct BrdfFitFlags {
     MeasuredFitRequest request;
-    std::string models = "all", metric = "rms";
+    std::string models = "all", metric = "rms", plot;
 };
 
 }  // namespace
@@ -60,13 +63,18 @@ void add_brdf_fit_command(CLI::App& brdf, Session& session) {
         ->type_name("DEG");
     command->add_option("-o,--output", request.output, "table to write, .csv or .json")
         ->type_name("FILE");
+    command
+        ->add_option("--plot", flags->plot,
+                     "picture to write, .png or .svg: the measurement and its fits")
+        ->type_name("FILE");
     command->footer(kBrdfFitFooter);
     command->callback([flags, &session] {
         MeasuredFitRequest& asked = flags->request;
         asked.models = parse_fit_models(flags->models, "--model");
         asked.options.fit.metric = static_cast<FitMetric>(
             index_of_name(fit_metric_names(), flags->metric, "metric", "--metric"));
-        asked.command = session.command_line();
+        asked.command = asked.plot.command = session.command_line();
+        asked.plot.path = flags->plot;
         print(fit_measured_files(asked, session.progress()));
     });
 }

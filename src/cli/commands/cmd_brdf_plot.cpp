@@ -17,7 +17,8 @@ Lists are separated by commas. One roughness pair drives every model: what a mod
 comes from it, m = sqrt(alpha_x alpha_y), exponents 2/m^2 - 2, tau = 2 sigma/m; ks is 1, or
 (n + 2)/(2 pi) where it scales a power of a cosine, F0 is 1 unless --f0 says otherwise. A model can
 have its own: --brdf ggx,phong:n=50:ks=2, with the names that brdf eval --help lists and that
-the figure's caption repeats.
+the figure's caption repeats. FILE.bsdf is a measured material of the RGL database, drawn by its
+luminance and up to 85 degrees.
 
 Kinds
   polar     f in the plane of incidence, or in the cut at --cut; a line a model
@@ -29,7 +30,8 @@ Examples:
       --scale linear,log -o ward.png
   burnish brdf plot --kind surface --brdf ggx,beckmann,phong --alpha-x 0.2 --incidence 45 -o lobes.png
   burnish brdf plot --kind albedo --brdf ward,ward-duer,ward-gmd,ggx --alpha-x 0.15 --alpha-y 0.4 \
-      -o albedo.svg)";
+      -o albedo.svg
+  burnish brdf plot --brdf satin.bsdf --incidence 30,60 --scale log -o satin.png)";
 
 struct BrdfPlotFlags {
     ParameterValues values;
@@ -70,7 +72,8 @@ void add_brdf_plot_command(CLI::App& brdf, Session& session) {
         return command->add_option(flag, target, help)->type_name(type);
     };
     add("--kind", flags->kind, listed(brdf_plot_kind_names()) + " (default polar)", "NAME");
-    add("--brdf", flags->brdf, listed(brdf_table_names()), "LIST")->required();
+    add("--brdf", flags->brdf, listed(brdf_table_names()) + ", or measured FILE.bsdf", "LIST")
+        ->required();
     for (const char* name : {"e_x", "e_y", "alpha_x", "alpha_y", "f0", "mdf"})
         add_parameter_flag(*command, name, flags->values);
     add("--incidence", flags->incidence,

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kCaptureFitFooter = R"(
 STACK is a rig file (JSON of ours, .lp or .dome) whose lights name pictures of one flat sample from one
 camera: docs/reference/rig-file.md. MATERIAL (.exr) is a tabulated material: distributions of microfacet normals, and
-for each texel which it has, turned by how much, with diffuse and specular colour. It renders with
+for each texel which it has, turned by how much, with diffuse and specular color. It renders with
 `burnish render --tabulated`. An interrupted fit goes on where it was when it is called again.
 docs/guide/capture.md says what is done, how well, and what a stack cannot support.
 

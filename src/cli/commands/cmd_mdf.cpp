@@ -31,7 +31,7 @@ void add_mdf_command(CLI::App& parent, Session& session) {
     CLI::App* mdf = parent.add_subcommand("mdf", "Microfacet distributions under a bent normal");
     require_command(*mdf);
     add_eval_command(*mdf, session, "Evaluate a distribution for every row of a table", kMdfColumns,
-                     eval_mdf_table);
+                     false, eval_mdf_table);
     add_mdf_plot_command(*mdf, session);
 }
 

@@ -25,7 +25,7 @@ struct EvalCommandFlags {
 }  // namespace
 
 void add_eval_command(CLI::App& parent, Session& session, const std::string& description,
-                      const std::string& columns,
+                      const std::string& columns, bool colors,
                       std::function<void(const EvalRequest&, const Progress&)> evaluate) {
     CLI::App* command = parent.add_subcommand("eval", description);
     const auto flags = std::make_shared<EvalCommandFlags>();
@@ -41,6 +41,8 @@ void add_eval_command(CLI::App& parent, Session& session, const std::string& des
     command->add_option("--precision", flags->precision, "f32 or f64: arithmetic and digits")
         ->capture_default_str()
         ->type_name("NAME");
+    if (colors)
+        command->add_flag("--rgb", flags->request.rgb, "add f_r, f_g and f_b too: f of each color");
     command->footer(columns + kTableHelp);
     command->callback([flags, &session, evaluate = std::move(evaluate)] {
         flags->request.precision = static_cast<Precision>(

@@ -307,7 +307,7 @@ std::array<int, 2> MaterialReader::take_two_sets(Material& material) {
     // The textures in the order in which they get a set.
     const NamedTextureUse order[] = {
         {&Material::normal_texture, "normal map"},
-        {&Material::base_color_texture, "base colour texture"},
+        {&Material::base_color_texture, "base color texture"},
         {&Material::anisotropy_texture, "anisotropy texture"},
         {&Material::metallic_roughness_texture, "metallic-roughness texture"},
         {&Material::emissive_texture, "emissive texture"},

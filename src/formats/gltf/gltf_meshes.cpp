@@ -100,7 +100,7 @@ class VertexReader {
         mesh.colors = accessors_.colors(checked("COLOR_0"), first_, count_, user("COLOR_0"));
         // Half floats end at 65504; a vertex color scales a reflectance.
         if (clean(mesh.colors, 0.0f, 65504.0f))
-            report_.warn(user("COLOR_0") + ": values that are no colours are read as 0");
+            report_.warn(user("COLOR_0") + ": values that are no colors are read as 0");
     }
 
   private:
@@ -201,7 +201,7 @@ void GltfMeshes::read_part(Source source, std::vector<GltfPart>& parts) {
     const auto index = static_cast<std::size_t>(material);
     if (index < sets_.size()) source.sets = sets_[index];
     if (emits_only(scene_.materials[index]) && attribute(primitive, "COLOR_0") >= 0)
-        report_.warn(source.key + ": vertex colours of an unlit material are not drawn");
+        report_.warn(source.key + ": vertex colors of an unlit material are not drawn");
     const TangentSource frame = tangent_source_of(scene_.materials[index]);
     const auto [known, fresh] =
         known_meshes_.try_emplace(fingerprint(primitive, source.draco, source.sets, frame), -1);

@@ -125,7 +125,7 @@ class Reader {
         draft.weft_colors = colors.drawn("WEFT", weft, out_.weft);
         if (text_.has("COLOR TABLE")) out_.colors = colors.count();
         if (out_.colors == 0 && (text_.has("WARP COLORS") || text_.has("WEFT COLORS")))
-            lose("there is no [COLOR TABLE]: the yarns have the colours of the material");
+            lose("there is no [COLOR TABLE]: the yarns have the colors of the material");
         say_cut();
     }
 

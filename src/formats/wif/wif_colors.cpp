@@ -85,7 +85,7 @@ std::vector<glm::vec3> WifColors::drawn(std::string_view family, const std::vect
             throw Error(text_.file(),
                         fmt::format("[{}] thread {}", family,
                                     static_cast<std::size_t>(yarns.first) + i + 1),
-                        "the number of a colour",
+                        "the number of a color",
                         fmt::format("no number from 0 to {}", kMostColors));
         missing += !has(of[i]);
         colors.push_back(has(of[i]) ? color(of[i]) : otherwise);
@@ -102,10 +102,10 @@ void WifColors::warn_of_missing(std::string_view family, std::span<const int> nu
     const bool all = missing == static_cast<std::ptrdiff_t>(numbers.size());
     warnings_.push_back(fmt::format(
         "[{}]: {} of the threads have {}: {}", family, missing,
-        *first == 0 ? std::string("no colour, and there is no Color= for all of them")
-                    : fmt::format("a colour that [COLOR TABLE] lacks, such as {}", *first),
+        *first == 0 ? std::string("no color, and there is no Color= for all of them")
+                    : fmt::format("a color that [COLOR TABLE] lacks, such as {}", *first),
         has_usual ? "they have the one of Color="
-        : all     ? "they have the colour of the material"
+        : all     ? "they have the color of the material"
                   : "they are gray"));
 }
 
@@ -120,7 +120,7 @@ glm::vec3 WifColors::color(int number) {
     if (stated_ > 0 && number > stated_ && !has_warned_) {
         has_warned_ = true;
         warnings_.push_back(fmt::format(
-            "[COLOR PALETTE] Entries={}, but colour {} is used: it is drawn", stated_, number));
+            "[COLOR PALETTE] Entries={}, but color {} is used: it is drawn", stated_, number));
     }
     known = parse(*table_.at(static_cast<std::size_t>(number)));
     return *known;

@@ -74,7 +74,7 @@ constexpr std::string_view kRawEndings[] = {
 };
 
 // Decoded bytes that a byte of a file can stand for, beyond a free allowance. Deflate reaches 1032;
-// wavelet codings of one constant colour reach tens of thousands; a bomb wants millions.
+// wavelet codings of one constant color reach tens of thousands; a bomb wants millions.
 constexpr std::uint64_t kMaxExpansion = std::uint64_t{1} << 17;
 constexpr std::uint64_t kFreeBytes = std::uint64_t{64} << 20;
 

@@ -41,7 +41,7 @@ bool checksum_holds(const ByteCursor& file, const Chunk& chunk) {
     return crc32_z(0, bytes, covered.size()) == file.u32(chunk.data + chunk.length, true);
 }
 
-// Chunks without which there is no picture. Others may be damaged: files with a broken colour
+// Chunks without which there is no picture. Others may be damaged: files with a broken color
 // profile are not rare.
 bool is_critical(const Chunk& chunk) {
     return std::find(kCriticalChunks.begin(), kCriticalChunks.end(), chunk.type) !=
@@ -59,7 +59,7 @@ void check_header(const ByteCursor& file, std::uint64_t data_bytes) {
     const std::uint64_t width = file.u32(header, true), height = file.u32(header + 4, true);
     check_image_size(static_cast<std::int64_t>(width), static_cast<std::int64_t>(height),
                      file.name());
-    // Samples a pixel by colour type; 0: there is no such type.
+    // Samples a pixel by color type; 0: there is no such type.
     constexpr std::array<std::uint64_t, 7> kSamples = {1, 0, 3, 1, 2, 0, 4};
     const std::uint64_t depth = file.u8(header + 8);
     const unsigned type = file.u8(header + 9);

@@ -136,7 +136,7 @@ void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobe
                 100.0 * static_cast<double>(count) / static_cast<double>(texels), what));
     };
     warn(dim, "reflect less than 4 %, the least of the glTF");
-    warn(bright, "have a specular colour above 1, where the glTF ends");
+    warn(bright, "have a specular color above 1, where the glTF ends");
     warn(other, "have distributions that no GGX lobe comes near; those of the glTF are other ones");
 }
 

@@ -119,7 +119,7 @@ std::string light_table(const LightEntry& light) {
         text += "<td>" +
                 (shot.difference.empty()
                      ? std::string("differences: orange too bright, blue too dark, white none; "
-                                   "full colour at 25 % of white")
+                                   "full color at 25 % of white")
                      : html_picture(shot.difference, shot.title + " minus real")) +
                 "</td>";
     return text + "</tr>\n</table>\n";

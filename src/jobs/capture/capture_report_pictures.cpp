@@ -403,7 +403,7 @@ void add_maps(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, Pag
     plot::Figure figure;
     figure.rows.push_back({"", {map_panel(grain), grain_key()}});
     add_map("map_grain.png", "Grain",
-            "Direction of the groove: a point of the key has the colour of a groove that runs from "
+            "Direction of the groove: a point of the key has the color of a groove that runs from "
             "the key's centre through it; the greyer, the rounder the lobe.",
             figure, page, pictures);
     std::vector<Rgb> colors(static_cast<std::size_t>(m.exemplars));
@@ -412,7 +412,7 @@ void add_maps(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, Pag
     figure = {};
     figure.rows.push_back(
         {"", {map_panel(map_image(m, [&](std::size_t t) { return colors[m.exemplar[t]]; }))}});
-    add_map("map_exemplar.png", "Exemplar", "In the colours of the palette above.", figure, page,
+    add_map("map_exemplar.png", "Exemplar", "In the colors of the palette above.", figure, page,
             pictures);
     if (!is_flat(m)) {
         figure = {};

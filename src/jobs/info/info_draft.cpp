@@ -54,9 +54,8 @@ std::string describe_draft(const std::string& path) {
     text += fmt::format("  {}, {}; drawn: {}, {}\n", repeat_of(file.warp, "end"),
                         repeat_of(file.weft, "pick"), drawn_part(file.warp, "end"),
                         drawn_part(file.weft, "pick"));
-    text +=
-        fmt::format("  {}\n", file.colors == 0 ? std::string("no colours: those of the material")
-                                               : count(file.colors, "colour"));
+    text += fmt::format("  {}\n", file.colors == 0 ? std::string("no colors: those of the material")
+                                                   : count(file.colors, "color"));
     text += fmt::format("  longest float of the warp over {}, of the weft over {}\n",
                         count(figures.longest_warp_float, "pick"),
                         count(figures.longest_weft_float, "end"));

@@ -44,8 +44,8 @@ std::string describe_material(const RglBrdf& brdf) {
                             brdf.symmetry() > 1 ? ", the rest by symmetry" : "");
     }
     text += brdf.wavelengths() == 0
-                ? std::string("  colour: linear red, green, blue\n")
-                : fmt::format("  colour: {} wavelengths, {:g} to {:g} nm\n", brdf.wavelengths(),
+                ? std::string("  color: linear red, green, blue\n")
+                : fmt::format("  color: {} wavelengths, {:g} to {:g} nm\n", brdf.wavelengths(),
                               brdf.wavelength_range_nm()[0], brdf.wavelength_range_nm()[1]);
     for (const double degrees : {0.0, 45.0, 75.0}) {
         const double theta = degrees * kDegree;

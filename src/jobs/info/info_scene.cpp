@@ -103,7 +103,7 @@ Description describe_mesh(const Mesh& mesh) {
     d.say(static_cast<double>(mesh.indices.size() / 3)).say(" triangles, ");
     d.say(static_cast<double>(mesh.positions.size())).say(" vertices");
     if (mesh.texcoord0.empty()) d.say(", no texture coordinates");
-    if (!mesh.colors.empty()) d.say(", vertex colours");
+    if (!mesh.colors.empty()) d.say(", vertex colors");
     return d;
 }
 
@@ -141,7 +141,7 @@ Description describe_material(const Scene& scene, const Material& material) {
         const std::string_view metal = conductor_name(*m.conductor);
         d.say("metal ").say(metal.empty() ? "of its own" : metal);
     } else {
-        d.say("base colour (").say(m.base_color.r).say(", ").say(m.base_color.g).say(", ");
+        d.say("base color (").say(m.base_color.r).say(", ").say(m.base_color.g).say(", ");
         d.say(m.base_color.b).say(")");
     }
     if (!m.conductor || m.metallic != 1.0f) d.say(", metallic ").say(m.metallic);
@@ -149,7 +149,7 @@ Description describe_material(const Scene& scene, const Material& material) {
     if (m.alpha_mode != AlphaMode::opaque)
         d.say(m.alpha_mode == AlphaMode::mask ? ", alpha mask" : ", alpha blend");
     if (m.double_sided) d.say(", double sided");
-    d.say(describe_texture_use(scene, "base colour", m.base_color_texture));
+    d.say(describe_texture_use(scene, "base color", m.base_color_texture));
     d.say(describe_texture_use(scene, "metallic-roughness", m.metallic_roughness_texture));
     d.say(describe_texture_use(scene, "normal", m.normal_texture));
     d.say(describe_texture_use(scene, "occlusion", m.occlusion_texture));

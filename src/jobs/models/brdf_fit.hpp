@@ -10,6 +10,7 @@
 #include "burnish/fit_brdf.hpp"
 #include "burnish/progress.hpp"
 #include "formats/bsdf/rgl_brdf.hpp"
+#include "jobs/models/plot.hpp"
 
 namespace burnish {
 
@@ -57,11 +58,12 @@ struct MeasuredFitRequest {
     std::vector<std::string> inputs;
     std::vector<std::string> models;  // none: all
     std::string output;               // .csv or .json; "": none
+    PlotOutput plot;                  // path "": none
     std::string command;              // for metadata
     MeasuredFitOptions options;
 };
 
-// Fits every input; writes `output` if it is named. Returns the tables as text lines.
+// Fits every input; writes `output` and `plot` if they are named. Returns the tables as text lines.
 std::string fit_measured_files(const MeasuredFitRequest& request, const Progress& progress);
 
 }  // namespace burnish

@@ -13,6 +13,7 @@
 #include "burnish/error.hpp"
 #include "burnish/mdf.hpp"
 #include "core/csv_columns.hpp"
+#include "jobs/models/measured_lobe.hpp"
 #include "models/batch/mdf_batch.hpp"
 
 namespace burnish {
@@ -152,7 +153,7 @@ static_assert(brdf_column::p4 - brdf_column::p0 + 1 == kMostBrdfParameters);
 constexpr std::array<std::string_view, 7> kBrdfReads = {"brdf", "ix", "iy", "iz", "ox", "oy", "oz"};
 constexpr std::array<std::string_view, 7> kBrdfMayRead = {"p0", "p1",  "p2",   "p3",
                                                           "p4", "mdf", "smith"};
-constexpr std::array<std::string_view, 1> kBrdfAdds = {"f"};
+constexpr std::array<std::string_view, 4> kBrdfAdds = {"f", "f_r", "f_g", "f_b"};
 
 const BrdfModel& brdf_model(const CsvRow& row) {
     namespace column = brdf_column;
@@ -171,8 +172,24 @@ BrdfFunction<Float> function_of(const BrdfModel& model) {
     if constexpr (std::is_same_v<Float, double>) return model.value_f64;
 }
 
+// A measured material is evaluated in double precision, whichever the table has.
 template <typename Float>
-void append_brdf_value(const CsvRow& row, std::string& line) {
+void append_measured(const CsvRow& row, MeasuredFiles& files, bool rgb, std::string& line) {
+    namespace column = brdf_column;
+    const auto wi = direction<double>(row, column::ix), wo = direction<double>(row, column::ox);
+    RglBrdf::Rgb f{};
+    try {
+        f = measured_f(files.at(std::string(row.text(column::brdf))), wi, wo);
+    } catch (const Error& error) {
+        row.fail(column::brdf, "a measured material", error.what());
+    }
+    append_value(row, column::brdf, static_cast<Float>(luminance_of(f)), line);
+    if (!rgb) return;
+    for (const double value : f) append_value(row, column::brdf, static_cast<Float>(value), line);
+}
+
+template <typename Float>
+void append_brdf_value(const CsvRow& row, bool rgb, std::string& line) {
     namespace column = brdf_column;
     const BrdfModel& model = brdf_model(row);
     std::array<Float, kMostBrdfParameters> p{};
@@ -181,12 +198,20 @@ void append_brdf_value(const CsvRow& row, std::string& line) {
     }
     const auto wi = direction<Float>(row, column::ix);
     const auto wo = direction<Float>(row, column::ox);
-    append_value(row, column::brdf, function_of<Float>(model)(p, wi, wo), line);
+    const Float f = function_of<Float>(model)(p, wi, wo);
+    for (int i = 0; i < (rgb ? 4 : 1); ++i) append_value(row, column::brdf, f, line);
 }
 
 template <typename Float>
-void add_brdf_values(std::span<const CsvRow> rows, std::span<std::string> added) {
-    for (std::size_t i = 0; i < rows.size(); ++i) append_brdf_value<Float>(rows[i], added[i]);
+void add_brdf_values(std::span<const CsvRow> rows, std::span<std::string> added,
+                     MeasuredFiles& files, bool rgb) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (names_measured(rows[i].text(brdf_column::brdf))) {
+            append_measured<Float>(rows[i], files, rgb, added[i]);
+        } else {
+            append_brdf_value<Float>(rows[i], rgb, added[i]);
+        }
+    }
 }
 
 }  // namespace
@@ -214,8 +239,13 @@ void eval_mdf_table(const EvalRequest& request, const Progress& progress) {
 
 void eval_brdf_table(const EvalRequest& request, const Progress& progress) {
     const bool single = request.precision == Precision::f32;
-    const CsvTask task{kBrdfReads, kBrdfMayRead, kBrdfAdds,
-                       single ? add_brdf_values<float> : add_brdf_values<double>};
+    MeasuredFiles files;
+    const auto evaluate = [&](std::span<const CsvRow> rows, std::span<std::string> added) {
+        single ? add_brdf_values<float>(rows, added, files, request.rgb)
+               : add_brdf_values<double>(rows, added, files, request.rgb);
+    };
+    const CsvTask task{kBrdfReads, kBrdfMayRead,
+                       std::span(kBrdfAdds).first(request.rgb ? kBrdfAdds.size() : 1), evaluate};
     add_csv_columns(request.input, request.output, task, progress);
 }
 

@@ -58,7 +58,8 @@ struct BrdfPlotRequest {
     ParameterValues values;
     // Names of models, with optional parameters of their own: "ggx", "phong:n=50:ks=2". Other
     // parameters follow from the roughness pair: m = sqrt(alpha_x alpha_y), exponents 2/m^2 - 2,
-    // tau = 2 sigma/m; ks = 1, or (n+2)/(2 pi) for a model that scales a power of a cosine.
+    // tau = 2 sigma/m; ks = 1, or (n+2)/(2 pi) for a model that scales a power of a cosine. Or
+    // measured materials (FILE.bsdf), of which the luminance is drawn.
     std::vector<std::string> brdfs;
     BrdfPlotKind kind = BrdfPlotKind::polar;
     std::vector<plot::ScaleKind> scales{plot::ScaleKind::linear};
@@ -71,7 +72,8 @@ struct BrdfPlotRequest {
 };
 
 // The models with all their parameters. Throws UsageError naming the model, the parameter and its
-// range; for unknown names it suggests the nearest.
+// range; for unknown names it suggests the nearest. Throws Error for measured materials that cannot
+// be read.
 std::vector<plot::BrdfSubject> brdf_subjects(const BrdfPlotRequest& request);
 
 // polar: a row for every scale, a column for every incidence, a line for every model. surface: rows

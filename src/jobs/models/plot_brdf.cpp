@@ -4,13 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <numbers>
 
 #include "burnish/error.hpp"
 #include "burnish/f64.hpp"
 #include "core/text.hpp"
 #include "jobs/models/eval.hpp"
+#include "jobs/models/measured_lobe.hpp"
 #include "jobs/models/plot.hpp"
 #include "jobs/models/plot_common.hpp"
 
@@ -118,7 +121,15 @@ class Defaults {
     double f0_;
 };
 
+BrdfSubject measured_subject(const std::string& path) {
+    BrdfSubject subject;
+    subject.label = std::filesystem::path(path).stem().string();
+    subject.measured = measured_reflection(std::make_shared<const RglBrdf>(RglBrdf::load(path)));
+    return subject;
+}
+
 BrdfSubject subject_of(const BrdfPlotRequest& request, const std::string& text) {
+    if (names_measured(text)) return measured_subject(text);
     const std::vector<std::string> words = split(text, ':');
     BrdfSubject subject;
     subject.model = &model_of(request, words.front());
@@ -141,9 +152,20 @@ BrdfSubject subject_of(const BrdfPlotRequest& request, const std::string& text) 
 std::string caption_of(const std::vector<BrdfSubject>& subjects) {
     std::string text;
     for (const BrdfSubject& subject : subjects)
-        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", subject.model->name,
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ",
+                            subject.model ? subject.model->name : std::string_view(subject.label),
                             plot::parameters_text(subject));
     return text + ".";
+}
+
+// What f of the lines is.
+std::string about_f(const std::vector<BrdfSubject>& subjects) {
+    const auto measured = [](const BrdfSubject& subject) { return !subject.model; };
+    std::string text = "Specular f per steradian, without the cosine";
+    if (std::any_of(subjects.begin(), subjects.end(), measured))
+        text += fmt::format("; of a measured material all of f, its luminance, to {}\u00b0",
+                            kMostShownDeg);
+    return text + ". ";
 }
 
 std::string incidence_text(const BrdfPlotRequest& request, double incidence_deg) {
@@ -170,7 +192,7 @@ void add_polar(const BrdfPlotRequest& request, const std::vector<BrdfSubject>& s
     figure.title = request.cut_deg ? fmt::format("Reflection in the cut at azimuth {}\u00b0",
                                                  plot::number_text(*request.cut_deg))
                                    : "Reflection in the plane of incidence";
-    figure.caption = "Specular f per steradian, without the cosine. " + caption_of(subjects);
+    figure.caption = about_f(subjects) + caption_of(subjects);
 }
 
 void add_surfaces(const BrdfPlotRequest& request, const std::vector<BrdfSubject>& subjects,
@@ -244,6 +266,7 @@ std::vector<BrdfSubject> brdf_subjects(const BrdfPlotRequest& request) {
     std::vector<BrdfSubject> subjects;
     for (const std::string& text : request.brdfs) subjects.push_back(subject_of(request, text));
     for (BrdfSubject& subject : subjects) {
+        if (!subject.model) continue;
         const auto same = [&](const BrdfSubject& other) { return other.model == subject.model; };
         if (std::count_if(subjects.begin(), subjects.end(), same) > 1)
             subject.label =
@@ -252,9 +275,9 @@ std::vector<BrdfSubject> brdf_subjects(const BrdfPlotRequest& request) {
     return subjects;
 }
 
-Figure brdf_figure(const BrdfPlotRequest& request) {
-    check(request);
-    const std::vector<BrdfSubject> subjects = brdf_subjects(request);
+namespace {
+
+Figure figure_of(const BrdfPlotRequest& request, const std::vector<BrdfSubject>& subjects) {
     Figure figure;
     if (request.kind == BrdfPlotKind::polar) {
         add_polar(request, subjects, figure);
@@ -266,13 +289,22 @@ Figure brdf_figure(const BrdfPlotRequest& request) {
     return figure;
 }
 
+}  // namespace
+
+Figure brdf_figure(const BrdfPlotRequest& request) {
+    check(request);
+    return figure_of(request, brdf_subjects(request));
+}
+
 void plot_brdf(const BrdfPlotRequest& request, const Progress& progress) {
     plot::require_figure_path(request.output.path);
+    check(request);
+    const std::vector<BrdfSubject> subjects = brdf_subjects(request);
     const plot::Metadata parameters = {
-        {"burnish:brdf", caption_of(brdf_subjects(request))},
+        {"burnish:brdf", caption_of(subjects)},
         {"burnish:incidence_deg", fmt::format("{}", fmt::join(request.incidences_deg, ","))},
         {"burnish:azimuth_deg", fmt::format("{}", request.azimuth_deg)}};
-    write_plot(brdf_figure(request), request.output, parameters, progress);
+    write_plot(figure_of(request, subjects), request.output, parameters, progress);
 }
 
 }  // namespace burnish

@@ -22,7 +22,7 @@ constexpr double kDiskSide = 260;
 
 constexpr std::string_view kAboutDisk =
     "Half vectors (h_{x}, h_{y}) in the unperturbed tangent space. The cross marks the perturbed "
-    "normal \u00f1. Colours: Ember, even steps in OKLab, black to pale yellow.";
+    "normal \u00f1. Colors: Ember, even steps in OKLab, black to pale yellow.";
 constexpr std::string_view kAboutGrid =
     "Rings every 0.2 and rays every 15\u00b0 of the disk of half vectors before (grey) and after "
     "(blue). C goes to C\u2032 = \u00f1, p to p\u2032; R is where the ray from C through p meets "

@@ -129,8 +129,8 @@ void check_draft(const Draft& draft, std::string_view what) {
                     fmt::format("{}", draft.warp_up.size()));
     for (const std::uint8_t cell : draft.warp_up)
         if (cell > 1) throw Error(what, "warp_up", "0 or 1", fmt::format("{}", cell));
-    check_colors(draft.warp_colors, draft.ends, "warp_colours", what);
-    check_colors(draft.weft_colors, draft.picks, "weft_colours", what);
+    check_colors(draft.warp_colors, draft.ends, "warp_colors", what);
+    check_colors(draft.weft_colors, draft.picks, "weft_colors", what);
 }
 
 DraftFigures draft_figures(const Draft& draft) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/ext/vector_int3.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -88,10 +91,123 @@ void push_out(Sheet& cloth) {
     }
 }
 
+// Two nodes of different parts of the cloth that may touch before the next search.
+struct Contact {
+    std::size_t a, b;
+};
+
+// Layers of the cloth keep this many spacings between their nodes: more than half the diagonal of a
+// square of four nodes, so that no node slips between the nodes of another layer.
+constexpr float kApart = 0.9f;
+
+// Nodes in buckets by the cell of space that they are in. Cells are as wide as `reach`, so that
+// whatever is within reach of a node is in its own cell or in one of the 26 about it.
+class Buckets {
+  public:
+    Buckets(const Sheet& cloth, float reach) : cloth_(cloth), reach_(reach), starts_(kCount + 1) {
+        for (const glm::vec3& p : cloth.now) ++starts_[bucket(cell_of(p)) + 1];
+        for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+        std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+        nodes_.resize(cloth.now.size());
+        for (std::size_t i = 0; i < cloth.now.size(); ++i)
+            nodes_[next[bucket(cell_of(cloth.now[i]))]++] = i;
+    }
+    // Calls visit(b) for every node b after a that is within reach of it.
+    template <typename Visit>
+    void within_reach(std::size_t a, const Visit& visit) const {
+        const glm::vec3 p = cloth_.now[a];
+        const glm::ivec3 cell = cell_of(p);
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) {
+                    const glm::ivec3 other = cell + glm::ivec3(dx, dy, dz);
+                    const std::size_t at = bucket(other);
+                    for (std::size_t k = starts_[at]; k < starts_[at + 1]; ++k) {
+                        const glm::vec3 q = cloth_.now[nodes_[k]];
+                        if (nodes_[k] <= a || glm::dot(q - p, q - p) >= reach_ * reach_) continue;
+                        // Cells share buckets: one that holds two of them is looked at twice.
+                        if (cell_of(q) == other) visit(nodes_[k]);
+                    }
+                }
+    }
+
+  private:
+    static constexpr std::size_t kCount = 8192;
+    glm::ivec3 cell_of(glm::vec3 p) const { return glm::ivec3(glm::floor(p / reach_)); }
+    static std::size_t bucket(glm::ivec3 cell) {
+        // Three large primes (Teschner et al. 2003, "Optimized spatial hashing").
+        const auto mixed = static_cast<std::uint32_t>(cell.x) * 73856093u ^
+                           static_cast<std::uint32_t>(cell.y) * 19349663u ^
+                           static_cast<std::uint32_t>(cell.z) * 83492791u;
+        return mixed % kCount;
+    }
+
+    const Sheet& cloth_;
+    float reach_;
+    std::vector<std::size_t> starts_, nodes_;
+};
+
+// Pairs that are within `reach` of each other.
+std::vector<Contact> contacts_of(const Sheet& cloth, float reach) {
+    const Buckets buckets(cloth, reach);
+    const auto nodes = static_cast<std::size_t>(cloth.nodes);
+    const auto steps = [](std::size_t i, std::size_t j) { return i > j ? i - j : j - i; };
+    std::vector<Contact> contacts;
+    for (std::size_t a = 0; a < cloth.now.size(); ++a)
+        buckets.within_reach(a, [&](std::size_t b) {
+            // Nodes up to two steps apart are kept apart by the threads.
+            if (std::max(steps(a / nodes, b / nodes), steps(a % nodes, b % nodes)) > 2)
+                contacts.push_back({a, b});
+        });
+    return contacts;
+}
+
+// Contacts that are searched again only after a node has moved far enough to make a new one.
+class Contacts {
+  public:
+    const std::vector<Contact>& now(const Sheet& cloth) {
+        const float apart = kApart * cloth.spacing();
+        // Two nodes that were 2 apart and have moved by 0.5 apart each are apart still.
+        if (moved_by(cloth, 0.5f * apart)) {
+            contacts_ = contacts_of(cloth, 2.0f * apart);
+            searched_at_ = cloth.now;
+        }
+        return contacts_;
+    }
+
+  private:
+    bool moved_by(const Sheet& cloth, float distance) const {
+        if (searched_at_.empty()) return true;
+        for (std::size_t i = 0; i < cloth.now.size(); ++i) {
+            const glm::vec3 moved = cloth.now[i] - searched_at_[i];
+            if (glm::dot(moved, moved) > distance * distance) return true;
+        }
+        return false;
+    }
+
+    std::vector<Contact> contacts_;
+    std::vector<glm::vec3> searched_at_;
+};
+
+void keep_apart(Sheet& cloth, const std::vector<Contact>& contacts) {
+    const float apart = kApart * cloth.spacing();
+    for (const Contact& contact : contacts) {
+        glm::vec3& a = cloth.now[contact.a];
+        glm::vec3& b = cloth.now[contact.b];
+        const glm::vec3 between = b - a;
+        const float length = std::max(glm::length(between), 1e-6f);  // as in `pull`
+        if (length >= apart) continue;
+        const glm::vec3 step = between * (0.5f * (1.0f - apart / length));
+        a += step;
+        b -= step;
+    }
+}
+
 // Position-based dynamics (Mueller et al. 2007, "Position based dynamics"): Verlet steps, then
 // passes over the threads, always in the same order so that every run gives the same cloth.
 void simulate(Sheet& cloth, int steps, int passes) {
     constexpr float kStep = 1.0f / 60.0f, kGravity = -1.5f, kKept = 0.97f;
+    Contacts contacts;
     for (int step = 0; step < steps; ++step) {
         for (std::size_t i = 0; i < cloth.now.size(); ++i) {
             const glm::vec3 moved = (cloth.now[i] - cloth.before[i]) * kKept;
@@ -100,6 +216,7 @@ void simulate(Sheet& cloth, int steps, int passes) {
         }
         for (int pass = 0; pass < passes; ++pass) {
             for (const Threads& threads : kThreads) pull(cloth, threads, pass % 2 == 1);
+            keep_apart(cloth, contacts.now(cloth));
             push_out(cloth);
         }
     }

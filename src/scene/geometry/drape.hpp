@@ -6,7 +6,8 @@
 namespace burnish {
 
 // A sheet of about `triangles` triangles, visible from both sides. Texture coordinates are the
-// cloth at rest, tangents run along the warp. The mesh is the same for every call and number of
+// cloth at rest, a meter square; tangents run along the warp. The sheet does not go through itself:
+// layers of it keep a distance of about 1 cm. The mesh is the same for every call and number of
 // threads.
 Mesh make_drape(int triangles);
 

@@ -125,7 +125,7 @@ void add_material(Table& t) {
         "Cx,Cy,Cz of lafortune: -1,-1,1 leans to the mirror direction, 1,1,1 back to the light");
     t.real("metallic", 0, 1, {}, "", "0 dielectric, 1 metal");
     t.color("base_color", 1, {},
-            "diffuse colour, or reflectance of a metal: r,g,b linear or #rrggbb");
+            "diffuse color, or reflectance of a metal: r,g,b linear or #rrggbb");
     t.choice("metal", metals(), {}, "measured metal with exact Fresnel instead of base_color");
     t.real("f0", 0, 1, {}, "",
            "normal reflectance of a dielectric (0.04 is a refractive index of 1.5)");
@@ -169,7 +169,7 @@ void add_material(Table& t) {
               "model in meters: sets uv_scale");
     t.text(
         "tabulated",
-        "measured material in place of the lobe and its colours: a file of burnish capture fit, an "
+        "measured material in place of the lobe and its colors: a file of burnish capture fit, an "
         "RGL .bsdf (its distribution of normals), or none");
     t.real("uv_scale", 0.01, 1000, {}, "",
            "repeats of the normal or scratch map, or the tabulated material, across the texture "
@@ -200,8 +200,8 @@ void add_cloth(Table& t) {
            "turn of the fibres, counter-clockwise from their yarn");
     t.real("weave_fuzz", 0, 1, decimal(standard.fuzz), "",
            "disorder of the fibres: standard deviation of their slopes");
-    t.color("warp_color", 1, {}, "colour of the warp yarns, along the bitangent: r,g,b or #rrggbb");
-    t.color("weft_color", 1, {}, "colour of the weft yarns, along the tangent");
+    t.color("warp_color", 1, {}, "color of the warp yarns, along the bitangent: r,g,b or #rrggbb");
+    t.color("weft_color", 1, {}, "color of the weft yarns, along the tangent");
     t.belongs_to = "";
 }
 
@@ -221,7 +221,7 @@ void add_render(Table& t) {
     t.boolean("ground", standard.ground, "the model's shadow on the plane under it");
     t.real("exposure", -20, 20, 0.0, "EV", "brightness, in powers of two");
     t.choice("tone_map", tone_map_names(), choice_of(ToneMap::khronos_neutral),
-             "how radiance becomes display colour");
+             "how radiance becomes display color");
     t.choice("background", background_names(), choice_of(standard.background),
              "what is behind the model");
     t.color("background_color", 1e6, standard.background_color,
