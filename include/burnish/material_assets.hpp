@@ -38,7 +38,7 @@ class MaterialAssets {
 
     // Loads what `values` name and is not here yet. Textures are appended to `textures`: the same
     // vector in every call, to which others may append, but from which nobody erases. Warnings of
-    // drafts are appended to `warnings`. Throws UsageError for names that are neither built in nor
+    // all that `values` name, loaded now or before, are appended to `warnings`, each line once. Throws UsageError for names that are neither built in nor
     // files, Error for files that cannot be read; what was loaded before stays.
     void load(const ParameterValues& values, std::vector<Texture>& textures,
               std::vector<std::string>& warnings);
@@ -58,6 +58,7 @@ class MaterialAssets {
     std::map<std::string, MapTextures> maps_;  // by the texts that name them
     std::map<std::string, std::shared_ptr<const Draft>> drafts_;
     std::map<std::string, std::shared_ptr<const TabulatedMaterial>> tabulated_;
+    std::map<std::string, std::vector<std::string>> warnings_;  // by parameter and name
 };
 
 // Whether `values` set `name` to something other than "none".

@@ -159,6 +159,7 @@ std::vector<std::string> LayeredMaterials::apply_layers(
     std::vector<Material> materials;
     std::vector<ParameterValues> layered, sized;
     size_notes_.clear();
+    file_warnings_.clear();
     for (std::size_t i = 0; i < base_.size(); ++i) {
         const auto own = upper.find(static_cast<int>(i));
         layered.push_back(values_of(i, scene, flags, own == upper.end() ? nullptr : &own->second));

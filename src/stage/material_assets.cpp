@@ -102,16 +102,29 @@ void MaterialAssets::load_scratch_maps(const std::string& name, bool follow,
 
 void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& textures,
                           std::vector<std::string>& warnings) {
+    // What the loaders say of a thing, when it is loaded and whenever it is named again.
+    const auto say = [&](const std::string& thing) {
+        for (const std::string& line : warnings_[thing])
+            if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
+                warnings.push_back(line);
+    };
     if (names_one(values, "normal_map")) {
-        const std::string name = values.text("normal_map");
-        if (!normal_maps_.contains(name))
-            normal_maps_[name] = append(textures, load_normal_map(name, warnings));
+        const std::string name = values.text("normal_map"), thing = "normal_map " + name;
+        if (!normal_maps_.contains(name)) {
+            std::vector<std::string> lines;
+            normal_maps_[name] = append(textures, load_normal_map(name, lines));
+            warnings_[thing] = std::move(lines);
+        }
+        say(thing);
     }
-    if (const std::string names = map_names(values); names_maps(values) && !maps_.contains(names)) {
-        MapTextures maps =
-            load_map_textures(values, [&](Texture t) { return append(textures, std::move(t)); });
-        warnings.insert(warnings.end(), maps.notes.begin(), maps.notes.end());
-        maps_[names] = std::move(maps);
+    if (const std::string names = map_names(values); names_maps(values)) {
+        if (!maps_.contains(names)) {
+            MapTextures maps = load_map_textures(
+                values, [&](Texture t) { return append(textures, std::move(t)); });
+            warnings_["maps " + names] = maps.notes;
+            maps_[names] = std::move(maps);
+        }
+        say("maps " + names);
     }
     if (values.is_set("scratch")) {
         const bool follow = static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
@@ -119,8 +132,13 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
         load_scratch_maps(values.text("scratch"), follow, textures);
     }
     if (names_one(values, "weave")) {
-        const std::string name = values.text("weave");
-        if (!drafts_.contains(name)) drafts_[name] = load_draft(name, warnings);
+        const std::string name = values.text("weave"), thing = "weave " + name;
+        if (!drafts_.contains(name)) {
+            std::vector<std::string> lines;
+            drafts_[name] = load_draft(name, lines);
+            warnings_[thing] = std::move(lines);
+        }
+        say(thing);
     }
     if (names_one(values, "tabulated")) {
         const std::string name = values.text("tabulated");

@@ -1,6 +1,7 @@
 // The copied command draws what the viewer shows: it is parsed as `burnish render` parses it.
 #include "viewer/document/command_line.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "burnish/error.hpp"

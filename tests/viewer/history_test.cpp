@@ -41,22 +41,22 @@ TEST(History, StepsBackAndForthAndForgetsWhatWasUndone) {
 
 TEST(History, ADragIsOneStep) {
     History history(with_exposure(0));
-    for (int i = 1; i <= 50; ++i) history.record(with_exposure(i), "exposure", "exposure");
+    for (int i = 1; i <= 50; ++i) history.record(with_exposure(0.1 * i), "exposure", "exposure");
     EXPECT_EQ(history.undo_count(), 1u);
     history.close();
-    history.record(with_exposure(60), "exposure", "exposure");
+    history.record(with_exposure(6), "exposure", "exposure");
     EXPECT_EQ(history.undo_count(), 2u);
-    history.record(with_exposure(61), "another key");
-    history.record(with_exposure(62), "another key");
+    history.record(with_exposure(7), "another key");
+    history.record(with_exposure(8), "another key");
     EXPECT_EQ(history.undo_count(), 3u);
     history.undo();
-    EXPECT_EQ(exposure_of(history.present()), 60.0);
+    EXPECT_EQ(exposure_of(history.present()), 6.0);
     history.undo();
-    EXPECT_EQ(exposure_of(history.present()), 50.0);
+    EXPECT_EQ(exposure_of(history.present()), 5.0);
     // After an undo the same key begins a step: what was undone to must not be lost.
-    history.record(with_exposure(70), "exposure");
+    history.record(with_exposure(9), "exposure");
     history.undo();
-    EXPECT_EQ(exposure_of(history.present()), 50.0);
+    EXPECT_EQ(exposure_of(history.present()), 5.0);
 }
 
 TEST(History, AnEqualDocumentIsNoStep) {
@@ -90,7 +90,7 @@ TEST(History, DoesAsAListOfDocumentsDoes) {
     std::vector<double> list{0.0};
     std::size_t at = 0;
     for (int i = 0; i < 5000; ++i) {
-        const unsigned what = random() % 4;
+        const auto what = random() % 4;
         if (what < 2) {
             const double ev = static_cast<double>(random() % 1000) / 100.0;
             if (ev != list[at]) {

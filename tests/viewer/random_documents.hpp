@@ -107,7 +107,7 @@ class RandomDocuments {
     std::vector<Light> lights() {
         std::vector<Light> all;
         std::uniform_real_distribution<float> part;
-        for (unsigned i = random_() % 4; i > 0; --i) {
+        for (auto i = random_() % 4; i > 0; --i) {
             Light light;
             light.type = static_cast<LightType>(random_() % 3);
             light.color = {part(random_), part(random_), random_() % 2 == 0 ? 1.0f : 0.5f};

@@ -61,7 +61,6 @@ TEST(SavedScene, FilesAreNamedFromItsFolderAndPresetsByTheirNames) {
     std::filesystem::create_directories(folder / "in/maps");
     std::filesystem::create_directories(folder / "out");
     write_image(folder / "in/maps/bumps.png", Image(4, 4, 3, 0.5f), {});
-    write_image(folder / "in/none", Image(4, 4, 3, 0.5f), {});
     Document document;
     document.input = two_materials(folder, "in/two.glb").string();
     document.environment = "none";

@@ -152,7 +152,7 @@ TEST(ViewerScript, SurvivesAnyBytes) {
     for (int i = 0; i < 20000; ++i) {
         std::string text = sound;
         if (i % 4 == 0) text.resize(random() % text.size());
-        for (unsigned j = random() % 6; j > 0 && !text.empty(); --j)
+        for (auto j = random() % 6; j > 0 && !text.empty(); --j)
             text[random() % text.size()] = static_cast<char>(random());
         if (i % 5 == 0) text.insert(random() % (text.size() + 1), sound.substr(random() % 40));
         try {

@@ -15,6 +15,7 @@
 #include "burnish/wif.hpp"
 #include "formats/bsdf/tensor_file.hpp"
 #include "stage/map_set.hpp"
+#include "viewer/document/file_names.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -151,11 +152,6 @@ std::string fitted_beside(const std::string& rig, std::vector<std::string>* note
         notes->push_back(fmt::format("{}: a rig; {} beside it is shown", one_line(rig),
                                      one_line(fs::path(chosen).filename().string())));
     return chosen;
-}
-
-std::string absolute_name(const std::string& path) {
-    if (is_builtin(path) || path.empty()) return path;
-    return fs::absolute(path).lexically_normal().string();
 }
 
 }  // namespace
