@@ -4,9 +4,12 @@
 // used.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "burnish/api.hpp"
@@ -43,6 +46,18 @@ class MaterialAssets {
     void load(const ParameterValues& values, std::vector<Texture>& textures,
               std::vector<std::string>& warnings);
 
+    // For a session of many edits. Things that no load() has named since begin_uses() are unused;
+    // free_unused drops them, the one longest unused first, until kMostUnused are left whose textures
+    // take kMostUnusedBytes together: a step back does not read a file again. Their textures become
+    // empty, and load() assigns those places anew.
+    static constexpr std::size_t kMostUnused = 16;
+    static constexpr std::size_t kMostUnusedBytes = std::size_t{512} << 20;
+    void begin_uses() { ++clock_; }
+    void free_unused(std::vector<Texture>& textures);
+    // How often the place of a texture was emptied or assigned anew, by its index; 0 where it is not
+    // listed.
+    const std::map<int, std::uint64_t>& texture_changes() const { return texture_changes_; }
+
     // What load() was given before. "none" names nothing: index -1 and null pointers.
     int normal_map(const std::string& name) const;
     ScratchMaps scratch(const std::string& name) const;
@@ -51,6 +66,16 @@ class MaterialAssets {
     std::shared_ptr<const TabulatedMaterial> tabulated(const std::string& name) const;
 
   private:
+    // Something that a parameter names, as "normal_map bumps.png".
+    struct Thing {
+        std::vector<int> textures;
+        std::vector<std::string> warnings;  // of its reader
+        std::uint64_t used = 0;             // clock of the last load() that named it
+    };
+
+    Thing& use(const std::string& parameter, const std::string& name);
+    int place(Thing& thing, std::vector<Texture>& textures, Texture texture);
+    void forget(const std::string& parameter, const std::string& name);
     void load_scratch_maps(const std::string& name, bool follow, std::vector<Texture>& textures);
 
     std::map<std::string, int> normal_maps_;
@@ -58,7 +83,10 @@ class MaterialAssets {
     std::map<std::string, MapTextures> maps_;  // by the texts that name them
     std::map<std::string, std::shared_ptr<const Draft>> drafts_;
     std::map<std::string, std::shared_ptr<const TabulatedMaterial>> tabulated_;
-    std::map<std::string, std::vector<std::string>> warnings_;  // by parameter and name
+    std::map<std::pair<std::string, std::string>, Thing> things_;  // by parameter and name
+    std::vector<int> free_places_;
+    std::map<int, std::uint64_t> texture_changes_;
+    std::uint64_t clock_ = 0;
 };
 
 // Whether `values` set `name` to something other than "none".

@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view kFormat = "burnish-scene";
 // Ten thousand objects with every key take two megabytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
-constexpr std::size_t kMostObjects = 10000, kMostLights = 1000;
+constexpr std::size_t kMostObjects = 10000, kMostLights = 1000, kMostHidden = 1000000;
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
 // Resolves a file name in a scene file relative to the scene file; absolute paths stay.
@@ -381,7 +381,7 @@ class SceneFileReader {
     }
 
     void read_hidden(const JsonPlace& place, const SceneFile::Object& object) {
-        place.require_array(static_cast<std::size_t>(object.instances));
+        place.require_array(kMostHidden);
         for (std::size_t i = 0; i < place.size(); ++i) {
             const nlohmann::json& index = place.value()[i];
             if (!index.is_number_integer() || index < 0 || index >= object.instances)

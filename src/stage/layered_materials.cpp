@@ -160,6 +160,7 @@ std::vector<std::string> LayeredMaterials::apply_layers(
     std::vector<ParameterValues> layered, sized;
     size_notes_.clear();
     file_warnings_.clear();
+    assets_.begin_uses();
     for (std::size_t i = 0; i < base_.size(); ++i) {
         const auto own = upper.find(static_cast<int>(i));
         layered.push_back(values_of(i, scene, flags, own == upper.end() ? nullptr : &own->second));

@@ -262,6 +262,40 @@ TEST_F(EditorOfTwo, TwoHundredEditsAndUndosReadNoMapTwice) {
     EXPECT_EQ(editor_.stage().scene.meshes.size(), meshes);
 }
 
+// A slider of heights names another map at every place of the slider.
+TEST_F(EditorOfTwo, MapsThatAreLongUnusedAreFreedAndReadAgain) {
+    write_image(folder_ / "h.png", Image(64, 64, 1, 0.5f), {});
+    Document document = editor_.document();
+    set_parameter_text(document, "height_map", (folder_ / "h.png").string());
+    const auto used_bytes = [&] {
+        std::size_t bytes = 0;
+        for (const Texture& texture : editor_.stage().scene.textures)
+            bytes += texture.texels.size();
+        return bytes;
+    };
+    std::size_t most = 0, places = 0;
+    for (int i = 0; i < 200; ++i) {
+        set_parameter(document, "height_scale", 0.001 * (i + 1));
+        editor_.set(document);
+        const int texture = editor_.stage().scene.materials[0].normal_texture.texture;
+        ASSERT_GE(texture, 0);
+        EXPECT_FALSE(editor_.stage().scene.textures[static_cast<std::size_t>(texture)].empty());
+        if (i == 2 * static_cast<int>(MaterialAssets::kMostUnused)) {
+            most = used_bytes();
+            places = editor_.stage().scene.textures.size();
+        }
+    }
+    EXPECT_EQ(used_bytes(), most);
+    EXPECT_EQ(editor_.stage().scene.textures.size(), places);
+    EXPECT_FALSE(editor_.stage().materials.texture_changes().empty());
+    for (int i = 0; i < 150; ++i) {
+        editor_.undo();
+        if (i % 30 == 0) expect_same_stage(editor_.stage(), load_stage(editor_.document()));
+    }
+    EXPECT_LE(used_bytes(), most);
+    EXPECT_LE(editor_.stage().scene.textures.size(), places);
+}
+
 TEST(EditorAtFirst, IsEmptyAndTakesTheStateOfTheFile) {
     Editor editor;
     EXPECT_TRUE(editor.stage().scene.instances.empty());
