@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "core/text.hpp"
 #include "support/program.hpp"
 #include "viewer/document/save_scene.hpp"
@@ -146,6 +147,8 @@ TEST(CommandLineOfTheViewer, TheProgramTakesIt) {
     const test::Outcome outcome = test::run_burnish(command.words);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint << command.text();
     EXPECT_EQ(folder.names(), std::vector<std::string>{"picture.png"});
+    const auto metadata = read_image_info(folder.path("picture.png")).metadata;
+    EXPECT_NE(metadata.at("burnish:parameters").find("shadows=false"), std::string::npos);
 }
 
 TEST(ShellQuoted, WordsSurviveAShell) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "burnish/error.hpp"
+#include "burnish/stage.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish::viewer {

@@ -11,6 +11,7 @@
 #include "burnish/image_io.hpp"
 #include "burnish/rig.hpp"
 #include "burnish/scene_file.hpp"
+#include "burnish/stage.hpp"
 #include "burnish/tabulated_file.hpp"
 #include "burnish/wif.hpp"
 #include "formats/bsdf/tensor_file.hpp"
@@ -164,9 +165,9 @@ Document first_document() {
         document.values.set(name, text, "");
     };
     set("metal", "steel");
-    set("scratch", "circular-brushed");
-    set("alpha_x", "0.32");
-    set("alpha_y", "0.1");
+    set("scratch", "brushed");
+    set("alpha_x", "0.1");
+    set("alpha_y", "0.4");
     set("method", "follow-grain");
     return document;
 }
