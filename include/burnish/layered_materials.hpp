@@ -5,6 +5,7 @@
 // appended to its scene.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -42,6 +43,13 @@ class LayeredMaterials {
     // and maps that failed to apply are not kept. Throws UsageError too for an index without a material.
     Remarks apply(Scene& scene, const ParameterValues& flags,
                   const std::map<int, ParameterValues>& upper);
+
+    // After many edits: frees maps that no material has used for long (MaterialAssets::free_unused).
+    // Their textures in the scene become empty, and later maps are assigned to their places.
+    void free_unused(Scene& scene) { assets_.free_unused(scene.textures); }
+    const std::map<int, std::uint64_t>& texture_changes() const {
+        return assets_.texture_changes();
+    }
 
     const std::vector<Material>& base() const { return base_; }
     // The scene file's layers, one a material.

@@ -4,6 +4,8 @@
 // used.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -43,10 +45,23 @@ class MaterialAssets {
 
     // Loads what `values` name and is not here yet. Textures are appended to `textures`: the same
     // vector in every call, to which others may append, but from which nobody erases. Warnings of
-    // drafts and maps are appended to `warnings`. Throws UsageError for names that are neither built in nor
+    // all that `values` name, loaded now or before, are appended to `warnings`, each line once. Throws
+    // UsageError for names that are neither built in nor
     // files, Error for files that cannot be read; what was loaded before stays.
     void load(const ParameterValues& values, std::vector<Texture>& textures,
               std::vector<std::string>& warnings);
+
+    // For a session of many edits. Things that no load() has named since begin_uses() are unused;
+    // free_unused drops them, the one longest unused first, until kMostUnused are left whose textures
+    // take kMostUnusedBytes together: a step back does not read a file again. Their textures become
+    // empty, and load() assigns those places anew.
+    static constexpr std::size_t kMostUnused = 16;
+    static constexpr std::size_t kMostUnusedBytes = std::size_t{512} << 20;
+    void begin_uses() { ++clock_; }
+    void free_unused(std::vector<Texture>& textures);
+    // How often the place of a texture was emptied or assigned anew, by its index; 0 where it is not
+    // listed.
+    const std::map<int, std::uint64_t>& texture_changes() const { return texture_changes_; }
 
     // What load() was given before. "none" names nothing: index -1 and null pointers.
     int normal_map(const std::string& name) const;
@@ -56,6 +71,16 @@ class MaterialAssets {
     std::shared_ptr<const TabulatedMaterial> tabulated(const std::string& name) const;
 
   private:
+    // Something that a parameter names, as "normal_map bumps.png".
+    struct Thing {
+        std::vector<int> textures;
+        std::vector<std::string> warnings;  // of its reader
+        std::uint64_t used = 0;             // clock of the last load() that named it
+    };
+
+    Thing& use(const std::string& parameter, const std::string& name);
+    int place(Thing& thing, std::vector<Texture>& textures, Texture texture);
+    void forget(const std::string& parameter, const std::string& name);
     void load_scratch_maps(const std::string& name, bool follow, std::vector<Texture>& textures);
 
     std::map<std::string, int> normal_maps_;
@@ -63,6 +88,10 @@ class MaterialAssets {
     std::map<std::string, MapTextures> maps_;  // by the texts that name them
     std::map<std::string, std::shared_ptr<const Draft>> drafts_;
     std::map<std::string, std::shared_ptr<const TabulatedMaterial>> tabulated_;
+    std::map<std::pair<std::string, std::string>, Thing> things_;  // by parameter and name
+    std::vector<int> free_places_;
+    std::map<int, std::uint64_t> texture_changes_;
+    std::uint64_t clock_ = 0;
 };
 
 // Whether `values` set `name` to something other than "none".

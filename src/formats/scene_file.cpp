@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view kFormat = "burnish-scene";
 // Ten thousand objects with every key take two megabytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
-constexpr std::size_t kMostObjects = 10000, kMostLights = 1000;
+constexpr std::size_t kMostObjects = 10000, kMostLights = 1000, kMostHidden = 1000000;
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
 // Resolves a file name in a scene file relative to the scene file; absolute paths stay.
@@ -213,11 +213,14 @@ class SceneFileReader {
         out_.objects.push_back(std::move(object));
     }
 
+    std::string model_name(const JsonPlace& place) const { return beside(path_, place.text()); }
+
     // A file that is spelled in two ways is one model.
-    std::string model_name(const JsonPlace& place) const {
-        const std::string name = beside(path_, place.text());
-        if (name.starts_with(kBuiltinPrefix)) return name;
-        return std::filesystem::path(name).lexically_normal().string();
+    static std::string identity_of(const std::string& model) {
+        if (model.starts_with(kBuiltinPrefix)) return model;
+        std::error_code error;
+        const std::filesystem::path real = std::filesystem::weakly_canonical(model, error);
+        return error ? model : real.string();
     }
 
     LoadedModel& loaded(const JsonPlace& place) {
@@ -225,7 +228,8 @@ class SceneFileReader {
         if (name.ends_with(".json"))
             throw Error(place.file(), place.path(), "a model: scenes hold no scenes",
                         shown(place.text()));
-        if (const auto found = models_.find(name); found != models_.end()) return found->second;
+        const std::string identity = identity_of(name);
+        if (const auto found = models_.find(identity); found != models_.end()) return found->second;
         LoadedModel model;
         try {
             const bool above = over_.is_set("triangles");
@@ -245,7 +249,7 @@ class SceneFileReader {
                                    model.rest.warnings.end());
         model.rest.meshes.clear();
         model.rest.textures.clear();
-        return models_.emplace(name, std::move(model)).first->second;
+        return models_.emplace(identity, std::move(model)).first->second;
     }
 
     // The name of a set of parameters, held against "materials".
@@ -379,7 +383,7 @@ class SceneFileReader {
     }
 
     void read_hidden(const JsonPlace& place, const SceneFile::Object& object) {
-        place.require_array(static_cast<std::size_t>(object.instances));
+        place.require_array(kMostHidden);
         for (std::size_t i = 0; i < place.size(); ++i) {
             const nlohmann::json& index = place.value()[i];
             if (!index.is_number_integer() || index < 0 || index >= object.instances)

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "burnish/draft.hpp"

@@ -171,6 +171,8 @@ Remarks LayeredMaterials::apply_layers(Scene& scene, const ParameterValues& flag
     std::vector<Material> materials;
     std::vector<ParameterValues> layered, sized;
     SizeReport sizes;
+    file_warnings_.clear();
+    assets_.begin_uses();
     for (std::size_t i = 0; i < base_.size(); ++i) {
         const auto own = upper.find(static_cast<int>(i));
         layered.push_back(values_of(i, scene, flags, own == upper.end() ? nullptr : &own->second));

@@ -74,11 +74,6 @@ std::shared_ptr<const Draft> load_draft(const std::string& name,
     return std::make_shared<Draft>(load_wif(name, warnings));
 }
 
-int append(std::vector<Texture>& textures, Texture texture) {
-    textures.push_back(std::move(texture));
-    return static_cast<int>(textures.size()) - 1;
-}
-
 template <typename Loaded>
 Loaded find_or(const std::map<std::string, Loaded>& all, const std::string& name,
                Loaded otherwise) {
@@ -92,29 +87,64 @@ bool names_one(const ParameterValues& values, std::string_view name) {
     return values.is_set(name) && values.text(name) != "none";
 }
 
+MaterialAssets::Thing& MaterialAssets::use(const std::string& parameter, const std::string& name) {
+    Thing& thing = things_[{parameter, name}];
+    thing.used = clock_;
+    return thing;
+}
+
+int MaterialAssets::place(Thing& thing, std::vector<Texture>& textures, Texture texture) {
+    int index = static_cast<int>(textures.size());
+    if (free_places_.empty()) {
+        textures.push_back(std::move(texture));
+    } else {
+        index = free_places_.back();
+        free_places_.pop_back();
+        textures[static_cast<std::size_t>(index)] = std::move(texture);
+        ++texture_changes_[index];
+    }
+    thing.textures.push_back(index);
+    return index;
+}
+
 void MaterialAssets::load_scratch_maps(const std::string& name, bool follow,
                                        std::vector<Texture>& textures) {
+    Thing& thing = use("scratch", name);
     ScratchMaps maps = scratch(name);
     if (maps.normal >= 0 && (!follow || maps.anisotropy >= 0)) return;
     ScratchTextures made = load_scratch(name, follow);
     maps.tile_mm = made.tile_mm;
-    if (maps.normal < 0) maps.normal = append(textures, std::move(made.normal));
-    if (follow) maps.anisotropy = append(textures, std::move(made.anisotropy));
+    if (maps.normal < 0) maps.normal = place(thing, textures, std::move(made.normal));
+    if (follow) maps.anisotropy = place(thing, textures, std::move(made.anisotropy));
     scratch_[name] = maps;
 }
 
 void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& textures,
                           std::vector<std::string>& warnings) {
+    // What the reader says of a thing, when it is read and whenever it is named again.
+    const auto say = [&](const Thing& thing) {
+        for (const std::string& line : thing.warnings)
+            if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
+                warnings.push_back(line);
+    };
     if (names_one(values, "normal_map")) {
         const std::string name = values.text("normal_map");
-        if (!normal_maps_.contains(name))
-            normal_maps_[name] = append(textures, load_normal_map(name, warnings));
+        Thing& thing = use("normal_map", name);
+        if (!normal_maps_.contains(name)) {
+            thing.warnings.clear();
+            normal_maps_[name] = place(thing, textures, load_normal_map(name, thing.warnings));
+        }
+        say(thing);
     }
-    if (const std::string names = map_names(values); names_maps(values) && !maps_.contains(names)) {
-        MapTextures maps =
-            load_map_textures(values, [&](Texture t) { return append(textures, std::move(t)); });
-        warnings.insert(warnings.end(), maps.warnings.begin(), maps.warnings.end());
-        maps_[names] = std::move(maps);
+    if (const std::string names = map_names(values); names_maps(values)) {
+        Thing& thing = use("maps", names);
+        if (!maps_.contains(names)) {
+            MapTextures maps = load_map_textures(
+                values, [&](Texture t) { return place(thing, textures, std::move(t)); });
+            thing.warnings = maps.warnings;
+            maps_[names] = std::move(maps);
+        }
+        say(thing);
     }
     if (values.is_set("scratch")) {
         const bool follow = static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
@@ -123,12 +153,48 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
     }
     if (names_one(values, "weave")) {
         const std::string name = values.text("weave");
-        if (!drafts_.contains(name)) drafts_[name] = load_draft(name, warnings);
+        Thing& thing = use("weave", name);
+        if (!drafts_.contains(name)) {
+            thing.warnings.clear();
+            drafts_[name] = load_draft(name, thing.warnings);
+        }
+        say(thing);
     }
     if (names_one(values, "tabulated")) {
         const std::string name = values.text("tabulated");
         refuse_folder("tabulated", "a file of burnish capture fit, an RGL .bsdf or none", name);
+        use("tabulated", name);
         if (!tabulated_.contains(name)) tabulated_[name] = load_tabulated(name);
+    }
+}
+
+void MaterialAssets::forget(const std::string& parameter, const std::string& name) {
+    if (parameter == "normal_map") normal_maps_.erase(name);
+    if (parameter == "maps") maps_.erase(name);
+    if (parameter == "scratch") scratch_.erase(name);
+    if (parameter == "weave") drafts_.erase(name);
+    if (parameter == "tabulated") tabulated_.erase(name);
+}
+
+void MaterialAssets::free_unused(std::vector<Texture>& textures) {
+    std::vector<decltype(things_)::iterator> unused;
+    for (auto thing = things_.begin(); thing != things_.end(); ++thing)
+        if (thing->second.used != clock_) unused.push_back(thing);
+    std::stable_sort(unused.begin(), unused.end(),
+                     [](auto a, auto b) { return a->second.used > b->second.used; });
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < unused.size(); ++i) {
+        const std::vector<int>& places = unused[i]->second.textures;
+        for (const int index : places)
+            bytes += textures[static_cast<std::size_t>(index)].texels.size();
+        if (i < kMostUnused && bytes <= kMostUnusedBytes) continue;
+        for (const int index : places) {
+            textures[static_cast<std::size_t>(index)] = Texture{};
+            ++texture_changes_[index];
+            free_places_.push_back(index);
+        }
+        forget(unused[i]->first.first, unused[i]->first.second);
+        things_.erase(unused[i]);
     }
 }
 

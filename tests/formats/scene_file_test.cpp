@@ -8,6 +8,7 @@
 #include <fstream>
 #include <glm/vec4.hpp>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "burnish/image_io.hpp"
@@ -140,6 +141,101 @@ TEST(SceneFile, MaterialsAreNamedAsTheSceneNamesThem) {
     EXPECT_EQ(file.scene.materials.at(0).name, "brushed");
     EXPECT_EQ(file.scene.materials.at(1).name, "default");
     EXPECT_EQ(file.environment, "none") << "no file of that name";
+}
+
+TEST(SceneFile, SetsGoToSingleMaterialsOfAModel) {
+    const ScratchFolder folder;
+    folder.write("m.obj",
+                 "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl oak\nf 1 2 3\n"
+                 "usemtl brass\nf 1 2 3\n");
+    folder.write("m.mtl", "newmtl oak\nnewmtl brass\n");
+    const auto load_objects = [&](const std::string& objects) {
+        return load_scene_file(
+            folder.write("s.json", scene_of(R"("objects": [)" + objects + R"(], "materials": {
+                "a": {"alpha_x": 0.1}, "b": {"alpha_x": 0.2, "name": "bright"}, "c": {"alpha_x": 0.3}})")));
+    };
+    const auto alphas = [](const SceneFile& file) {
+        std::vector<double> all;
+        for (const SceneFile::Layer& layer : file.layers)
+            all.push_back(layer.values.is_set("alpha_x") ? layer.values.real("alpha_x") : 0.0);
+        return all;
+    };
+    const SceneFile file = load_objects(
+        R"({"model": "m.obj", "material": {"brass": "b", "#0": "a"}, "hidden": [1]},
+           {"model": "m.obj", "material": {"*": "c", "oak": "a", "#0": "b"}},
+           {"model": "m.obj", "material": {"brass": "c"}},
+           {"model": "./m.obj", "material": {"brass": "b", "#0": "a"}, "hidden": [0, 0, 1]})");
+    EXPECT_EQ(alphas(file), (std::vector<double>{0.1, 0.2, 0.2, 0.3, 0.0, 0.3}));
+    EXPECT_EQ(file.scene.materials[0].name, "oak");
+    EXPECT_EQ(file.scene.materials[1].name, "bright");
+    EXPECT_TRUE(file.layers[1].renamed);
+    EXPECT_FALSE(file.layers[0].renamed);
+    EXPECT_EQ(file.scene.meshes.size(), 2u) << "the same file, spelled in two ways";
+    ASSERT_EQ(file.objects.size(), 4u);
+    EXPECT_EQ(file.objects[3].first_material, file.objects[0].first_material) << "shared";
+    EXPECT_EQ(file.objects[2].first_material, 4);
+    EXPECT_EQ(file.hidden, (std::vector<int>{1, 6, 7}));
+    for (const Instance& instance : file.scene.instances)
+        EXPECT_GE(instance.mesh, 0) << "who draws the scene hides them";
+
+    const auto refused = [&](const std::string& member, const std::string& part) {
+        const std::string line =
+            error_line([&] { load_objects(R"({"model": "m.obj", )" + member + "}"); });
+        EXPECT_NE(line.find("objects[0]"), std::string::npos) << line;
+        EXPECT_NE(line.find(part), std::string::npos) << line;
+    };
+    refused(R"("material": {"bras": "a"})", "did you mean 'brass'?");
+    refused(R"("material": {"brass": "d"})", "a name under \"materials\"");
+    refused(R"("material": {"#2": "a"})", "an index below 2");
+    refused(R"("material": 3)", "or an object");
+    refused(R"("material": {"brass": 3})", "a text");
+    refused(R"("hidden": [2])", "below 2");
+    refused(R"("hidden": [-1])", "below 2");
+    refused(R"("hidden": [0.5])", "below 2");
+    refused(R"("hidden": 1)", "a list");
+}
+
+TEST(SceneFile, LightsOfModelsCanBeLeftOutAndTheViewersPartIsKeptAsItIs) {
+    const std::string objects = R"("objects": [{"model": "builtin:plane"}], )";
+    const SceneFile file =
+        load(scene_of(objects + R"("model_lights": false, "viewer": {"anything": [1, {}]})"));
+    EXPECT_TRUE(file.drops_lights);
+    EXPECT_EQ(file.viewer, R"({"anything":[1,{}]})");
+    EXPECT_FALSE(load(scene_of(objects + R"("lights": [])")).drops_lights);
+    error_line([&] { load(scene_of(objects + R"("model_lights": 0)")); });
+    error_line([&] { load(scene_of(objects + R"("viewer": 0)")); });
+}
+
+TEST(SceneFile, TrianglesOfALayerAboveCount) {
+    const ScratchFolder folder;
+    const auto path = folder.write(
+        "s.json",
+        scene_of(R"("objects": [{"model": "builtin:sphere"}], "parameters": {"triangles": 100})"));
+    const auto triangles = [](const SceneFile& file) {
+        return file.scene.meshes.at(0).indices.size() / 3;
+    };
+    ParameterValues over;
+    over.set_value("triangles", 5000);
+    EXPECT_LT(triangles(load_scene_file(path)), 300u);
+    EXPECT_GT(triangles(load_scene_file(path, over)), 3000u);
+}
+
+// A direction of floats is not unit to the last bit: normalizing it again would change it.
+TEST(SceneFile, DirectionsThatAreUnitStayAsTheyAreWritten) {
+    std::mt19937 random(5);
+    std::normal_distribution<float> normal;
+    std::string lights;
+    std::vector<glm::vec3> directions;
+    for (int i = 0; i < 500; ++i) {
+        glm::vec3 d(normal(random), normal(random), normal(random));
+        directions.push_back(d / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
+        const glm::dvec3 w = directions.back();
+        lights += (i > 0 ? "," : "") + std::string(R"({"type": "directional", "direction": )") +
+                  nlohmann::json({w.x, w.y, w.z}).dump() + "}";
+    }
+    const SceneFile file = load(scene_of(R"("lights": [)" + lights + "]"));
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        EXPECT_EQ(file.scene.lights.at(i).direction, directions[i]);
 }
 
 TEST(SceneFile, IsToldByContent) {

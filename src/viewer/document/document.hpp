@@ -45,25 +45,25 @@ struct Compare {
     std::vector<Method> methods{Method::normal_map, Method::follow_grain};
     // Places of the dividers of a split in parts of the picture's width, each in [0, 1], ascending,
     // one fewer than methods; empty: evenly spaced.
-    std::vector<double> dividers;
+    std::vector<double> dividers{};
     double gain = 4.0;  // of the signed difference, 0.01 to 1000
     bool operator==(const Compare&) const = default;
 };
 
 struct Document {
-    std::string
-        input;  // model, scene file or builtin:<name>, as in StageRequest; "": nothing is open
-    std::string
-        environment;  // as in StageRequest: "": the scene file's, else builtin:studio; "none"
-    std::optional<std::vector<Light>> lights;  // none: those of the input
+    // Model, scene file or builtin:<name>, as in StageRequest; "": nothing is open.
+    std::string input{};
+    // As in StageRequest: "": the scene file's, else builtin:studio; "none".
+    std::string environment{};
+    std::optional<std::vector<Light>> lights{};  // none: those of the input
     // Over all materials, and of the groups render, camera, environment and mesh: what flags are to
     // `burnish render`. A camera that was moved is camera_position, camera_target and camera_fov.
-    ParameterValues values;
+    ParameterValues values{};
     // Over `values`, for single materials: of the group material, by index into Scene::materials.
-    std::map<int, ParameterValues> material_values;
-    std::set<int> hidden;  // indices into Scene::instances that are not drawn
-    std::vector<Bookmark> bookmarks;
-    Compare compare;
+    std::map<int, ParameterValues> material_values{};
+    std::set<int> hidden{};  // indices into Scene::instances that are not drawn
+    std::vector<Bookmark> bookmarks{};
+    Compare compare{};
     bool operator==(const Document&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "viewer/document/editor.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "burnish/error.hpp"
@@ -90,11 +91,15 @@ void Editor::apply_materials(const Document& document, const ParameterValues& va
     const std::vector<std::optional<TangentSource>> tangents = tangents_of(stage_.scene);
     const std::vector<Material> materials = stage_.scene.materials;
     const std::size_t textures = stage_.scene.textures.size();
+    const std::map<int, std::uint64_t> texture_changes = stage_.materials.texture_changes();
     const std::vector<int> meshes = stage_.shown_meshes;
     take_remarks(stage_, stage_.materials.apply(stage_.scene, values,
                                                 values_of_materials(document, stage_)));
     if (stage_.scene.materials != materials) ++revisions_.materials;
-    if (stage_.scene.textures.size() != textures) ++revisions_.textures;
+    stage_.materials.free_unused(stage_.scene);
+    if (stage_.scene.textures.size() != textures ||
+        stage_.materials.texture_changes() != texture_changes)
+        ++revisions_.textures;
     remember_meshes(stage_);
     if (meshes != stage_.shown_meshes || tangents != tangents_of(stage_.scene))
         ++revisions_.geometry;

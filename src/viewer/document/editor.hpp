@@ -23,7 +23,9 @@ struct Revisions {
     std::uint64_t scene = 0;     // everything was loaded anew: all others grow too
     std::uint64_t geometry = 0;  // meshes (appended or with new tangents) or instances
     std::uint64_t materials = 0;
-    std::uint64_t textures = 0;  // textures were appended, or their places assigned anew
+    // Textures were appended, or their places emptied or assigned anew: stage().materials
+    // .texture_changes() counts that for each place.
+    std::uint64_t textures = 0;
     std::uint64_t lights = 0;
     std::uint64_t environment = 0;  // its radiance; intensity and rotation are settings
     std::uint64_t camera = 0;

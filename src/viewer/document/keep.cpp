@@ -12,10 +12,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "burnish/builtin_meshes.hpp"
 #include "burnish/error.hpp"
 #include "core/files.hpp"
 #include "formats/json_text.hpp"
+#include "viewer/document/file_names.hpp"
 #include "viewer/document/save_scene.hpp"
 
 namespace burnish::viewer {
@@ -136,8 +136,7 @@ void make_folder(const fs::path& folder) {
 }  // namespace
 
 void add_recent(Remembered& remembered, const std::string& path) {
-    const std::string name =
-        is_builtin(path) ? path : fs::absolute(path).lexically_normal().string();
+    const std::string name = absolute_name(path);
     std::erase(remembered.recent, name);
     remembered.recent.insert(remembered.recent.begin(), name);
     if (remembered.recent.size() > kMostRecent) remembered.recent.resize(kMostRecent);

@@ -11,10 +11,12 @@
 #include "burnish/image_io.hpp"
 #include "burnish/rig.hpp"
 #include "burnish/scene_file.hpp"
+#include "burnish/stage.hpp"
 #include "burnish/tabulated_file.hpp"
 #include "burnish/wif.hpp"
 #include "formats/bsdf/tensor_file.hpp"
 #include "stage/map_set.hpp"
+#include "viewer/document/file_names.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -156,11 +158,6 @@ std::string fitted_beside(const std::string& rig, std::vector<std::string>* note
     return chosen;
 }
 
-std::string absolute_name(const std::string& path) {
-    if (is_builtin(path) || path.empty()) return path;
-    return fs::absolute(path).lexically_normal().string();
-}
-
 }  // namespace
 
 Document first_document() {
@@ -171,9 +168,9 @@ Document first_document() {
         document.values.set(name, text, "");
     };
     set("metal", "steel");
-    set("scratch", "circular-brushed");
-    set("alpha_x", "0.32");
-    set("alpha_y", "0.1");
+    set("scratch", "brushed");
+    set("alpha_x", "0.1");
+    set("alpha_y", "0.4");
     set("method", "follow-grain");
     return document;
 }

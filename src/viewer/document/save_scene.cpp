@@ -13,6 +13,7 @@
 #include "burnish/error.hpp"
 #include "core/files.hpp"
 #include "formats/scene_parts.hpp"
+#include "viewer/document/file_names.hpp"
 #include "viewer/document/json_numbers.hpp"
 #include "viewer/document/viewer_section.hpp"
 
@@ -23,13 +24,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 // --- file names ---------------------------------------------------------------------------------
-
-// The folder without symbolic links, so that ".." leads where it seems to lead.
-fs::path real_folder(const fs::path& folder) {
-    std::error_code error;
-    const fs::path real = fs::weakly_canonical(fs::absolute(folder), error);
-    return error ? fs::absolute(folder) : real;
-}
 
 std::string in_utf8(const std::string& text) {
     const std::string json =
@@ -46,8 +40,7 @@ class FileNames {
     // `key`: the text parameter, "" for a model or an environment.
     std::string name(const std::string& from_here, std::string_view key = "") const {
         if (!is_file(from_here, key)) return from_here;
-        const fs::path here = fs::absolute(from_here);
-        const fs::path file = real_folder(here.parent_path()) / here.filename();
+        const fs::path file = absolute_name(from_here);
         std::string written =
             (shares_a_folder(file) ? file.lexically_relative(folder_) : file).string();
         if (!is_file(written, key)) written = "./" + written;  // a file called "none" or "brushed"
