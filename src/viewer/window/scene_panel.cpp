@@ -252,7 +252,7 @@ void costs_panel(App& app) {
                 app.lowest_frames_per_second);
     ImGui::Text("samples: %d of %d", app.picture.samples(), app.picture.wanted_samples());
     ImGui::Text("last samples: %.1f ms", 1000 * app.picture.last_sample_s());
-    const UploadCounts counts = app.picture.renderer().uploads();
+    const auto counts = app.picture.renderer().uploads();
     ImGui::Text("uploads: %d meshes, %d textures", static_cast<int>(counts.meshes),
                 static_cast<int>(counts.textures));
     ImGui::Text("%d environments, programs compiled: %zu", static_cast<int>(counts.environments),

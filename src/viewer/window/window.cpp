@@ -19,7 +19,7 @@ std::string last_glfw_error() {
 }
 
 template <typename... Arguments>
-void note_event(GLFWwindow* window, Arguments...) {
+void on_event(GLFWwindow* window, Arguments...) {
     static_cast<Window*>(glfwGetWindowUserPointer(window))->note_event();
 }
 
@@ -51,13 +51,13 @@ Window::Window(const WindowOptions& options) {
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(handle_, this);
     // ImGui's own callbacks call these on, as they are installed first.
-    glfwSetCursorPosCallback(handle_, note_event<double, double>);
-    glfwSetMouseButtonCallback(handle_, note_event<int, int, int>);
-    glfwSetScrollCallback(handle_, note_event<double, double>);
-    glfwSetKeyCallback(handle_, note_event<int, int, int, int>);
-    glfwSetCharCallback(handle_, note_event<unsigned>);
-    glfwSetFramebufferSizeCallback(handle_, note_event<int, int>);
-    glfwSetWindowRefreshCallback(handle_, note_event<>);
+    glfwSetCursorPosCallback(handle_, on_event<double, double>);
+    glfwSetMouseButtonCallback(handle_, on_event<int, int, int>);
+    glfwSetScrollCallback(handle_, on_event<double, double>);
+    glfwSetKeyCallback(handle_, on_event<int, int, int, int>);
+    glfwSetCharCallback(handle_, on_event<unsigned>);
+    glfwSetFramebufferSizeCallback(handle_, on_event<int, int>);
+    glfwSetWindowRefreshCallback(handle_, on_event<>);
     glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** paths) {
         auto* window = static_cast<Window*>(glfwGetWindowUserPointer(w));
         window->events_ = true;
