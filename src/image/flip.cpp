@@ -55,7 +55,8 @@ constexpr Matrix inverse(const Matrix& m) {
 }
 
 // X, Y, Z of linear sRGB, each relative to that of white (R = G = B = 1), so that every row sums to
-// 1. The ratios are the exact ones of the sRGB primaries and white that the authors of FLIP use.
+// 1. The authors of FLIP use these ratios: those of the primaries of Rec. 709 and of D65 at
+// x = 0.31271, y = 0.32902.
 constexpr Matrix kXyzOfRgb = [] {
     Matrix m = {{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                  {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},

@@ -55,14 +55,14 @@ Color xyz_of_chromaticity(Real x, Real y) {
     return {x / y, 1.0L, (1.0L - x - y) / y};
 }
 
-// IEC 61966-2-1: primaries of Rec. 709, white D65.
+// Primaries of Rec. 709. White: D65 with the five digits of CIE 15.
 Rows xyz_of_rgb() {
     const Color red = xyz_of_chromaticity(0.64L, 0.33L);
     const Color green = xyz_of_chromaticity(0.30L, 0.60L);
     const Color blue = xyz_of_chromaticity(0.15L, 0.06L);
     Rows m;
     for (std::size_t i = 0; i < 3; ++i) m[i] = {red[i], green[i], blue[i]};
-    const Color scale = solve(m, xyz_of_chromaticity(0.3127L, 0.3290L));
+    const Color scale = solve(m, xyz_of_chromaticity(0.31271L, 0.32902L));
     for (Color& row : m)
         for (std::size_t j = 0; j < 3; ++j) row[j] *= scale[j];
     return m;
@@ -244,9 +244,9 @@ double largest_difference(const Image& a, const Image& b) {
     return most;
 }
 
-// 1e-4: the paper's matrix of sRGB and the one from chromaticities differ by 1e-5, and color errors
-// by less than ten times that.
-constexpr double kAgreement = 1e-4;
+// The program keeps planes and results in float: 6e-8 of values near 1. The power of 1 - dE_f
+// magnifies that about ten times. The largest difference measured is 7e-7.
+constexpr double kAgreement = 2e-6;
 
 TEST(Flip, OfRandomPicturesAgreesWithTheLiteralFormulas) {
     for (const double ppd : {67.0, 30.0, 7.5}) {
@@ -254,6 +254,17 @@ TEST(Flip, OfRandomPicturesAgreesWithTheLiteralFormulas) {
         EXPECT_LT(largest_difference(flip_error(a, b, ppd), literal::flip(a, b, ppd)), kAgreement)
             << ppd;
     }
+}
+
+// The filters of the three channels differ in width: beside an edge of pure colors, filtered values
+// leave [0, 1] on both sides.
+TEST(Flip, OfPureColorsAgreesWithTheLiteralFormulas) {
+    for (const std::array<float, 3>& color :
+         {std::array{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}})
+        for (const float ground : {0.0f, 1.0f}) {
+            const Image a = bar(0, 12, color, ground), b = bar(0, 14, color, ground);
+            EXPECT_LT(largest_difference(flip_error(a, b), literal::flip(a, b, 67.0)), kAgreement);
+        }
 }
 
 TEST(Flip, OfAShiftedEdgeAgreesWithTheLiteralFormulas) {
@@ -301,13 +312,13 @@ TEST(Flip, DoesNotDependOnTheOrderAndIsWithinZeroAndOne) {
     }
 }
 
-// Flat pictures have no features: dE is dE_c.
+// Flat pictures have no features: dE is dE_c. 1e-6: float.
 TEST(Flip, IsOneForGreenBesideBlueAndLessForAllOtherCornersOfTheCube) {
     const auto corner = [](unsigned bits) {
         return flat((bits & 1) != 0 ? 1.0f : 0.0f, (bits & 2) != 0 ? 1.0f : 0.0f,
                     (bits & 4) != 0 ? 1.0f : 0.0f, 2, 2);
     };
-    EXPECT_NEAR(mean_of(flip_error(corner(2), corner(4))), 1.0, 1e-6);  // float
+    EXPECT_NEAR(mean_of(flip_error(corner(2), corner(4))), 1.0, 1e-6);
     for (unsigned i = 0; i < 8; ++i)
         for (unsigned j = 0; j < i; ++j)
             if (!(i == 4 && j == 2)) {
@@ -323,7 +334,7 @@ TEST(Flip, OfBlackBesideWhiteFollowsFromTheirLightness) {
     ASSERT_GT(part, 0.4);
     const double expected = 0.95 + 0.05 * (part - 0.4) / 0.6;
     const Image error = flip_error(flat(0, 0, 0), flat(1, 1, 1));
-    for (const float v : error.pixels) EXPECT_NEAR(static_cast<double>(v), expected, 1e-5);
+    for (const float v : error.pixels) EXPECT_NEAR(static_cast<double>(v), expected, 1e-6);
 }
 
 TEST(Flip, OfAShiftedLineIsLargerThanOfABlurredOne) {
