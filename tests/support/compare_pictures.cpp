@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Difference {
     double most = HUGE_VAL;  // in 1/255; infinite where the pictures cannot be compared
-    double flip = 1.0;       // mean over the pixels
+    double flip = 0.0;       // mean over the pixels
 };
 
 // FLIP takes RGB or RGBA. Gray stands for three equal channels.
@@ -58,7 +58,10 @@ int compare(const fs::path& first, const fs::path& second, double bound) {
         most = std::max(most, d.most);
         if (d.most <= bound) continue;
         ++wrong;
-        std::printf("%s: %g, mean FLIP %.4f\n", name.c_str(), d.most, d.flip);
+        if (std::isinf(d.most))
+            std::printf("%s: missing, or of another shape\n", name.c_str());
+        else
+            std::printf("%s: %g, mean FLIP %.4f\n", name.c_str(), d.most, d.flip);
     }
     std::printf("%zu pictures, %d differ by more than %g/255; most: %g/255\n", names.size(), wrong,
                 bound, most);
