@@ -1,6 +1,7 @@
-// Prints the largest difference, in 1/255, of the pictures with the same names in two folders.
+// Prints the largest difference, in 1/255, of the pictures with the same names in two folders, and
+// the mean FLIP of those that differ by more than BOUND (1).
 // Usage: compare_pictures FOLDER FOLDER [BOUND]. Exits with 1 if a difference is larger than BOUND
-// (1) or a picture is missing.
+// or a picture is missing.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,22 +10,38 @@
 #include <filesystem>
 #include <vector>
 
+#include "burnish/compare.hpp"
 #include "burnish/image_io.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-double difference(const fs::path& a, const fs::path& b) {
+struct Difference {
+    double most = HUGE_VAL;  // in 1/255; infinite where the pictures cannot be compared
+    double flip = 0.0;       // mean over the pixels
+};
+
+// FLIP takes RGB or RGBA. Gray stands for three equal channels.
+burnish::Image in_color(const burnish::Image& image) {
+    if (image.channels != 1) return image;
+    burnish::Image color(image.width, image.height, 3);
+    for (std::size_t i = 0; i < color.pixels.size(); ++i) color.pixels[i] = image.pixels[i / 3];
+    return color;
+}
+
+Difference difference(const fs::path& a, const fs::path& b, double bound) {
     const burnish::Image one = burnish::read_image(a, {.as_data = true});
     const burnish::Image other = burnish::read_image(b, {.as_data = true});
     if (one.width != other.width || one.height != other.height || one.channels != other.channels)
-        return HUGE_VAL;
+        return {};
     double most = 0.0;
     for (std::size_t i = 0; i < one.pixels.size(); ++i)
         most = std::max(most, std::abs(static_cast<double>(one.pixels[i]) -
                                        static_cast<double>(other.pixels[i])));
-    return 255.0 * most;
+    most *= 255.0;
+    if (most <= bound) return {most, 0.0};  // not printed
+    return {most, burnish::mean_of(burnish::flip_error(in_color(one), in_color(other)))};
 }
 
 int compare(const fs::path& first, const fs::path& second, double bound) {
@@ -35,12 +52,16 @@ int compare(const fs::path& first, const fs::path& second, double bound) {
     int wrong = 0;
     double most = 0.0;
     for (const fs::path& name : names) {
-        const double d =
-            fs::exists(second / name) ? difference(first / name, second / name) : HUGE_VAL;
-        most = std::max(most, d);
-        if (d <= bound) continue;
+        const Difference d = fs::exists(second / name)
+                                 ? difference(first / name, second / name, bound)
+                                 : Difference{};
+        most = std::max(most, d.most);
+        if (d.most <= bound) continue;
         ++wrong;
-        std::printf("%s: %g\n", name.c_str(), d);
+        if (std::isinf(d.most))
+            std::printf("%s: missing, or of another shape\n", name.c_str());
+        else
+            std::printf("%s: %g, mean FLIP %.4f\n", name.c_str(), d.most, d.flip);
     }
     std::printf("%zu pictures, %d differ by more than %g/255; most: %g/255\n", names.size(), wrong,
                 bound, most);
