@@ -2,6 +2,7 @@
 #   make demo    render the demo pictures into demo/ and say where to look
 #   make test    build and run every test
 #   make build   the program, at build/release/bin/burnish
+#   make view    the program and its window, build/release/bin/burnish-view
 #   make check   format, shell scripts, links of the pages, map of the layers
 #   make bench   budgets and what was reached, into bench/results/
 #   make dev     build with assertions; LAYER=capture runs the tests of one folder
@@ -18,18 +19,26 @@ JOBS ?= $(shell nproc)
 BURNISH := $(BUILD)/bin/burnish
 CONFIGURE = [ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
 
-.PHONY: demo test build all dev bench check tidy asan tsan docs format clean packages packages_check
+.PHONY: demo test build view all dev bench check tidy asan tsan docs format clean packages packages_view packages_check
 
 build: packages
 	@$(CONFIGURE)
 	cmake --build $(BUILD) -j $(JOBS) --target burnish_cli
 
-all: packages
+# CMake looks for the window's packages when it configures.
+view: packages packages_view
+	cmake --preset $(PRESET)
+	cmake --build $(BUILD) -j $(JOBS) --target burnish_cli burnish_view
+
+all: packages packages_view
 	@$(CONFIGURE)
 	cmake --build $(BUILD) -j $(JOBS)
 
 packages:
 	@scripts/install_packages.sh packages.txt
+
+packages_view:
+	@scripts/install_packages.sh packages_view.txt
 
 packages_check:
 	@scripts/install_packages.sh packages_check.txt

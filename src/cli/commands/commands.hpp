@@ -19,6 +19,7 @@ void add_render_command(CLI::App& parent, Session& session);
 void add_export_command(CLI::App& parent, Session& session);
 void add_gallery_command(CLI::App& parent, Session& session);
 void add_scratch_command(CLI::App& parent, Session& session);
+void add_view_command(CLI::App& parent, Session& session);
 void add_weave_command(CLI::App& parent, Session& session);
 void add_capture_command(CLI::App& parent, Session& session);
 void add_capture_simulate_command(CLI::App& capture, Session& session);
