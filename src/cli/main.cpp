@@ -100,6 +100,7 @@ int main(int argc, char** argv) {
         // Suppress Mesa's warnings on standard error about devices that it cannot open. Those of
         // our own contexts are in Context::warnings.
         setenv("EGL_LOG_LEVEL", "fatal", 0);
+        start_view_if_asked(argc, argv);
         run(argc, argv);
         return kDone;
     } catch (const burnish::UsageError& error) {

@@ -5,8 +5,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "burnish/error.hpp"
@@ -28,7 +28,8 @@ void start_view(const std::vector<std::string>& words) {
     const fs::path program = view_program();
     std::error_code error;
     if (!fs::exists(program, error))
-        throw Error("burnish view", "", "burnish-view beside burnish (make view; packages libglfw3-dev, libimgui-dev)",
+        throw Error("burnish view", "",
+                    "burnish-view beside burnish (make view; packages libglfw3-dev, libimgui-dev)",
                     "none in " + program.parent_path().string());
     std::vector<std::string> all{program.string()};
     all.insert(all.end(), words.begin(), words.end());
@@ -41,12 +42,17 @@ void start_view(const std::vector<std::string>& words) {
 
 }  // namespace
 
+// All words after "view" are those of burnish-view, --help among them, so that they are not parsed here.
+void start_view_if_asked(int argc, const char* const* argv) {
+    if (argc < 2 || std::string_view(argv[1]) != "view") return;
+    start_view({argv + 2, argv + argc});
+}
+
+// For the list of commands.
 void add_view_command(CLI::App& parent, Session&) {
-    CLI::App* command = parent.add_subcommand("view", "Show a model, scene or material in a window");
-    // The words are those of burnish-view, --help among them.
-    command->set_help_flag();
-    command->prefix_command();
-    command->callback([command] { start_view(command->remaining()); });
+    parent.add_subcommand("view", "Show a model, scene or material in a window")->callback([] {
+        start_view({});
+    });
 }
 
 }  // namespace burnish::cli

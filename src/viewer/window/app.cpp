@@ -197,8 +197,7 @@ void App::save_turntable(const std::filesystem::path& path, int frames) {
     settings.height = picture_height;
     for (int i = 0; i < frames; ++i) {
         const double angle = glm::two_pi<double>() * i / frames;
-        const Image linear =
-            picture.render(turned(editor.stage().camera, angle), settings, {});
+        const Image linear = picture.render(turned(editor.stage().camera, angle), settings, {});
         const std::filesystem::path file = numbered(path, i);
         write_image(file,
                     holds_linear(file)
@@ -279,9 +278,8 @@ void App::set_parameter(std::string_view name, const ParameterValue& value) {
 void App::unset_parameter(std::string_view name) {
     const Parameter* parameter = find_parameter(name);
     const bool own = parameter != nullptr && parameter->group == ParameterGroup::material;
-    edit({}, name, [&](Document& d) {
-        viewer::unset_parameter(d, name, own ? material : std::nullopt);
-    });
+    edit({}, name,
+         [&](Document& d) { viewer::unset_parameter(d, name, own ? material : std::nullopt); });
 }
 
 void App::undo() {
@@ -289,9 +287,8 @@ void App::undo() {
     if (!to) return say("nothing to undo");
     try {
         if (needs_load(document(), *to)) {
-            load(*to, "undo", [this](const Document&, Stage stage) {
-                editor.undo_loaded(std::move(stage));
-            });
+            load(*to, "undo",
+                 [this](const Document&, Stage stage) { editor.undo_loaded(std::move(stage)); });
             return;
         }
         editor.undo();
@@ -306,9 +303,8 @@ void App::redo() {
     if (!to) return say("nothing to redo");
     try {
         if (needs_load(document(), *to)) {
-            load(*to, "redo", [this](const Document&, Stage stage) {
-                editor.redo_loaded(std::move(stage));
-            });
+            load(*to, "redo",
+                 [this](const Document&, Stage stage) { editor.redo_loaded(std::move(stage)); });
             return;
         }
         editor.redo();
@@ -399,8 +395,7 @@ void App::end_drag() {
 
 void App::zoom_at(glm::dvec2 pixel, double steps) {
     last_motion_ = Clock::now();
-    const Camera moved =
-        zoomed(editor.stage().camera, wheel_factor(steps), pixel, picture_size());
+    const Camera moved = zoomed(editor.stage().camera, wheel_factor(steps), pixel, picture_size());
     edit("camera", "camera", [&](Document& d) {
         viewer::set_camera(d, moved.position, moved.target,
                            std::clamp(fov_deg_of(moved), 1.0, 170.0));
@@ -409,9 +404,8 @@ void App::zoom_at(glm::dvec2 pixel, double steps) {
 
 void App::frame_all() {
     const Bounds bounds = bounds_of(scene());
-    const Camera moved =
-        framed(editor.stage().camera, bounds,
-               static_cast<double>(picture_width) / std::max(picture_height, 1));
+    const Camera moved = framed(editor.stage().camera, bounds,
+                                static_cast<double>(picture_width) / std::max(picture_height, 1));
     edit({}, "frame", [&](Document& d) {
         viewer::set_camera(d, moved.position, moved.target,
                            std::clamp(fov_deg_of(moved), 1.0, 170.0));
@@ -469,21 +463,58 @@ void App::pick_again() {
         picked->report = inspect(scene(), picked->hit, to_eye, to_light, methods);
         picked->albedos.clear();
         for (const MethodReport& m : picked->report.methods)
-            picked->albedos.push_back(
-                m.lobe.has_meaning() ? lobe_albedo(m.lobe, picked->report.to_eye, 2048)
-                                     : LobeAlbedo{});
+            picked->albedos.push_back(m.lobe.has_meaning()
+                                          ? lobe_albedo(m.lobe, picked->report.to_eye, 2048)
+                                          : LobeAlbedo{});
     } catch (const Error& error) {
         say(error.what(), true);
         picked.reset();
     }
 }
 
+// --- before and after -----------------------------------------------------------------------------
+
+namespace {
+
+// `held` under the camera, the lights, the environment and the settings of `now`.
+Document seen_as(const Document& held, const Document& now) {
+    Document document = held;
+    for (const Parameter& p : parameter_table())
+        if (p.group != ParameterGroup::material && p.group != ParameterGroup::mesh)
+            document.values.erase(p.name);
+    for (const auto& [name, value] : now.values.set_values()) {
+        const ParameterGroup group = find_parameter(name)->group;
+        if (group != ParameterGroup::material && group != ParameterGroup::mesh)
+            document.values.set_value(name, value);
+    }
+    document.lights = now.lights;
+    document.environment = now.environment;
+    return document;
+}
+
+}  // namespace
+
+void App::hold() {
+    before = std::make_unique<Editor>(editor);
+    before_picture = std::make_unique<Picture>(context);
+    if (document().compare.mode == CompareMode::off)
+        edit({}, "compare", [](Document& d) { d.compare.mode = CompareMode::split; });
+    say("held as before: changes are compared with it (H lets it go)");
+}
+
+void App::release() {
+    before.reset();
+    before_picture.reset();
+    compared.invalidate();
+}
+
 // --- once a frame ---------------------------------------------------------------------------------
 
 bool App::needs_frames() const {
-    return (!picture.at_rest() && refused_ != editor.revisions()) || turntable || loader_.running() ||
-           seconds_since(last_motion_) < kSettle_s + 0.1 || dragging_ != Drag::none ||
-           document().compare.mode == CompareMode::blink ||
+    return ((!picture.at_rest() || (before_picture && !before_picture->at_rest())) &&
+            refused_ != editor.revisions()) ||
+           turntable || loader_.running() || seconds_since(last_motion_) < kSettle_s + 0.1 ||
+           dragging_ != Drag::none || document().compare.mode == CompareMode::blink ||
            (!messages.empty() && seconds_since(messages.back().since) < 6.0);
 }
 
@@ -504,6 +535,10 @@ void App::update() {
     last_turn_ = Clock::now();
     try {
         picture.follow(editor);
+        if (before) {
+            before->set(seen_as(before->document(), document()), "follow");
+            before_picture->follow(*before);
+        }
     } catch (const std::exception& error) {
         say(one_line(error.what()), true);
     }
@@ -521,7 +556,9 @@ void App::update() {
         pick_again();
         picked_revisions_ = editor.revisions();
     }
-    picture.set_moving(seconds_since(last_motion_) < kSettle_s || dragging_ != Drag::none);
+    const bool moving = seconds_since(last_motion_) < kSettle_s || dragging_ != Drag::none;
+    picture.set_moving(moving);
+    if (before_picture) before_picture->set_moving(moving);
     follow_files();
     autosave_now_and_then();
 }
@@ -530,6 +567,7 @@ void App::draw_picture(double budget_s) {
     if (refused_ == editor.revisions()) return;
     try {
         picture.refine(budget_s);
+        if (before_picture) before_picture->refine(budget_s);
         refused_.reset();
     } catch (const std::exception& error) {
         say(one_line(error.what()), true);
@@ -545,7 +583,8 @@ void App::count_frame() {
     // A mean over about ten frames.
     frames_per_second = frames_per_second > 0 ? 0.9 * frames_per_second + 0.1 * now : now;
     if (dragging_ != Drag::none)
-        lowest_frames_per_second = lowest_frames_per_second > 0 ? std::min(lowest_frames_per_second, now) : now;
+        lowest_frames_per_second =
+            lowest_frames_per_second > 0 ? std::min(lowest_frames_per_second, now) : now;
 }
 
 void App::reload_shaders() {

@@ -94,7 +94,7 @@ class App {
     void say(std::string text, bool is_error = false);
 
     // --- once a frame
-    void update();  // settles background work, uploads changes, follows files
+    void update();              // settles background work, uploads changes, follows files
     bool needs_frames() const;  // something moves or refines
     void reload_shaders();
     // Refines the picture for about `budget_s`. A device that refuses is said once, until the document
@@ -117,6 +117,12 @@ class App {
     std::string search;           // of the parameters
     std::optional<Picked> picked;
     Compared compared;
+    // "Before" of a comparison with what is shown now: materials and model as they were when hold() was
+    // called, under the present camera, light and exposure.
+    std::unique_ptr<Editor> before;
+    std::unique_ptr<Picture> before_picture;
+    void hold();             // what is shown now becomes the "before"
+    void release();          // there is none
     bool turntable = false;  // turns by itself
     bool show_panels = true;
     double ui_scale = 1.0;

@@ -36,11 +36,10 @@ Image signed_difference(const Image& a, const Image& b, double gain, double& mea
     double sum = 0;
     most = 0;
     for (std::size_t i = 0; i < colors.pixels.size(); i += 3) {
-        const double d =
-            (static_cast<double>(b.pixels[i] - a.pixels[i]) +
-             static_cast<double>(b.pixels[i + 1] - a.pixels[i + 1]) +
-             static_cast<double>(b.pixels[i + 2] - a.pixels[i + 2])) /
-            3.0;
+        const double d = (static_cast<double>(b.pixels[i] - a.pixels[i]) +
+                          static_cast<double>(b.pixels[i + 1] - a.pixels[i + 1]) +
+                          static_cast<double>(b.pixels[i + 2] - a.pixels[i + 2])) /
+                         3.0;
         sum += std::abs(d);
         most = std::max(most, std::abs(d));
         const auto v = static_cast<float>(std::min(std::abs(d) * gain, 1.0));
@@ -58,13 +57,15 @@ Compared::~Compared() {
     if (texture_ != 0) glDeleteTextures(1, &texture_);
 }
 
-void Compared::update(const Picture& picture, const Compare& compare) {
-    if (picture.pane_count() < 2 || picture.texture(0) == 0 || picture.texture(1) == 0) return;
+void Compared::update(const Picture& of_a, std::size_t pane_a, const Picture& of_b,
+                      std::size_t pane_b, const Compare& compare) {
+    if (of_a.texture(pane_a) == 0 || of_b.texture(pane_b) == 0) return;
+    const bool rest = of_a.at_rest() && of_b.at_rest();
     const bool flip = compare.mode == CompareMode::flip;
-    if (flip && !picture.at_rest()) return;
-    const Source now{compare.mode, picture.samples(), picture.scale(), compare.gain};
-    if (picture.at_rest() && made_of_ == now) return;
-    const Image a = picture.shown(0), b = picture.shown(1);
+    if (flip && !rest) return;
+    const Source now{compare.mode, of_a.samples() + of_b.samples(), of_b.scale(), compare.gain};
+    if (rest && made_of_ == now) return;
+    const Image a = of_a.shown(pane_a), b = of_b.shown(pane_b);
     if (a.width != b.width || a.height != b.height) return;
     if (flip) {
         const Image error = flip_error(a, b);

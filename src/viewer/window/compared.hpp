@@ -17,9 +17,10 @@ class Compared {
     Compared(const Compared&) = delete;
     Compared& operator=(const Compared&) = delete;
 
-    // Makes the picture of pane 1 against pane 0 where they have changed. FLIP takes a while, so that
+    // Makes the picture of a pane of `b` against one of `a` where they have changed. FLIP takes a while, so that
     // it is made at rest alone.
-    void update(const Picture& picture, const Compare& compare);
+    void update(const Picture& a, std::size_t pane_a, const Picture& b, std::size_t pane_b,
+                const Compare& compare);
     unsigned texture() const { return texture_; }  // 0: none yet; row 0 at the top
     double mean() const { return mean_; }          // of FLIP, or of the absolute difference
     double most() const { return most_; }

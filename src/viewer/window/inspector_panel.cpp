@@ -35,7 +35,8 @@ class Disks {
         for (std::size_t i = 0; i < side * side; ++i) {
             const auto d = static_cast<double>(disk.D.pixels[i]);
             const bool inside = std::isfinite(d);
-            const double v = inside && disk.most > 0 ? std::pow(std::clamp(d / disk.most, 0.0, 1.0), 0.25) : 0;
+            const double v =
+                inside && disk.most > 0 ? std::pow(std::clamp(d / disk.most, 0.0, 1.0), 0.25) : 0;
             const auto byte = [](double x) {
                 return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0, 1.0)));
             };
@@ -50,8 +51,8 @@ class Disks {
         }
         if (texture == 0) glGenTextures(1, &texture);
         glBindTexture(GL_TEXTURE_2D, texture);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, disk.D.width, disk.D.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     rgba.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, disk.D.width, disk.D.height, 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, rgba.data());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         glBindTexture(GL_TEXTURE_2D, 0);
@@ -72,8 +73,9 @@ void draw_disk(const LobeReport& report, const MethodReport& m, std::size_t inde
     const unsigned texture = disks().texture(index, m.disk);
     ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {side, side});
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("D over half vectors seen from above (fourth root)\nring: n~, dot: half vector "
-                          "of the light, cross: peak");
+        ImGui::SetTooltip(
+            "D over half vectors seen from above (fourth root)\nring: n~, dot: half vector "
+            "of the light, cross: peak");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const auto place = [&](const glm::dvec3& h) {
         return ImVec2{at.x + side * static_cast<float>(0.5 + 0.5 * h.x),
@@ -92,7 +94,8 @@ void draw_lobe(const LobeReport& report, const MethodReport& m, float side) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("reflection of the selected light: radius f cos\nwhite: n~, yellow: light, blue: eye");
+        ImGui::SetTooltip(
+            "reflection of the selected light: radius f cos\nwhite: n~, yellow: light, blue: eye");
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const auto place = [&](glm::dvec3 v) {
         // x to the right, z up, y into the picture: seen from 25 degrees above.
@@ -108,7 +111,8 @@ void draw_lobe(const LobeReport& report, const MethodReport& m, float side) {
     draw.AddPolyline(circle.data(), 48, IM_COL32(110, 110, 110, 255), ImDrawFlags_Closed, 1);
     const double scale = m.mesh.most > 0 ? 1.0 / m.mesh.most : 0;
     const auto vertex = [&](int row, int column) {
-        const glm::vec3 v = m.mesh.vertices[static_cast<std::size_t>(row * m.mesh.columns + column)];
+        const glm::vec3 v =
+            m.mesh.vertices[static_cast<std::size_t>(row * m.mesh.columns + column)];
         return place(glm::dvec3(v) * scale);
     };
     const ImU32 line = IM_COL32(235, 160, 80, 150);
@@ -119,8 +123,10 @@ void draw_lobe(const LobeReport& report, const MethodReport& m, float side) {
     }
     for (int row = 4; row < m.mesh.rows; row += 6) {
         std::vector<ImVec2> points;
-        for (int column = 0; column < m.mesh.columns; column += 2) points.push_back(vertex(row, column));
-        draw.AddPolyline(points.data(), static_cast<int>(points.size()), line, ImDrawFlags_Closed, 1);
+        for (int column = 0; column < m.mesh.columns; column += 2)
+            points.push_back(vertex(row, column));
+        draw.AddPolyline(points.data(), static_cast<int>(points.size()), line, ImDrawFlags_Closed,
+                         1);
     }
     const auto arrow = [&](glm::dvec3 v, ImU32 color) {
         draw.AddLine(place({0, 0, 0}), place(v), color, 1.5f);
@@ -151,8 +157,10 @@ void draw_cut(const MethodReport& m, float width) {
     draw.AddLine(origin, place(m.cuts.light_angle_rad, 1), IM_COL32(255, 225, 120, 255), 1.5f);
     if (!(m.cuts.most > 0)) return;
     std::vector<ImVec2> points;
-    for (const PolarPoint& p : m.cuts.incidence) points.push_back(place(p.angle_rad, p.radius / m.cuts.most));
-    draw.AddPolyline(points.data(), static_cast<int>(points.size()), IM_COL32(235, 160, 80, 255), 0, 1.8f);
+    for (const PolarPoint& p : m.cuts.incidence)
+        points.push_back(place(p.angle_rad, p.radius / m.cuts.most));
+    draw.AddPolyline(points.data(), static_cast<int>(points.size()), IM_COL32(235, 160, 80, 255), 0,
+                     1.8f);
 }
 
 void number_row(const char* label, const std::string& text) {
@@ -170,17 +178,21 @@ void point_numbers(const LobeReport& r) {
     number_row("n~", fmt::format("{:.3f} {:.3f} {:.3f}", r.normal.x, r.normal.y, r.normal.z));
     number_row("tilt", fmt::format("{:.1f} deg, |d| {:.3f}", r.tilt_deg, r.tilt));
     if (r.surface.exemplar) {
-        number_row("exemplar", fmt::format("{} of texel {}, {}", r.surface.exemplar->exemplar,
-                                           r.surface.exemplar->texel.x, r.surface.exemplar->texel.y));
-        number_row("cells", fmt::format("{:.0f} % measured, {:.0f} % completed", 100 * r.surface.exemplar->measured,
+        number_row("exemplar",
+                   fmt::format("{} of texel {}, {}", r.surface.exemplar->exemplar,
+                               r.surface.exemplar->texel.x, r.surface.exemplar->texel.y));
+        number_row("cells", fmt::format("{:.0f} % measured, {:.0f} % completed",
+                                        100 * r.surface.exemplar->measured,
                                         100 * r.surface.exemplar->completed));
     } else {
         number_row("alpha", fmt::format("{:.3f} along, {:.3f} across", r.alpha.x, r.alpha.y));
     }
     if (r.surface.yarn)
-        number_row("yarn", fmt::format("{}, end {}, pick {}", r.surface.yarn->warp ? "warp" : "weft",
-                                       r.surface.yarn->end + 1, r.surface.yarn->pick + 1));
-    number_row("grain", r.grain_deg ? fmt::format("{:.1f} deg from the tangent", *r.grain_deg) : "isotropic");
+        number_row("yarn",
+                   fmt::format("{}, end {}, pick {}", r.surface.yarn->warp ? "warp" : "weft",
+                               r.surface.yarn->end + 1, r.surface.yarn->pick + 1));
+    number_row("grain", r.grain_deg ? fmt::format("{:.1f} deg from the tangent", *r.grain_deg)
+                                    : "isotropic");
 }
 
 void method_block(App& app, const LobeReport& r, const MethodReport& m, std::size_t i) {
@@ -230,7 +242,8 @@ void method_block(App& app, const LobeReport& r, const MethodReport& m, std::siz
 
 void inspector_panel(App& app) {
     if (!app.picked) {
-        ImGui::TextWrapped("Click on the surface: this shows its lobe there, under several methods.");
+        ImGui::TextWrapped(
+            "Click on the surface: this shows its lobe there, under several methods.");
         return;
     }
     const LobeReport& report = app.picked->report;
@@ -238,7 +251,8 @@ void inspector_panel(App& app) {
         app.scene().materials[static_cast<std::size_t>(app.picked->hit.material)].name;
     if (!material.empty()) ImGui::TextDisabled("%s", material.c_str());
     point_numbers(report);
-    for (std::size_t i = 0; i < report.methods.size(); ++i) method_block(app, report, report.methods[i], i);
+    for (std::size_t i = 0; i < report.methods.size(); ++i)
+        method_block(app, report, report.methods[i], i);
 }
 
 }  // namespace burnish::viewer

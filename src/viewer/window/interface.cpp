@@ -38,12 +38,18 @@ Dialog& dialog() {
 
 const char* title_of(Ask ask) {
     switch (ask) {
-        case Ask::open: return "Open a file";
-        case Ask::scene: return "Save the scene";
-        case Ask::picture: return "Save the picture";
-        case Ask::turntable: return "Save a turntable of 48 frames";
-        case Ask::gltf: return "Export the materials as glTF";
-        case Ask::none: break;
+        case Ask::open:
+            return "Open a file";
+        case Ask::scene:
+            return "Save the scene";
+        case Ask::picture:
+            return "Save the picture";
+        case Ask::turntable:
+            return "Save a turntable of 48 frames";
+        case Ask::gltf:
+            return "Export the materials as glTF";
+        case Ask::none:
+            break;
     }
     return "";
 }
@@ -85,8 +91,9 @@ void draw_dialog(App& app) {
     if (d.opened) ImGui::OpenPopup(title_of(d.ask));
     const auto scale = static_cast<float>(app.ui_scale);
     ImGui::SetNextWindowSize({560 * scale, 380 * scale}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
-                            ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowPos(
+        {0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
+        ImGuiCond_Appearing, {0.5f, 0.5f});
     bool open = true;
     if (!ImGui::BeginPopupModal(title_of(d.ask), &open)) {
         if (!d.opened) d.ask = Ask::none;
@@ -95,8 +102,7 @@ void draw_dialog(App& app) {
     if (d.opened) ImGui::SetKeyboardFocusHere();
     d.opened = false;
     ImGui::SetNextItemWidth(-1);
-    const bool entered =
-        ImGui::InputText("##path", &d.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputText("##path", &d.path, ImGuiInputTextFlags_EnterReturnsTrue);
     const float bottom = 2.4f * ImGui::GetFrameHeightWithSpacing();
     if (ImGui::BeginChild("list", {0, -bottom}, true))
         for (const std::string& name : completions(d.path))
@@ -197,6 +203,8 @@ void compare_menu(App& app) {
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Choose methods ...", "3")) app.panels.compare = true;
+    if (ImGui::MenuItem("Before and after: hold this", "H", app.before != nullptr))
+        press_key(app, "h");
 }
 
 float menu_bar(App& app) {
@@ -220,32 +228,37 @@ float menu_bar(App& app) {
 void status_bar(App& app) {
     if (app.loading()) {
         const auto [stage, done] = app.loader().progress();
-        ImGui::ProgressBar(static_cast<float>(done), {120 * static_cast<float>(app.ui_scale), 0}, "");
+        ImGui::ProgressBar(static_cast<float>(done), {120 * static_cast<float>(app.ui_scale), 0},
+                           "");
         ImGui::SameLine();
         ImGui::Text("%s: %s", short_name(app.loader().name()).c_str(), stage.c_str());
         ImGui::SameLine();
         if (ImGui::SmallButton("cancel")) app.loader().stop();
         return;
     }
-    const bool fresh = !app.messages.empty() &&
-                       std::chrono::steady_clock::now() - app.messages.back().since <
-                           std::chrono::seconds(6);
+    const bool fresh =
+        !app.messages.empty() &&
+        std::chrono::steady_clock::now() - app.messages.back().since < std::chrono::seconds(6);
     if (fresh) {
         const Message& last = app.messages.back();
-        ImGui::TextColored(last.is_error ? ImVec4{1.0f, 0.55f, 0.45f, 1} : ImVec4{0.95f, 0.88f, 0.7f, 1},
-                           "%s", last.text.c_str());
+        ImGui::TextColored(
+            last.is_error ? ImVec4{1.0f, 0.55f, 0.45f, 1} : ImVec4{0.95f, 0.88f, 0.7f, 1}, "%s",
+            last.text.c_str());
         return;
     }
-    const std::string hint =
-        app.editor.history().can_undo()
-            ? std::string("drag: orbit    shift+drag: put the highlight there    click: the lobe at a point    ?: keys")
-            : std::string("Drag to turn it. Shift+drag on the surface puts the highlight there. Drop a model or a picture on the window.");
+    const std::string hint = app.editor.history().can_undo()
+                                 ? std::string(
+                                       "drag: orbit    shift+drag: put the highlight there    "
+                                       "click: the lobe at a point    ?: keys")
+                                 : std::string(
+                                       "Drag to turn it. Shift+drag on the surface puts the "
+                                       "highlight there. Drop a model or a picture on the window.");
     ImGui::TextDisabled("%s", hint.c_str());
-    const std::string right =
-        app.picture.at_rest()
-            ? fmt::format("{} samples", app.picture.samples())
-            : fmt::format("{}/{} samples  {:.0f} %  {:.0f} fps", app.picture.samples(),
-                          app.picture.wanted_samples(), 100 * app.picture.scale(), app.frames_per_second);
+    const std::string right = app.picture.at_rest()
+                                  ? fmt::format("{} samples", app.picture.samples())
+                                  : fmt::format("{}/{} samples  {:.0f} %  {:.0f} fps",
+                                                app.picture.samples(), app.picture.wanted_samples(),
+                                                100 * app.picture.scale(), app.frames_per_second);
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     ImGui::SameLine(ImGui::GetWindowWidth() - width - 12 * static_cast<float>(app.ui_scale));
     ImGui::TextUnformatted(right.c_str());
@@ -254,8 +267,9 @@ void status_bar(App& app) {
 void recovery(App& app) {
     if (!app.recovered) return;
     ImGui::OpenPopup("Recover");
-    ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
-                            ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowPos(
+        {0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
+        ImGuiCond_Appearing, {0.5f, 0.5f});
     if (!ImGui::BeginPopupModal("Recover", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
     ImGui::TextUnformatted("The last session ended without saving. Its scene was kept.");
     std::error_code error;
@@ -313,17 +327,29 @@ void cycle_method(App& app) {
 const std::vector<KeyBinding>& bindings() {
     static const std::vector<KeyBinding> all = {
         {"f", "frame everything", [](App& a) { a.frame_all(); }},
-        {"home", "the camera of the file", [](App& a) { a.edit({}, "camera", [](Document& d) { unset_camera(d); }); }},
+        {"home", "the camera of the file",
+         [](App& a) { a.edit({}, "camera", [](Document& d) { unset_camera(d); }); }},
         {"t", "turntable", [](App& a) { a.turntable = !a.turntable; }},
         {"m", "next method", cycle_method},
         {"c", "next way to compare", cycle_compare},
+        {"h", "hold this as \"before\", or let it go",
+         [](App& a) { a.before ? a.release() : a.hold(); }},
         {"v", "next view of what is behind", cycle_view},
-        {"g", "the ground's shadow", [](App& a) {
+        {"g", "the ground's shadow",
+         [](App& a) {
              a.set_parameter("ground", !a.document().values.boolean("ground"));
              a.editor.close_step();
          }},
-        {"[", "darker by 1/3 EV", [](App& a) { a.set_parameter("exposure", std::max(-20.0, a.document().values.real("exposure") - 1.0 / 3)); }},
-        {"]", "brighter by 1/3 EV", [](App& a) { a.set_parameter("exposure", std::min(20.0, a.document().values.real("exposure") + 1.0 / 3)); }},
+        {"[", "darker by 1/3 EV",
+         [](App& a) {
+             a.set_parameter("exposure",
+                             std::max(-20.0, a.document().values.real("exposure") - 1.0 / 3));
+         }},
+        {"]", "brighter by 1/3 EV",
+         [](App& a) {
+             a.set_parameter("exposure",
+                             std::min(20.0, a.document().values.real("exposure") + 1.0 / 3));
+         }},
         {"tab", "panels away and back", [](App& a) { a.show_panels = !a.show_panels; }},
         {"1", "parameters", toggle<&Panels::parameters>},
         {"2", "scene", toggle<&Panels::scene>},
@@ -334,12 +360,21 @@ const std::vector<KeyBinding>& bindings() {
         {"?", "these keys", toggle<&Panels::keys>},
         {"ctrl+z", "undo", [](App& a) { a.undo(); }},
         {"ctrl+y", "redo", [](App& a) { a.redo(); }},
-        {"ctrl+o", "open a file", [](App& a) {
+        {"ctrl+o", "open a file",
+         [](App& a) {
              ask_for(Ask::open, std::filesystem::current_path().string() + "/");
              (void)a;
          }},
-        {"ctrl+s", "save the scene", [](App& a) { ask_for(Ask::scene, "scene.json"); (void)a; }},
-        {"ctrl+p", "save the picture", [](App& a) { ask_for(Ask::picture, "picture.png"); (void)a; }},
+        {"ctrl+s", "save the scene",
+         [](App& a) {
+             ask_for(Ask::scene, "scene.json");
+             (void)a;
+         }},
+        {"ctrl+p", "save the picture",
+         [](App& a) {
+             ask_for(Ask::picture, "picture.png");
+             (void)a;
+         }},
         {"ctrl+shift+c", "copy the command line", [](App& a) { a.copy_command_line(); }},
         {"f5", "reload shaders (BURNISH_SHADER_DIR)", [](App& a) { a.reload_shaders(); }},
         {"ctrl+q", "quit", [](App& a) { a.window.close(); }},
@@ -364,10 +399,14 @@ bool is_pressed(std::string_view keys) {
     }
     if (io.KeyShift != shift) return false;
     int key = 0;
-    if (keys == "tab") key = kTab;
-    else if (keys == "home") key = kHome;
-    else if (keys == "f5") key = kF5;
-    else if (keys.size() == 1) key = keys[0] >= 'a' && keys[0] <= 'z' ? keys[0] - 32 : keys[0];
+    if (keys == "tab")
+        key = kTab;
+    else if (keys == "home")
+        key = kHome;
+    else if (keys == "f5")
+        key = kF5;
+    else if (keys.size() == 1)
+        key = keys[0] >= 'a' && keys[0] <= 'z' ? keys[0] - 32 : keys[0];
     return ImGui::IsKeyPressed(key, false);
 }
 
@@ -426,8 +465,9 @@ float right_side(App& app, float x, float top, float width, float height) {
         const Tab* shown = nullptr;
         for (const Tab& tab : kTabs) {
             const bool on = app.panels.*tab.open;
-            ImGui::PushStyleColor(ImGuiCol_Button,
-                                  ImGui::GetStyleColorVec4(on ? ImGuiCol_TabActive : ImGuiCol_WindowBg));
+            ImGui::PushStyleColor(
+                ImGuiCol_Button,
+                ImGui::GetStyleColorVec4(on ? ImGuiCol_TabActive : ImGuiCol_WindowBg));
             if (ImGui::Button(tab.title)) app.panels.*tab.open = !on;
             ImGui::PopStyleColor();
             ImGui::SameLine(0, 2);
@@ -457,17 +497,16 @@ bool press_key(App& app, std::string_view keys) {
 
 void keys_panel(App& app) {
     const auto scale = static_cast<float>(app.ui_scale);
-    ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
-                            ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowPos(
+        {0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
+        ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({620 * scale, 0});
-    if (ImGui::Begin("Keys", &app.panels.keys, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+    if (ImGui::Begin("Keys", &app.panels.keys,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
         static constexpr std::pair<const char*, const char*> kMouse[] = {
-            {"drag, middle drag", "orbit"},
-            {"right drag, shift+middle drag", "pan"},
-            {"wheel, ctrl+middle drag", "zoom"},
-            {"shift+drag", "put the highlight there"},
-            {"ctrl+drag", "move the light"},
-            {"alt+drag", "turn the environment"},
+            {"drag, middle drag", "orbit"},      {"right drag, shift+middle drag", "pan"},
+            {"wheel, ctrl+middle drag", "zoom"}, {"shift+drag", "put the highlight there"},
+            {"ctrl+drag", "move the light"},     {"alt+drag", "turn the environment"},
             {"click", "the lobe at this point"},
         };
         ImGui::Columns(2, nullptr, false);

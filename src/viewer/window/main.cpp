@@ -93,7 +93,8 @@ void draw_frame(App& app, ScriptRunner* script) {
 void loop(App& app, ScriptRunner* script) {
     int settle = kSettleFrames;
     while (!app.window.should_close()) {
-        const bool busy = settle > 0 || app.needs_frames() || (script != nullptr && script->needs_frame());
+        const bool busy =
+            settle > 0 || app.needs_frames() || (script != nullptr && script->needs_frame());
         if (busy) {
             app.window.poll();
         } else {
@@ -128,15 +129,18 @@ void run(const Flags& flags) {
     if (!flags.size.empty()) {
         const std::size_t x = flags.size.find('x');
         options = {};
-        if (x == std::string::npos || std::sscanf(flags.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
-            options.width < 320 || options.height < 240 || options.width > 16384 || options.height > 16384)
+        if (x == std::string::npos ||
+            std::sscanf(flags.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
+            options.width < 320 || options.height < 240 || options.width > 16384 ||
+            options.height > 16384)
             throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(flags.size));
     }
     Window window(options);
     gpu::Context context = gpu::Context::adopt_current();
     const ImGuiContextOfWindow imgui(window);
     App app(window, context, state);
-    app.ui_scale = flags.ui_scale > 0 ? flags.ui_scale : static_cast<double>(window.content_scale());
+    app.ui_scale =
+        flags.ui_scale > 0 ? flags.ui_scale : static_cast<double>(window.content_scale());
     set_theme(static_cast<float>(app.ui_scale));
     std::unique_ptr<ScriptRunner> script;
     if (!flags.script.empty()) {
@@ -154,18 +158,22 @@ void run(const Flags& flags) {
 int main(int argc, char** argv) {
     using namespace burnish;
     viewer::Flags flags;
-    CLI::App app("The window in which highlights are judged: a model, a material or a scene, moved by hand.",
-                 "burnish view");
+    CLI::App app(
+        "The window in which highlights are judged: a model, a material or a scene, moved by hand.",
+        "burnish view");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("files", flags.files, "models, scenes, environments, maps, materials")
         ->type_name("FILE")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--script", flags.script, "commands to run (docs/guide/viewer.md), then quit")->type_name("FILE");
-    app.add_option("--size", flags.size, "of the window, in place of the remembered one")->type_name("WxH");
+    app.add_option("--script", flags.script, "commands to run (docs/guide/viewer.md), then quit")
+        ->type_name("FILE");
+    app.add_option("--size", flags.size, "of the window, in place of the remembered one")
+        ->type_name("WxH");
     app.add_option("--ui-scale", flags.ui_scale, "size of text and panels (default: the desktop's)")
         ->check(CLI::Range(0.5, 4.0))
         ->type_name("NUMBER");
-    app.add_option("--state", flags.state, "folder of what is remembered, or none")->type_name("FOLDER");
+    app.add_option("--state", flags.state, "folder of what is remembered, or none")
+        ->type_name("FOLDER");
     app.set_version_flag("--version", "burnish " + std::string(version()));
     app.footer(viewer::kExamples);
     try {

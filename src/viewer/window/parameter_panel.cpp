@@ -167,9 +167,9 @@ bool real_widget(const Parameter& p, double& value) {
     } else if (p.high / std::max(p.low, 1e-3) > 99 || p.high > 100) {
         const bool both = p.low < 0;
         changed = both ? ImGui::DragFloat("##v", &v, 0.02f, low, high, format.c_str())
-                       : ImGui::SliderFloat("##v", &v, low, high, format.c_str(),
-                                            ImGuiSliderFlags_Logarithmic |
-                                                ImGuiSliderFlags_NoRoundToFormat);
+                       : ImGui::SliderFloat(
+                             "##v", &v, low, high, format.c_str(),
+                             ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
     } else {
         changed = ImGui::SliderFloat("##v", &v, low, high, format.c_str(),
                                      ImGuiSliderFlags_NoRoundToFormat);
@@ -232,8 +232,7 @@ bool widget(const Parameter& p, ParameterValue& value) {
             float shown[3];
             for (int c = 0; c < 3; ++c) shown[c] = srgb_from_linear(v[c]);
             if (!ImGui::ColorEdit3("##v", shown, ImGuiColorEditFlags_Float)) return false;
-            for (int c = 0; c < 3; ++c)
-                v[c] = linear_from_srgb(std::clamp(shown[c], 0.0f, 1.0f));
+            for (int c = 0; c < 3; ++c) v[c] = linear_from_srgb(std::clamp(shown[c], 0.0f, 1.0f));
             return true;
         }
         case ParameterKind::vector: {
@@ -274,9 +273,9 @@ void row(App& app, const Parameter& p) {
     const std::optional<int> own = material ? app.material : std::nullopt;
     const Document& document = app.document();
     const auto layer = own ? document.material_values.find(*own) : document.material_values.end();
-    const bool set_here = own ? layer != document.material_values.end() &&
-                                    layer->second.is_set(name)
-                              : document.values.is_set(name);
+    const bool set_here =
+        own ? layer != document.material_values.end() && layer->second.is_set(name)
+            : document.values.is_set(name);
     std::optional<ParameterValue> value = parameter_of(document, name, own);
     const bool known = value.has_value();
     if (!value) value = of_file(app, name);
@@ -301,8 +300,7 @@ void row(App& app, const Parameter& p) {
                          (set_here ? ImGui::GetStyle().ItemInnerSpacing.x : 0.0f));
     if (!known && !shown && p.kind == ParameterKind::real) {
         // Nobody states it: a press begins to.
-        if (ImGui::Button("not set", {ImGui::CalcItemWidth(), 0}))
-            app.set_parameter(name, edited);
+        if (ImGui::Button("not set", {ImGui::CalcItemWidth(), 0})) app.set_parameter(name, edited);
     } else if (widget(p, edited)) {
         app.set_parameter(name, edited);
     }
@@ -314,9 +312,9 @@ void row(App& app, const Parameter& p) {
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) app.unset_parameter(name);
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("back to %s",
-                              p.default_text.empty() ? "what the file says"
-                                                     : ("the default, " + p.default_text).c_str());
+            ImGui::SetTooltip("back to %s", p.default_text.empty()
+                                                ? "what the file says"
+                                                : ("the default, " + p.default_text).c_str());
     }
     ImGui::PopID();
 }
@@ -357,14 +355,12 @@ void material_choice(App& app) {
         return;
     }
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::BeginCombo("##material",
-                          app.material ? name_of_material(*app.material).c_str()
-                                       : "all materials")) {
+    if (ImGui::BeginCombo("##material", app.material ? name_of_material(*app.material).c_str()
+                                                     : "all materials")) {
         if (ImGui::Selectable("all materials", !app.material)) app.material.reset();
         for (int i = 0; i < static_cast<int>(app.scene().materials.size()); ++i) {
             ImGui::PushID(i);
-            if (ImGui::Selectable(name_of_material(i).c_str(), app.material == i))
-                app.material = i;
+            if (ImGui::Selectable(name_of_material(i).c_str(), app.material == i)) app.material = i;
             ImGui::PopID();
         }
         ImGui::EndCombo();

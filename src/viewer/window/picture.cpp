@@ -74,9 +74,8 @@ void Picture::follow(const Editor& editor) {
     if (first || now.environment != before.environment)
         renderer_->set_environment(stage.environment.radiance.empty() ? nullptr
                                                                       : &stage.environment);
-    any_tabulated_ = std::ranges::any_of(stage.scene.materials, [](const Material& m) {
-        return tabulated_of(m) != nullptr;
-    });
+    any_tabulated_ = std::ranges::any_of(
+        stage.scene.materials, [](const Material& m) { return tabulated_of(m) != nullptr; });
     Revisions as_before = now;
     as_before.display = before.display;
     const bool display_only = !first && as_before == before;
@@ -183,8 +182,8 @@ void Picture::adapt_scale() {
     if (last_moving_frame_) {
         const double period = std::chrono::duration<double>(now - *last_moving_frame_).count();
         const auto place = std::ranges::find(kScales, moving_scale_);
-        const auto index = static_cast<std::size_t>(
-            place == kScales.end() ? 2 : place - kScales.begin());
+        const auto index =
+            static_cast<std::size_t>(place == kScales.end() ? 2 : place - kScales.begin());
         // Between 0.6 and 1 periods of the rate nothing changes, so that it does not swing.
         if (period > 1.0 / rate_ && index + 1 < kScales.size()) {
             moving_scale_ = kScales[index + 1];
@@ -253,7 +252,8 @@ Image Picture::shown(std::size_t index) const {
                                                       static_cast<std::size_t>(shown.width) * 4;
         float* to = image.at(0, y);
         for (int x = 0; x < shown.width; ++x)
-            for (int c = 0; c < 3; ++c) to[3 * x + c] = static_cast<float>(from[4 * x + c]) / 255.0f;
+            for (int c = 0; c < 3; ++c)
+                to[3 * x + c] = static_cast<float>(from[4 * x + c]) / 255.0f;
     }
     return image;
 }

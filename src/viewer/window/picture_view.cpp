@@ -28,8 +28,23 @@ std::vector<double> dividers_of(const Compare& compare) {
     return even;
 }
 
+std::vector<double> dividers_of(const App& app) {
+    const Compare& compare = app.document().compare;
+    if (!app.before) return dividers_of(compare);
+    return {compare.dividers.size() == 1 ? compare.dividers.front() : 0.5};
+}
+
+// The panes of what is shown now and, with a "before", of that.
+std::vector<Pane> panes_beside_before(const App& app, bool is_before) {
+    Pane pane{std::nullopt, app.view, 0, 1};
+    if (app.document().compare.mode == CompareMode::split)
+        (is_before ? pane.right : pane.left) = dividers_of(app).front();
+    return {pane};
+}
+
 std::vector<Pane> panes_of(const App& app) {
     const Compare& compare = app.document().compare;
+    if (app.before && compare.mode != CompareMode::off) return panes_beside_before(app, false);
     if (compare.mode == CompareMode::off) return {Pane{std::nullopt, app.view, 0, 1}};
     std::vector<Pane> panes;
     const bool split = compare.mode == CompareMode::split;
@@ -49,8 +64,8 @@ std::vector<Pane> panes_of(const App& app) {
 void label(ImDrawList& draw, ImVec2 at, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float pad = ImGui::GetStyle().FramePadding.x;
-    draw.AddRectFilled(at, {at.x + size.x + 2 * pad, at.y + size.y + pad}, IM_COL32(20, 20, 20, 190),
-                       3.0f);
+    draw.AddRectFilled(at, {at.x + size.x + 2 * pad, at.y + size.y + pad},
+                       IM_COL32(20, 20, 20, 190), 3.0f);
     draw.AddText({at.x + pad, at.y + 0.5f * pad}, IM_COL32(235, 235, 235, 255), text.c_str());
 }
 
@@ -59,38 +74,62 @@ std::size_t blinking(std::size_t count) {
     return static_cast<std::size_t>(ImGui::GetTime() / kBlink_s) % std::max<std::size_t>(count, 1);
 }
 
-void draw_pane(App& app, ImDrawList& draw, std::size_t index) {
-    const unsigned texture = app.picture.texture(index);
+void draw_pane(const App& app, const Picture& picture, ImDrawList& draw, std::size_t index,
+               const std::string& name) {
+    const unsigned texture = picture.texture(index);
     if (texture == 0) return;
-    const Pane& pane = app.picture.pane(index);
+    const Pane& pane = picture.pane(index);
     const auto x = static_cast<float>(app.picture_x), y = static_cast<float>(app.picture_y);
-    const auto w = static_cast<float>(app.picture_width), h = static_cast<float>(app.picture_height);
+    const auto w = static_cast<float>(app.picture_width),
+               h = static_cast<float>(app.picture_height);
     const float left = std::round(static_cast<float>(pane.left) * w);
     const float right = std::round(static_cast<float>(pane.right) * w);
     // Textures have their first row at the bottom.
     draw.AddImage(id_of(texture), {x + left, y}, {x + right, y + h}, {0, 1}, {1, 0});
-    if (pane.method)
-        label(draw, {x + left + 8, y + 8}, std::string(name_of(*pane.method)));
+    if (!name.empty()) label(draw, {x + left + 8, y + 8}, name);
+}
+
+// The picture number `index` of a comparison: of two methods, or before and after.
+void draw_compared(const App& app, ImDrawList& draw, std::size_t index) {
+    if (app.before && app.document().compare.mode != CompareMode::off)
+        return draw_pane(app, index == 0 ? *app.before_picture : app.picture, draw, 0,
+                         index == 0 ? "before" : "now");
+    const std::optional<Method> method = app.picture.pane(index).method;
+    draw_pane(app, app.picture, draw, index, method ? std::string(name_of(*method)) : "");
+}
+
+std::size_t compared_count(const App& app) {
+    return app.before && app.document().compare.mode != CompareMode::off ? 2
+                                                                         : app.picture.pane_count();
+}
+
+bool all_at_rest(const App& app) {
+    return app.picture.at_rest() && (!app.before_picture || app.before_picture->at_rest());
 }
 
 void draw_panes(App& app, ImDrawList& draw) {
     const Compare& compare = app.document().compare;
     const auto x = static_cast<float>(app.picture_x), y = static_cast<float>(app.picture_y);
-    const auto w = static_cast<float>(app.picture_width), h = static_cast<float>(app.picture_height);
+    const auto w = static_cast<float>(app.picture_width),
+               h = static_cast<float>(app.picture_height);
     switch (compare.mode) {
         case CompareMode::blink:
-            return draw_pane(app, draw, blinking(app.picture.pane_count()));
+            return draw_compared(app, draw, blinking(compared_count(app)));
         case CompareMode::difference:
         case CompareMode::flip: {
-            app.compared.update(app.picture, compare);
-            if (compare.mode == CompareMode::flip && !app.picture.at_rest()) {
-                draw_pane(app, draw, 1);
+            if (compared_count(app) < 2) return;
+            app.compared.update(app.before ? *app.before_picture : app.picture, 0, app.picture,
+                                app.before ? 0 : 1, compare);
+            if (compare.mode == CompareMode::flip && !all_at_rest(app)) {
+                draw_compared(app, draw, 1);
                 return label(draw, {x + 8, y + h - 32}, "FLIP is computed at rest");
             }
             if (app.compared.texture() == 0) return;
             draw.AddImage(id_of(app.compared.texture()), {x, y}, {x + w, y + h});
-            const std::string names = fmt::format("{} against {}", name_of(compare.methods[1]),
-                                                  name_of(compare.methods[0]));
+            const std::string names =
+                app.before ? "now against before"
+                           : fmt::format("{} against {}", name_of(compare.methods[1]),
+                                         name_of(compare.methods[0]));
             label(draw, {x + 8, y + 8},
                   compare.mode == CompareMode::flip
                       ? fmt::format("FLIP of {}: mean {:.4f}, highest {:.3f}", names,
@@ -101,7 +140,7 @@ void draw_panes(App& app, ImDrawList& draw) {
         }
         case CompareMode::split:
         case CompareMode::off:
-            for (std::size_t i = 0; i < app.picture.pane_count(); ++i) draw_pane(app, draw, i);
+            for (std::size_t i = 0; i < compared_count(app); ++i) draw_compared(app, draw, i);
     }
 }
 
@@ -113,16 +152,17 @@ bool dividers(App& app, ImDrawList& draw) {
     const auto scale = static_cast<float>(app.ui_scale);
     const auto y = static_cast<float>(app.picture_y);
     const auto h = static_cast<float>(app.picture_height);
-    std::vector<double> places = dividers_of(compare);
+    std::vector<double> places = dividers_of(app);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     int near_one = -1;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const float x = static_cast<float>(app.picture_x) +
-                        static_cast<float>(places[i] * app.picture_width);
+        const float x =
+            static_cast<float>(app.picture_x) + static_cast<float>(places[i] * app.picture_width);
         if (std::abs(mouse.x - x) < 6 * scale && mouse.y > y && mouse.y < y + h)
             near_one = static_cast<int>(i);
         const bool lit = held == static_cast<int>(i) || near_one == static_cast<int>(i);
-        draw.AddLine({x, y}, {x, y + h}, lit ? IM_COL32(255, 255, 255, 255) : IM_COL32(255, 255, 255, 170),
+        draw.AddLine({x, y}, {x, y + h},
+                     lit ? IM_COL32(255, 255, 255, 255) : IM_COL32(255, 255, 255, 170),
                      (lit ? 2.5f : 1.5f) * scale);
         draw.AddCircleFilled({x, y + 0.5f * h}, 5 * scale, IM_COL32(255, 255, 255, 220));
     }
@@ -159,7 +199,8 @@ Drag drag_of(int button) {
 }
 
 glm::dvec2 in_picture(const App& app, ImVec2 mouse) {
-    return {static_cast<double>(mouse.x) - app.picture_x, static_cast<double>(mouse.y) - app.picture_y};
+    return {static_cast<double>(mouse.x) - app.picture_x,
+            static_cast<double>(mouse.y) - app.picture_y};
 }
 
 void mouse_in_picture(App& app) {
@@ -168,7 +209,8 @@ void mouse_in_picture(App& app) {
     static ImVec2 pressed_at{};
     const ImGuiIO& io = ImGui::GetIO();
     const glm::dvec2 at = in_picture(app, io.MousePos);
-    const bool inside = at.x >= 0 && at.y >= 0 && at.x < app.picture_width && at.y < app.picture_height;
+    const bool inside =
+        at.x >= 0 && at.y >= 0 && at.x < app.picture_width && at.y < app.picture_height;
     if (button < 0 && inside && !io.WantCaptureMouse) {
         for (int b = 0; b < 3; ++b)
             if (ImGui::IsMouseClicked(b)) {
@@ -187,7 +229,8 @@ void mouse_in_picture(App& app) {
     if (drag == Drag::highlight) {
         if (ImGui::IsMouseClicked(button) || moved) app.put_highlight(at);
     } else if (moved && way > 3.0f) {
-        app.drag(drag, {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
+        app.drag(drag,
+                 {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
     }
     if (ImGui::IsMouseDown(button)) return;
     if (button == 0 && drag == Drag::orbit && way <= 3.0f) app.pick(at);
@@ -200,8 +243,9 @@ void mouse_in_picture(App& app) {
 void light_ball(App& app, ImDrawList& draw) {
     const auto scale = static_cast<float>(app.ui_scale);
     const float radius = 34 * scale;
-    const ImVec2 center{static_cast<float>(app.picture_x + app.picture_width) - radius - 12 * scale,
-                        static_cast<float>(app.picture_y + app.picture_height) - radius - 12 * scale};
+    const ImVec2 center{
+        static_cast<float>(app.picture_x + app.picture_width) - radius - 12 * scale,
+        static_cast<float>(app.picture_y + app.picture_height) - radius - 12 * scale};
     const std::vector<Light>& lights = app.scene().lights;
     if (lights.empty()) return;
     draw.AddCircleFilled(center, radius, IM_COL32(30, 30, 30, 150), 48);
@@ -238,6 +282,10 @@ void picked_mark(App& app, ImDrawList& draw) {
 void picture_view(App& app) {
     app.picture.set_size(app.picture_width, app.picture_height);
     app.picture.set_panes(panes_of(app));
+    if (app.before_picture) {
+        app.before_picture->set_size(app.picture_width, app.picture_height);
+        app.before_picture->set_panes(panes_beside_before(app, true));
+    }
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const auto x = static_cast<float>(app.picture_x), y = static_cast<float>(app.picture_y);
     draw.PushClipRect({x, y}, {x + static_cast<float>(app.picture_width),

@@ -25,7 +25,8 @@ glm::dvec2 angles_of(const Light& light) {
 
 glm::vec3 direction_of(glm::dvec2 angles_deg) {
     const double a = glm::radians(angles_deg.x), e = glm::radians(angles_deg.y);
-    return -glm::normalize(glm::vec3(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)));
+    return -glm::normalize(
+        glm::vec3(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)));
 }
 
 // Draws one light; true when it has changed.
@@ -41,8 +42,9 @@ bool light_rows(Light& light) {
     } else {
         changed |= ImGui::DragFloat3("place, m", &light.position.x, 0.02f);
     }
-    changed |= ImGui::SliderFloat(light.type == LightType::directional ? "lux" : "candela", &light.intensity,
-                                  0.0f, 1000.0f, "%.3g", ImGuiSliderFlags_Logarithmic);
+    changed |=
+        ImGui::SliderFloat(light.type == LightType::directional ? "lux" : "candela",
+                           &light.intensity, 0.0f, 1000.0f, "%.3g", ImGuiSliderFlags_Logarithmic);
     changed |= ImGui::ColorEdit3("color", &light.color.x, ImGuiColorEditFlags_Float);
     return changed;
 }
@@ -111,8 +113,8 @@ void parts(App& app) {
         const int id = static_cast<int>(i);
         bool shown = !app.document().hidden.contains(id);
         const int mesh = scene.instances[i].mesh;
-        const std::string name =
-            mesh >= 0 ? scene.meshes[static_cast<std::size_t>(mesh)].name : std::string("hidden part");
+        const std::string name = mesh >= 0 ? scene.meshes[static_cast<std::size_t>(mesh)].name
+                                           : std::string("hidden part");
         if (ImGui::Checkbox(fmt::format("{} {}", i, name).c_str(), &shown))
             app.edit({}, "parts", [&](Document& d) {
                 if (shown)
@@ -156,7 +158,8 @@ void scene_panel(App& app) {
     const Scene& scene = app.scene();
     std::size_t triangles = 0;
     for (const Instance& i : scene.instances)
-        if (i.mesh >= 0) triangles += scene.meshes[static_cast<std::size_t>(i.mesh)].indices.size() / 3;
+        if (i.mesh >= 0)
+            triangles += scene.meshes[static_cast<std::size_t>(i.mesh)].indices.size() / 3;
     ImGui::TextWrapped("%s", app.document().input.c_str());
     ImGui::TextDisabled("%zu triangles, %zu materials", triangles, scene.materials.size());
     if (ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) lights(app);
@@ -165,7 +168,9 @@ void scene_panel(App& app) {
     bookmarks(app);
     if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) {
         ImGui::SetNextItemWidth(-1);
-        if (ImGui::BeginCombo("##view", std::string(surface_view_names()[static_cast<std::size_t>(app.view)]).c_str())) {
+        if (ImGui::BeginCombo(
+                "##view",
+                std::string(surface_view_names()[static_cast<std::size_t>(app.view)]).c_str())) {
             for (std::size_t i = 0; i < surface_view_names().size(); ++i)
                 if (ImGui::Selectable(std::string(surface_view_names()[i]).c_str(),
                                       static_cast<std::size_t>(app.view) == i))
@@ -185,14 +190,22 @@ void compare_panel(App& app) {
             compare.mode = static_cast<CompareMode>(i);
     }
     ImGui::Spacing();
-    for (std::size_t i = 0; i < compare.methods.size(); ++i) {
+    if (ImGui::Button(app.before ? "let \"before\" go" : "hold this as \"before\""))
+        app.before ? app.release() : app.hold();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "compares materials and models as they are now with what you change next");
+    ImGui::Spacing();
+    for (std::size_t i = 0; i < compare.methods.size() && !app.before; ++i) {
         ImGui::PushID(static_cast<int>(i));
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.75f);
         if (ImGui::BeginCombo("##method", std::string(name_of(compare.methods[i])).c_str())) {
             for (std::size_t m = 0; m < method_names().size(); ++m) {
                 const auto method = static_cast<Method>(m);
-                const bool used = std::ranges::find(compare.methods, method) != compare.methods.end();
-                if (ImGui::Selectable(std::string(method_names()[m]).c_str(), compare.methods[i] == method,
+                const bool used =
+                    std::ranges::find(compare.methods, method) != compare.methods.end();
+                if (ImGui::Selectable(std::string(method_names()[m]).c_str(),
+                                      compare.methods[i] == method,
                                       used ? ImGuiSelectableFlags_Disabled : 0))
                     compare.methods[i] = method;
             }
@@ -207,7 +220,7 @@ void compare_panel(App& app) {
         }
         ImGui::PopID();
     }
-    if (compare.methods.size() < kMostCompared && ImGui::SmallButton("one more")) {
+    if (!app.before && compare.methods.size() < kMostCompared && ImGui::SmallButton("one more")) {
         for (const Method m : {Method::gram_schmidt, Method::deform_smooth, Method::rotate_exact,
                                Method::none, Method::normal_map, Method::follow_grain})
             if (std::ranges::find(compare.methods, m) == compare.methods.end()) {
@@ -223,8 +236,9 @@ void compare_panel(App& app) {
             compare.gain = static_cast<double>(gain);
     }
     if (compare.mode == CompareMode::flip)
-        ImGui::TextWrapped("FLIP (Andersson et al. 2020): the difference that a person sees between two "
-                           "pictures shown by turns, 0 to 1, at 67 pixels a degree.");
+        ImGui::TextWrapped(
+            "FLIP (Andersson et al. 2020): the difference that a person sees between two "
+            "pictures shown by turns, 0 to 1, at 67 pixels a degree.");
     if (compare.mode == CompareMode::difference || compare.mode == CompareMode::flip)
         ImGui::TextDisabled("of the first two methods; mean %.4f", app.compared.mean());
     if (compare != app.document().compare)
@@ -240,7 +254,8 @@ void message_panel(App& app) {
     }
     if (!app.editor.warnings().empty()) {
         ImGui::TextDisabled("true of what is shown now:");
-        for (const std::string& line : app.editor.warnings()) ImGui::TextWrapped("%s", line.c_str());
+        for (const std::string& line : app.editor.warnings())
+            ImGui::TextWrapped("%s", line.c_str());
     }
 }
 

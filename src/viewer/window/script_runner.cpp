@@ -35,11 +35,16 @@ double resident_memory_mb() {
 
 Drag drag_of(DragKind kind) {
     switch (kind) {
-        case DragKind::orbit: return Drag::orbit;
-        case DragKind::pan: return Drag::pan;
-        case DragKind::zoom: return Drag::zoom;
-        case DragKind::light: return Drag::light;
-        case DragKind::environment: return Drag::environment;
+        case DragKind::orbit:
+            return Drag::orbit;
+        case DragKind::pan:
+            return Drag::pan;
+        case DragKind::zoom:
+            return Drag::zoom;
+        case DragKind::light:
+            return Drag::light;
+        case DragKind::environment:
+            return Drag::environment;
     }
     return Drag::none;
 }
@@ -48,7 +53,8 @@ Drag drag_of(DragKind kind) {
 
 void save_screenshot(const Window& window, const std::string& file) {
     const int width = window.width(), height = window.height();
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width) *
+                                    static_cast<std::size_t>(height) * 3);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
@@ -99,7 +105,8 @@ bool ScriptRunner::still_busy() {
             break;
         case WaitKind::seconds:
             if (seconds_since(waiting_->since) < waiting_->left) return true;
-            idle_cpu_ = 100 * (process_cpu_seconds() - waiting_->cpu_since) / seconds_since(waiting_->since);
+            idle_cpu_ = 100 * (process_cpu_seconds() - waiting_->cpu_since) /
+                        seconds_since(waiting_->since);
             break;
         case WaitKind::rest:
             if (!app_.picture.at_rest()) return true;
@@ -114,7 +121,8 @@ bool ScriptRunner::needs_frame() const {
 }
 
 void ScriptRunner::run() {
-    if (first_picture_s_ < 0 && app_.picture.samples() > 0) first_picture_s_ = seconds_since(start_);
+    if (first_picture_s_ < 0 && app_.picture.samples() > 0)
+        first_picture_s_ = seconds_since(start_);
     while (!still_busy() && next_ < commands_.size()) {
         const Command& command = commands_[next_++];
         line_ = command.line;
@@ -158,7 +166,8 @@ double ScriptRunner::measured(const std::string& name) const {
     if (name == "flip" || name == "difference") return app_.compared.mean();
     if (name == "memory_mb") return resident_memory_mb();
     if (name.starts_with("picked.")) {
-        if (!app_.picked) fail(fmt::format("expected a picked point for {}, found none", shown(name)));
+        if (!app_.picked)
+            fail(fmt::format("expected a picked point for {}, found none", shown(name)));
         const LobeReport& r = app_.picked->report;
         const std::string key = name.substr(7);
         if (key == "tilt") return r.tilt_deg;
@@ -185,8 +194,9 @@ void ScriptRunner::expect(const ExpectCommand& command) {
     if (find_parameter(command.name) != nullptr) {
         const auto value = parameter_of(app_.document(), command.name, app_.material);
         const std::string text = value ? text_of(*find_parameter(command.name), *value) : "";
-        if (!meets(command, text) && !(command.number && value && std::holds_alternative<double>(*value) &&
-                                       meets(command, std::get<double>(*value))))
+        if (!meets(command, text) &&
+            !(command.number && value && std::holds_alternative<double>(*value) &&
+              meets(command, std::get<double>(*value))))
             fail(fmt::format("expected {} {}, found {}", command.name, command.value, shown(text)));
         return;
     }
@@ -200,7 +210,8 @@ void ScriptRunner::execute(const Command& command) {
         if (!word) return std::nullopt;
         const auto& materials = app_.scene().materials;
         for (std::size_t i = 0; i < materials.size(); ++i)
-            if (materials[i].name == *word || *word == fmt::format("#{}", i)) return static_cast<int>(i);
+            if (materials[i].name == *word || *word == fmt::format("#{}", i))
+                return static_cast<int>(i);
         fail(fmt::format("expected a material of the scene, found {}", shown(*word)));
     };
     const auto in_picture = [&](double x, double y) {
@@ -213,11 +224,13 @@ void ScriptRunner::execute(const Command& command) {
                 app_.open(c.files);
             } else if constexpr (std::is_same_v<T, SetCommand>) {
                 const auto material = material_of(c.material);
-                app_.edit(c.name, c.name, [&](Document& d) { set_parameter_text(d, c.name, c.value, material); });
+                app_.edit(c.name, c.name,
+                          [&](Document& d) { set_parameter_text(d, c.name, c.value, material); });
                 app_.editor.close_step();
             } else if constexpr (std::is_same_v<T, UnsetCommand>) {
                 const auto material = material_of(c.material);
-                app_.edit({}, c.name, [&](Document& d) { viewer::unset_parameter(d, c.name, material); });
+                app_.edit({}, c.name,
+                          [&](Document& d) { viewer::unset_parameter(d, c.name, material); });
             } else if constexpr (std::is_same_v<T, LightCommand>) {
                 app_.edit({}, "light", [&](Document& d) {
                     d.lights.emplace();
@@ -237,7 +250,9 @@ void ScriptRunner::execute(const Command& command) {
                 click_shift_ = c.shift;
                 waiting_ = Waiting{WaitKind::frames, 2, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, KeyCommand>) {
-                if (!press_key(app_, c.keys)) fail(fmt::format("expected a key of the list under ?, found {}", shown(c.keys)));
+                if (!press_key(app_, c.keys))
+                    fail(
+                        fmt::format("expected a key of the list under ?, found {}", shown(c.keys)));
             } else if constexpr (std::is_same_v<T, WaitCommand>) {
                 waiting_ = Waiting{c.kind, c.amount, Clock::now(), process_cpu_seconds()};
             } else if constexpr (std::is_same_v<T, PickCommand>) {
@@ -256,13 +271,15 @@ void ScriptRunner::execute(const Command& command) {
                 const auto names = surface_view_names();
                 const auto found = std::ranges::find(names, c.name);
                 if (found == names.end())
-                    fail(fmt::format("expected a view ({}), found {}", fmt::join(names, ", "), shown(c.name)));
+                    fail(fmt::format("expected a view ({}), found {}", fmt::join(names, ", "),
+                                     shown(c.name)));
                 app_.view = static_cast<SurfaceView>(found - names.begin());
                 waiting_ = Waiting{WaitKind::frames, 1, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, PanelCommand>) {
                 bool* panel = app_.panels.find(c.name);
                 if (panel == nullptr)
-                    fail(fmt::format("expected a panel ({}), found {}", fmt::join(Panels::names(), ", "), shown(c.name)));
+                    fail(fmt::format("expected a panel ({}), found {}",
+                                     fmt::join(Panels::names(), ", "), shown(c.name)));
                 *panel = c.open;
                 waiting_ = Waiting{WaitKind::frames, 2, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, UndoCommand>) {

@@ -20,8 +20,8 @@ void set_theme(float scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
     // Latin, and signs of the texts: degree, multiplication, n with a tilde, arrows, middle dot, Greek.
-    static constexpr ImWchar kRanges[] = {0x20, 0x17f, 0x370, 0x3ff, 0x2010, 0x2027, 0x2190, 0x21ff,
-                                          0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
+    static constexpr ImWchar kRanges[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x2027, 0x2190,
+                                          0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
     std::error_code error;
     if (std::filesystem::exists(kFont, error)) {
         io.Fonts->AddFontFromFileTTF(kFont, kFontSize * scale, nullptr, kRanges);
