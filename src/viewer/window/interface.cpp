@@ -500,7 +500,7 @@ void keys_panel(App& app) {
     ImGui::SetNextWindowPos(
         {0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
         ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({620 * scale, 0});
+    ImGui::SetNextWindowSize({860 * scale, 0});
     if (ImGui::Begin("Keys", &app.panels.keys,
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
         static constexpr std::pair<const char*, const char*> kMouse[] = {
@@ -509,20 +509,22 @@ void keys_panel(App& app) {
             {"ctrl+drag", "move the light"},     {"alt+drag", "turn the environment"},
             {"click", "the lobe at this point"},
         };
-        ImGui::Columns(2, nullptr, false);
-        ImGui::SetColumnWidth(0, 330 * scale);
-        for (const auto& [keys, does] : kMouse) {
-            ImGui::TextUnformatted(keys);
-            ImGui::SameLine(200 * scale);
-            ImGui::TextDisabled("%s", does);
+        std::vector<std::pair<std::string, std::string>> rows(std::begin(kMouse), std::end(kMouse));
+        for (const KeyBinding& binding : bindings()) rows.emplace_back(binding.keys, binding.does);
+        const std::size_t half = (rows.size() + 1) / 2;
+        if (ImGui::BeginTable("keys", 4)) {
+            for (std::size_t i = 0; i < half; ++i) {
+                ImGui::TableNextRow();
+                for (const std::size_t k : {i, i + half}) {
+                    if (k >= rows.size()) continue;
+                    ImGui::TableNextColumn();
+                    ImGui::TextUnformatted(rows[k].first.c_str());
+                    ImGui::TableNextColumn();
+                    ImGui::TextDisabled("%s", rows[k].second.c_str());
+                }
+            }
+            ImGui::EndTable();
         }
-        ImGui::NextColumn();
-        for (const KeyBinding& binding : bindings()) {
-            ImGui::TextUnformatted(std::string(binding.keys).c_str());
-            ImGui::SameLine(ImGui::GetColumnOffset(1) + 90 * scale);
-            ImGui::TextDisabled("%s", std::string(binding.does).c_str());
-        }
-        ImGui::Columns(1);
     }
     ImGui::End();
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "burnish/stage.hpp"
+#include "core/text.hpp"
 #include "gpu/device/program.hpp"
 #include "viewer/window/panels.hpp"
 
@@ -35,7 +36,7 @@ bool light_rows(Light& light) {
     if (light.type == LightType::directional) {
         const glm::dvec2 angles = angles_of(light);
         float at[2] = {static_cast<float>(angles.x), static_cast<float>(angles.y)};
-        if (ImGui::DragFloat2("azimuth, elevation", at, 0.5f, -360, 360, "%.1f deg")) {
+        if (ImGui::DragFloat2("az, el", at, 0.5f, -360, 360, "%.1f deg")) {
             light.direction = direction_of({at[0], std::clamp(at[1], -90.0f, 90.0f)});
             changed = true;
         }
@@ -161,7 +162,8 @@ void scene_panel(App& app) {
         if (i.mesh >= 0)
             triangles += scene.meshes[static_cast<std::size_t>(i.mesh)].indices.size() / 3;
     ImGui::TextWrapped("%s", app.document().input.c_str());
-    ImGui::TextDisabled("%zu triangles, %zu materials", triangles, scene.materials.size());
+    ImGui::TextDisabled("%s, %s", plural(triangles, "triangle").c_str(),
+                        plural(scene.materials.size(), "material").c_str());
     if (ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) lights(app);
     if (ImGui::CollapsingHeader("Environment", ImGuiTreeNodeFlags_DefaultOpen)) environment(app);
     parts(app);
@@ -185,7 +187,7 @@ void compare_panel(App& app) {
     ImGui::TextWrapped("The same camera, light and exposure under two to four methods.");
     for (std::size_t i = 0; i < compare_mode_names().size(); ++i) {
         const std::string name(compare_mode_names()[i]);
-        if (i != 0) ImGui::SameLine();
+        if (i != 0 && i != 3) ImGui::SameLine();  // two rows fit the panel
         if (ImGui::RadioButton(name.c_str(), compare.mode == static_cast<CompareMode>(i)))
             compare.mode = static_cast<CompareMode>(i);
     }

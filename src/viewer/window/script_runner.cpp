@@ -109,7 +109,10 @@ bool ScriptRunner::still_busy() {
                         seconds_since(waiting_->since);
             break;
         case WaitKind::rest:
-            if (!app_.picture.at_rest()) return true;
+            // Two frames at least: the changes before the wait have to reach the picture.
+            if (waiting_->left-- > 0 || !app_.picture.at_rest() ||
+                (app_.before_picture && !app_.before_picture->at_rest()))
+                return true;
             break;
     }
     waiting_.reset();
@@ -254,7 +257,8 @@ void ScriptRunner::execute(const Command& command) {
                     fail(
                         fmt::format("expected a key of the list under ?, found {}", shown(c.keys)));
             } else if constexpr (std::is_same_v<T, WaitCommand>) {
-                waiting_ = Waiting{c.kind, c.amount, Clock::now(), process_cpu_seconds()};
+                waiting_ = Waiting{c.kind, c.kind == WaitKind::rest ? 2 : c.amount, Clock::now(),
+                                   process_cpu_seconds()};
             } else if constexpr (std::is_same_v<T, PickCommand>) {
                 app_.pick(in_picture(c.x, c.y));
                 if (!app_.picked) fail("expected a surface there, found the background");
