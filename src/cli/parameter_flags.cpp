@@ -66,11 +66,12 @@ CLI::Option* add_parameter_flag(CLI::App& command, std::string_view name, Parame
     const auto set = [&values, key = std::string(name), flag](const std::string& text) {
         values.set(key, text, flag);
     };
-    // "--shadows" and "--shadows=false", which CLI11 counts as -1.
-    if (parameter.kind == ParameterKind::boolean)
-        return command.add_flag_function(
-            flag, [set](std::int64_t count) { set(count > 0 ? "true" : "false"); },
-            help_of(parameter));
+    if (parameter.kind == ParameterKind::boolean) {
+        // "--shadows", which is the text "true", and "--shadows=false".
+        const auto text = std::make_shared<std::string>();
+        return command.add_flag(flag, *text, help_of(parameter))
+            ->each([set, text](const std::string& value) { set(value); });
+    }
     return command.add_option_function<std::string>(flag, set, help_of(parameter))
         ->type_name(value_name(parameter));
 }
