@@ -15,7 +15,6 @@
 #include "gpu/device/program.hpp"
 #include "jobs/export_material.hpp"
 #include "jobs/render.hpp"
-#include "viewer/document/command_line.hpp"
 #include "viewer/document/load_stage.hpp"
 #include "viewer/document/open_files.hpp"
 #include "viewer/document/save_scene.hpp"
@@ -30,7 +29,8 @@ constexpr double kAutosave_s = 30.0;
 constexpr double kLook_s = 1.0;    // between looks at the files on disk
 constexpr double kSettle_s = 0.2;  // after the last motion the picture refines
 constexpr std::size_t kMostMessages = 200;
-constexpr double kTurn_s = 12.0;  // a turn of the turntable
+constexpr double kMessage_s = 6.0;  // in the status bar
+constexpr double kTurn_s = 12.0;    // a turn of the turntable
 
 double seconds_since(Clock::time_point t) {
     return std::chrono::duration<double>(Clock::now() - t).count();
@@ -82,7 +82,7 @@ App::App(Window& w, gpu::Context& c, std::filesystem::path folder)
     for (const auto& [name, open] : remembered.panels)
         if (bool* panel = panels.find(name)) *panel = open;
     for (const std::string& line : warnings) say(line);
-    last_autosave_ = last_look_ = Clock::now();
+    last_look_ = Clock::now();
 }
 
 App::~App() {
@@ -105,8 +105,16 @@ App::~App() {
 }
 
 void App::say(std::string text, bool is_error) {
+    if (is_error) {
+        ++errors_said_;
+        last_error_ = text;
+    }
     messages.push_back({std::move(text), is_error, Clock::now()});
     if (messages.size() > kMostMessages) messages.pop_front();
+}
+
+bool App::has_fresh_message() const {
+    return !messages.empty() && seconds_since(messages.back().since) < kMessage_s;
 }
 
 // --- files ----------------------------------------------------------------------------------------
@@ -197,8 +205,7 @@ void App::save_turntable(const std::filesystem::path& path, int frames) {
     settings.height = picture_height;
     for (int i = 0; i < frames; ++i) {
         const double angle = glm::two_pi<double>() * i / frames;
-        const Image linear =
-            picture.render(turned(editor.stage().camera, angle), settings, {});
+        const Image linear = picture.render(turned(editor.stage().camera, angle), settings, {});
         const std::filesystem::path file = numbered(path, i);
         write_image(file,
                     holds_linear(file)
@@ -239,9 +246,13 @@ void App::save_gltf(const std::filesystem::path& folder) {
         });
 }
 
-void App::copy_command_line() {
+CommandLine App::command_line() const {
     const std::string scene = saved_scene_.empty() ? "scene.json" : saved_scene_;
-    const CommandLine command = render_command(document(), editor.stage(), scene, "picture.png");
+    return render_command(document(), editor.stage(), scene, "picture.png");
+}
+
+void App::copy_command_line() {
+    const CommandLine command = command_line();
     window.set_clipboard(command.text());
     if (command.needs_scene)
         say(fmt::format("copied: {} (save the scene there first: flags cannot say {})",
@@ -279,9 +290,8 @@ void App::set_parameter(std::string_view name, const ParameterValue& value) {
 void App::unset_parameter(std::string_view name) {
     const Parameter* parameter = find_parameter(name);
     const bool own = parameter != nullptr && parameter->group == ParameterGroup::material;
-    edit({}, name, [&](Document& d) {
-        viewer::unset_parameter(d, name, own ? material : std::nullopt);
-    });
+    edit({}, name,
+         [&](Document& d) { viewer::unset_parameter(d, name, own ? material : std::nullopt); });
 }
 
 void App::undo() {
@@ -289,9 +299,8 @@ void App::undo() {
     if (!to) return say("nothing to undo");
     try {
         if (needs_load(document(), *to)) {
-            load(*to, "undo", [this](const Document&, Stage stage) {
-                editor.undo_loaded(std::move(stage));
-            });
+            load(*to, "undo",
+                 [this](const Document&, Stage stage) { editor.undo_loaded(std::move(stage)); });
             return;
         }
         editor.undo();
@@ -306,9 +315,8 @@ void App::redo() {
     if (!to) return say("nothing to redo");
     try {
         if (needs_load(document(), *to)) {
-            load(*to, "redo", [this](const Document&, Stage stage) {
-                editor.redo_loaded(std::move(stage));
-            });
+            load(*to, "redo",
+                 [this](const Document&, Stage stage) { editor.redo_loaded(std::move(stage)); });
             return;
         }
         editor.redo();
@@ -399,8 +407,7 @@ void App::end_drag() {
 
 void App::zoom_at(glm::dvec2 pixel, double steps) {
     last_motion_ = Clock::now();
-    const Camera moved =
-        zoomed(editor.stage().camera, wheel_factor(steps), pixel, picture_size());
+    const Camera moved = zoomed(editor.stage().camera, wheel_factor(steps), pixel, picture_size());
     edit("camera", "camera", [&](Document& d) {
         viewer::set_camera(d, moved.position, moved.target,
                            std::clamp(fov_deg_of(moved), 1.0, 170.0));
@@ -409,9 +416,8 @@ void App::zoom_at(glm::dvec2 pixel, double steps) {
 
 void App::frame_all() {
     const Bounds bounds = bounds_of(scene());
-    const Camera moved =
-        framed(editor.stage().camera, bounds,
-               static_cast<double>(picture_width) / std::max(picture_height, 1));
+    const Camera moved = framed(editor.stage().camera, bounds,
+                                static_cast<double>(picture_width) / std::max(picture_height, 1));
     edit({}, "frame", [&](Document& d) {
         viewer::set_camera(d, moved.position, moved.target,
                            std::clamp(fov_deg_of(moved), 1.0, 170.0));
@@ -469,9 +475,9 @@ void App::pick_again() {
         picked->report = inspect(scene(), picked->hit, to_eye, to_light, methods);
         picked->albedos.clear();
         for (const MethodReport& m : picked->report.methods)
-            picked->albedos.push_back(
-                m.lobe.has_meaning() ? lobe_albedo(m.lobe, picked->report.to_eye, 2048)
-                                     : LobeAlbedo{});
+            picked->albedos.push_back(m.lobe.has_meaning()
+                                          ? lobe_albedo(m.lobe, picked->report.to_eye, 2048)
+                                          : LobeAlbedo{});
     } catch (const Error& error) {
         say(error.what(), true);
         picked.reset();
@@ -481,10 +487,18 @@ void App::pick_again() {
 // --- once a frame ---------------------------------------------------------------------------------
 
 bool App::needs_frames() const {
-    return (!picture.at_rest() && refused_ != editor.revisions()) || turntable || loader_.running() ||
-           seconds_since(last_motion_) < kSettle_s + 0.1 || dragging_ != Drag::none ||
-           document().compare.mode == CompareMode::blink ||
-           (!messages.empty() && seconds_since(messages.back().since) < 6.0);
+    return !at_rest() || turntable || seconds_since(last_motion_) < kSettle_s + 0.1 ||
+           dragging_ != Drag::none;
+}
+
+bool App::needs_slow_frames() const {
+    return loader_.running() || document().compare.mode == CompareMode::blink ||
+           has_fresh_message() != message_shown_;
+}
+
+// Nothing is open until the first file is read.
+bool App::at_rest() const {
+    return document().input.empty() || picture.at_rest() || refused_ == editor.revisions();
 }
 
 void App::update() {
@@ -540,12 +554,14 @@ void App::draw_picture(double budget_s) {
 void App::count_frame() {
     const double period = seconds_since(last_frame_);
     last_frame_ = Clock::now();
+    message_shown_ = has_fresh_message();
     if (period > 0.5) return;  // the window was at rest
     const double now = 1 / std::max(period, 1e-4);
     // A mean over about ten frames.
     frames_per_second = frames_per_second > 0 ? 0.9 * frames_per_second + 0.1 * now : now;
     if (dragging_ != Drag::none)
-        lowest_frames_per_second = lowest_frames_per_second > 0 ? std::min(lowest_frames_per_second, now) : now;
+        lowest_frames_per_second =
+            lowest_frames_per_second > 0 ? std::min(lowest_frames_per_second, now) : now;
 }
 
 void App::reload_shaders() {
@@ -580,10 +596,13 @@ void App::follow_files() {
 
 void App::autosave_now_and_then() {
     if (state_folder.empty() || seconds_since(last_autosave_) < kAutosave_s) return;
+    // Nothing to lose, or nothing new. The first change is kept at once.
+    if (!editor.history().can_undo() || autosaved_ == document()) return;
+    if (dragging_ != Drag::none) return;
     last_autosave_ = Clock::now();
-    if (!editor.history().can_undo()) return;  // nothing to lose
     try {
         autosave(state_folder, document(), editor.stage());
+        autosaved_ = document();
     } catch (const Error& error) {
         say(error.what(), true);
     }

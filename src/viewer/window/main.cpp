@@ -36,6 +36,8 @@ Examples:
 
 // Seconds of drawing between two looks at the events, while the picture refines.
 constexpr double kBudget_s = 0.03;
+// Between the frames that show progress, a blink and the end of a message.
+constexpr double kSlowFrame_s = 0.1;
 // Frames after an event in which ImGui settles.
 constexpr int kSettleFrames = 3;
 
@@ -65,7 +67,6 @@ class ImGuiContextOfWindow {
 };
 
 void draw_frame(App& app, ScriptRunner* script) {
-    const auto start = std::chrono::steady_clock::now();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     if (script != nullptr) script->feed_input();
@@ -83,32 +84,35 @@ void draw_frame(App& app, ScriptRunner* script) {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (script != nullptr) {
         glFinish();
-        script->after_draw(
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        script->after_draw();
     }
     app.window.swap();
     app.count_frame();
 }
 
 void loop(App& app, ScriptRunner* script) {
+    const auto busy = [&] {
+        return app.needs_frames() || (script != nullptr && script->needs_frame());
+    };
     int settle = kSettleFrames;
     while (!app.window.should_close()) {
-        const bool busy = settle > 0 || app.needs_frames() || (script != nullptr && script->needs_frame());
-        if (busy) {
+        if (settle > 0 || busy()) {
             app.window.poll();
         } else {
-            app.window.wait(script != nullptr ? 0.05 : 1.0);
+            app.window.wait(script != nullptr         ? 0.05
+                            : app.needs_slow_frames() ? kSlowFrame_s
+                                                      : 1.0);
             app.update();  // files and autosave
         }
         if (app.window.take_events()) settle = kSettleFrames;
         const std::vector<std::string> dropped = app.window.take_dropped();
         if (!dropped.empty()) app.open(dropped);
-        if (settle == 0 && !app.needs_frames() && (script == nullptr || !script->needs_frame())) {
+        if (settle == 0 && !busy() && !app.needs_slow_frames()) {
             if (script != nullptr) script->run_idle();
-            continue;
+        } else {
+            settle = std::max(settle - 1, 0);
+            draw_frame(app, script);
         }
-        settle = std::max(settle - 1, 0);
-        draw_frame(app, script);
         if (script != nullptr && script->done()) app.window.close();
     }
 }
@@ -121,26 +125,29 @@ void run(const Flags& flags) {
                                                               : std::filesystem::path(flags.state);
     std::vector<std::string> ignored;
     WindowOptions options;
-    if (!state.empty() && flags.script.empty()) {
+    // A script starts from the same window everywhere, unless it is given a state.
+    if (!state.empty() && (flags.script.empty() || !flags.state.empty())) {
         const Remembered last = load_remembered(state, ignored);
         options = {last.width, last.height, last.x, last.y, last.maximized};
     }
     if (!flags.size.empty()) {
         const std::size_t x = flags.size.find('x');
         options = {};
-        if (x == std::string::npos || std::sscanf(flags.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
-            options.width < 320 || options.height < 240 || options.width > 16384 || options.height > 16384)
+        if (x == std::string::npos ||
+            std::sscanf(flags.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
+            options.width < 320 || options.height < 240 || options.width > 16384 ||
+            options.height > 16384)
             throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(flags.size));
     }
     Window window(options);
     gpu::Context context = gpu::Context::adopt_current();
     const ImGuiContextOfWindow imgui(window);
     App app(window, context, state);
-    app.ui_scale = flags.ui_scale > 0 ? flags.ui_scale : static_cast<double>(window.content_scale());
+    app.ui_scale =
+        flags.ui_scale > 0 ? flags.ui_scale : static_cast<double>(window.content_scale());
     set_theme(static_cast<float>(app.ui_scale));
     std::unique_ptr<ScriptRunner> script;
     if (!flags.script.empty()) {
-        app.recovered.reset();
         app.panels = {};
         script = std::make_unique<ScriptRunner>(app, std::move(commands), flags.script);
     }
@@ -154,18 +161,22 @@ void run(const Flags& flags) {
 int main(int argc, char** argv) {
     using namespace burnish;
     viewer::Flags flags;
-    CLI::App app("The window in which highlights are judged: a model, a material or a scene, moved by hand.",
-                 "burnish view");
+    CLI::App app(
+        "The window in which highlights are judged: a model, a material or a scene, moved by hand.",
+        "burnish view");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("files", flags.files, "models, scenes, environments, maps, materials")
         ->type_name("FILE")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--script", flags.script, "commands to run (docs/guide/viewer.md), then quit")->type_name("FILE");
-    app.add_option("--size", flags.size, "of the window, in place of the remembered one")->type_name("WxH");
+    app.add_option("--script", flags.script, "commands to run (docs/guide/viewer.md), then quit")
+        ->type_name("FILE");
+    app.add_option("--size", flags.size, "of the window, in place of the remembered one")
+        ->type_name("WxH");
     app.add_option("--ui-scale", flags.ui_scale, "size of text and panels (default: the desktop's)")
         ->check(CLI::Range(0.5, 4.0))
         ->type_name("NUMBER");
-    app.add_option("--state", flags.state, "folder of what is remembered, or none")->type_name("FOLDER");
+    app.add_option("--state", flags.state, "folder of what is remembered, or none")
+        ->type_name("FOLDER");
     app.set_version_flag("--version", "burnish " + std::string(version()));
     app.footer(viewer::kExamples);
     try {
