@@ -27,7 +27,7 @@ echo "soak of the viewer: $seconds s, seed $seed"
 # fontconfig leave blocks behind, so that leaks show as growth alone.
 code=0
 ASAN_OPTIONS=detect_leaks=0:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
-    xvfb-run -a -s "-screen 0 1280x1024x24" "$build/bin/burnish-view" --size 640x480 --state none \
+    xvfb-run -a -s "-screen 0 1280x1024x24" "$build/bin/burnish-view" --size 480x360 --state none \
     --script $out/script.txt >$out/log.txt 2>$out/findings.txt || code=$?
 
 awk '$1 == "memory_mb" { value[++n] = $2 }

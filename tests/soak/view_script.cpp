@@ -27,7 +27,7 @@ class ScriptWriter {
         : random_(seed), seconds_(seconds), folder_(std::move(folder)) {}
 
     void write() {
-        line("try set samples 2");
+        quick_again();
         line("wait rest");
         line("log memory_mb");
         const int actions = static_cast<int>(seconds_ * kActionsPerSecond);
@@ -54,7 +54,7 @@ class ScriptWriter {
     // Undo brings back values that take long.
     void quick_again() {
         line("try set samples 2");
-        line("try set image_light_samples 8");
+        line("try set image_light_samples 2");
         line("panel keys off");
         line("wait 2");
     }
@@ -160,7 +160,7 @@ class ScriptWriter {
     }
 
     void place() {
-        const double x = between(0, 640), y = between(20, 460);
+        const double x = between(0, 480), y = between(20, 340);
         static constexpr std::string_view kHow[] = {
             "try pick {:.0f} {:.0f}", "try click {:.0f} {:.0f}", "try click {:.0f} {:.0f} shift",
             "try move {:.0f} {:.0f}"};
@@ -182,7 +182,7 @@ class ScriptWriter {
         if (kind < 87) return line("try view " + one_of(surface_view_names()));
         if (kind < 90) return panel();
         if (kind < 93) return key();
-        if (kind < 94) return line(fmt::format("resize {}x{}", 320 + below(600), 240 + below(400)));
+        if (kind < 94) return line(fmt::format("resize {}x{}", 320 + below(400), 240 + below(300)));
         if (kind < 96) return line(fmt::format("try save scene {}", scene_file()));
         if (kind < 97) return line(fmt::format("try save picture {}/p.png 64x48", folder_));
         if (kind < 98) return line("wait rest");

@@ -198,7 +198,7 @@ std::string ViewerWindow::two_materials(const std::string& name,
 }
 
 Image ViewerWindow::picture(const std::string& name) const {
-    return read_image(path(name));
+    return read_image(path(name), {.as_data = true});  // levels are those of the display
 }
 
 RunningViewer::RunningViewer(const std::vector<std::string>& arguments)
@@ -210,12 +210,14 @@ void RunningViewer::kill() {
     ::waitpid(std::exchange(process_, -1), nullptr, 0);
 }
 
-double levels_between(const Image& a, const Image& b) {
-    if (a.width != b.width || a.height != b.height || a.channels != b.channels) return 1e9;
+double levels_between(const Image& a, const Image& b, int rows) {
+    if (a.width != b.width || a.height != b.height) return 1e9;
     double most = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        most = std::max(most, 255.0 * std::abs(static_cast<double>(a.pixels[i]) -
-                                               static_cast<double>(b.pixels[i])));
+    for (int y = 0; y < (rows == 0 ? a.height : rows); ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                most = std::max(most, 255.0 * std::abs(static_cast<double>(a.at(x, y)[c]) -
+                                                       static_cast<double>(b.at(x, y)[c])));
     return most;
 }
 

@@ -56,7 +56,8 @@ class RunningViewer {
     pid_t process_ = -1;
 };
 
-// Largest difference of two pictures of one size, in parts of 255; 1e9 for different sizes.
-double levels_between(const Image& a, const Image& b);
+// Largest difference of two pictures of one size in the colors of the first `rows` rows (0: all), in
+// parts of 255; 1e9 for different sizes.
+double levels_between(const Image& a, const Image& b, int rows = 0);
 
 }  // namespace burnish::test

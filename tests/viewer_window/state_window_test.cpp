@@ -20,17 +20,18 @@ TEST_F(ViewerWindow, WithoutADisplayOneLineSaysSo) {
 TEST_F(ViewerWindow, AWrongLineIsNamedBeforeAWindowOpens) {
     expect_complaint(run("wait rest\nset alhpa_x 0.3\n"), 1,
                      {"script.txt: line 2", "expected", "did you mean 'alpha_x'"});
-    expect_complaint(run("jump\n"), 1, {"script.txt: line 1", "expected a command", "'jump'"});
-    expect_complaint(run("set alpha_x 7\n"), 1, {"script.txt: line 1", "'7'"});
+    expect_complaint(run("jump\n"), 1,
+                     {"script.txt: line 1", "expected a command", "found \"jump\""});
+    expect_complaint(run("set alpha_x 7\n"), 1, {"script.txt: line 1", "found \"7\""});
     expect_complaint(run("log\n"), 1, {"script.txt: line 1", "the name of a value"});
     expect_complaint(run_with({"--script", path("none.txt")}, virtual_display()), 1, {"none.txt"});
 }
 
 TEST_F(ViewerWindow, AnExpectationThatDoesNotHoldEndsTheScript) {
-    expect_complaint(run("set samples 1\nwait rest\n# a comment\nexpect samples = 2\n"), 1,
-                     {"script.txt: line 4", "expected samples 2, found 1"});
+    expect_complaint(run("set samples 1\nwait rest\n# a comment\nexpect drawn_samples = 2\n"), 1,
+                     {"script.txt: line 4", "expected drawn_samples = 2, found 1"});
     expect_complaint(run("wait 1\nexpect smaples = 2\n"), 1,
-                     {"line 2", "expected a measurement or a parameter", "'smaples'"});
+                     {"line 2", "expected a measurement or a parameter", "found \"smaples\""});
     expect_complaint(run("wait 1\nexpect error = anything\n"), 1, {"line 2", "expected an error"});
     expect_complaint(run("wait 1\nexpect picked.D > 0\n"), 1,
                      {"line 2", "expected a picked point"});

@@ -116,7 +116,7 @@ enum class Comparison { equal, unequal, less, at_most, greater, at_least };
 // expect NAME OP VALUE [TOLERANCE]: OP is one of = != < <= > >=. The script fails where it does not
 // hold.
 struct ExpectCommand {
-    // "fps", "samples", "picked.D", a parameter ... "error": a part of the message with which the
+    // "fps", "drawn_samples", "picked.D", a parameter ... "error": a part of the message with which the
     // command before fails.
     std::string name;
     Comparison comparison = Comparison::equal;

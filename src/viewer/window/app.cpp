@@ -516,10 +516,13 @@ void App::update() {
         last_motion_ = Clock::now();
     }
     last_turn_ = Clock::now();
-    try {
-        picture.follow(editor);
-    } catch (const std::exception& error) {
-        say(one_line(error.what()), true);
+    if (refused_ != editor.revisions()) {
+        try {
+            picture.follow(editor);
+        } catch (const std::exception& error) {
+            say(one_line(error.what()), true);
+            refused_ = editor.revisions();  // said once
+        }
     }
     if (picker_revisions_ != editor.revisions()) {
         Revisions as = editor.revisions();

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -117,6 +118,20 @@ void loop(App& app, ScriptRunner* script) {
     }
 }
 
+// WIDTHxHEIGHT, of a window that holds its menu and a picture.
+WindowOptions size_of(const std::string& text) {
+    WindowOptions options;
+    const char* const end = text.data() + text.size();
+    const auto [x, first] = std::from_chars(text.data(), end, options.width);
+    const bool has_x = first == std::errc() && x != end && *x == 'x';
+    const auto [stop, second] = std::from_chars(has_x ? x + 1 : end, end, options.height);
+    if (!has_x || second != std::errc() || stop != end || options.width < 320 ||
+        options.height < 240 || std::max(options.width, options.height) > 16384)
+        throw UsageError("--size", "", "WIDTHxHEIGHT from 320x240 to 16384x16384, such as 1280x720",
+                         shown(text));
+    return options;
+}
+
 void run(const Flags& flags) {
     std::vector<Command> commands;
     if (!flags.script.empty()) commands = load_script(flags.script);
@@ -130,15 +145,7 @@ void run(const Flags& flags) {
         const Remembered last = load_remembered(state, ignored);
         options = {last.width, last.height, last.x, last.y, last.maximized};
     }
-    if (!flags.size.empty()) {
-        const std::size_t x = flags.size.find('x');
-        options = {};
-        if (x == std::string::npos ||
-            std::sscanf(flags.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
-            options.width < 320 || options.height < 240 || options.width > 16384 ||
-            options.height > 16384)
-            throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(flags.size));
-    }
+    if (!flags.size.empty()) options = size_of(flags.size);
     Window window(options);
     gpu::Context context = gpu::Context::adopt_current();
     const ImGuiContextOfWindow imgui(window);
