@@ -202,8 +202,12 @@ void ScriptRunner::run() {
 void ScriptRunner::after_draw() {
     const Clock::time_point now = Clock::now();
     // The first frame of a drag begins its time.
-    if (dragging_ && last_drag_frame_)
+    const double cpu_s = process_cpu_seconds();
+    if (dragging_ && last_drag_frame_) {
         drag_frames_s_.push_back(std::chrono::duration<double>(now - *last_drag_frame_).count());
+        drag_cpu_s_ += cpu_s - last_cpu_s_;
+    }
+    last_cpu_s_ = cpu_s;
     last_drag_frame_.reset();
     if (dragging_) last_drag_frame_ = now;
     if (changed_ && app_.picture.samples() > 0) {
@@ -224,6 +228,10 @@ double ScriptRunner::measured(const std::string& name) const {
                          static_cast<double>(drag_frames_s_.size()));
     if (name == "fps_min")
         return drag_frames_s_.empty() ? 0 : fps(*std::ranges::max_element(drag_frames_s_));
+    // Of all threads, of a frame of the last drag: what other programs do changes it little.
+    if (name == "frame_cpu_ms")
+        return 1000 * drag_cpu_s_ /
+               static_cast<double>(std::max<std::size_t>(drag_frames_s_.size(), 1));
     if (name == "drawn_samples") return app_.picture.samples();
     if (name == "scale") return app_.picture.scale();
     if (name == "idle_cpu") return idle_cpu_.value_or(0);
@@ -334,6 +342,7 @@ void ScriptRunner::execute(const Command& command) {
                 app_.edit({}, "environment", [&](Document& d) { d.environment = c.name; });
             } else if constexpr (std::is_same_v<T, DragCommand>) {
                 drag_frames_s_.clear();
+                drag_cpu_s_ = 0;
                 last_drag_frame_.reset();
                 dragging_ = Dragging{c, 0};
             } else if constexpr (std::is_same_v<T, MoveCommand>) {

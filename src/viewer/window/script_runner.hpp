@@ -64,6 +64,7 @@ class ScriptRunner {
     std::optional<Dragging> dragging_;
     std::optional<std::string> screenshot_;
     std::vector<double> drag_frames_s_;
+    double drag_cpu_s_ = 0, last_cpu_s_ = 0;  // of these frames; of the process at the last one
     std::optional<std::chrono::steady_clock::time_point> last_drag_frame_, changed_;
     std::optional<double> idle_cpu_;
     double first_picture_s_ = -1;  // since the process started
