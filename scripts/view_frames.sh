@@ -27,24 +27,24 @@ value() {
 }
 
 # row LABEL SETUP [FILE...]: one line of the table of frame rates.
-motion='wait 2
-drag orbit 600 100 120
-wait 1
-log fps fps_min scale triangles first_picture_s'
+motion="wait 2
+drag orbit 600 100 ${DRAG_FRAMES:-120}
+log fps fps_min triangles scale first_picture_s frame_cpu_ms
+quit"
 row() {
     label=$1
     setup=$2
     shift 2
     run row "$setup
-wait 20
+wait 5
 $motion" "$@"
-    printf '| %s | %.0f | %.1f | %.1f | %.2f | %.2f |\n' "$label" "$(value row triangles)" \
-        "$(value row fps)" "$(value row fps_min)" "$(value row scale)" "$(value row first_picture_s)"
+    printf '| %s | %.0f | %.1f | %.1f | %.0f | %.2f | %.2f |\n' "$label" "$(value row triangles)" \
+        "$(value row fps)" "$(value row fps_min)" "$(value row frame_cpu_ms)" "$(value row scale)" "$(value row first_picture_s)"
 }
 
 frames() {
-    echo "| scene | triangles | frames/s | slowest frame, as frames/s | scale at the end | first picture, s |"
-    echo "|---|---|---|---|---|---|"
+    echo "| scene | triangles | frames/s | slowest frame, as frames/s | processor time of a frame, all threads, ms | scale of the resolution at the end | first picture, s |"
+    echo "|---|---|---|---|---|---|---|"
     row "first scene" ""
     row "torus, steel, bumps, one light, prefiltered environment" "set triangles 102400
 set metal steel
@@ -53,7 +53,7 @@ light 30,45,2
 set image_light prefiltered" builtin:torus
     sky=$(find "$data/environments" -name '*.hdr' 2>/dev/null | sort | head -n 1)
     [ -n "$sky" ] || return 0
-    find "$data/models" \( -name '*.glb' -o -name '*.gltf' \) | sort | while read -r model; do
+    find "$data/models" -name '*.glb' -o -name 'Suzanne.gltf' | sort | while read -r model; do
         row "$(basename "$model"), $(basename "$sky" .hdr)" "" "$model" "$sky" </dev/null
     done
 }
