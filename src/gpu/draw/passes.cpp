@@ -99,8 +99,14 @@ void Painter::draw_casters(const glm::mat4& clip_from_world) {
 }
 
 void Painter::draw_shadows(const Frame& frame) {
-    for (int map = 0; map < scene_.shadows().count(); ++map)
-        draw_casters(scene_.shadows().begin(map, frame.sample));
+    ShadowMaps& shadows = scene_.shadows();
+    std::vector<bool> casters;
+    casters.reserve(scene_.items().size());
+    for (const DrawItem& item : scene_.items())
+        casters.push_back(!scene_.material(item.material).blended());
+    shadows.set_casters(std::move(casters));
+    for (int map = 0; map < shadows.count(); ++map)
+        if (!shadows.holds(map, frame.sample)) draw_casters(shadows.begin(map, frame.sample));
 }
 
 void Painter::clear(const Frame& frame, Targets& targets) {

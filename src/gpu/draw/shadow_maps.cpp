@@ -7,6 +7,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <initializer_list>
+#include <utility>
 
 #include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
@@ -55,6 +56,7 @@ int largest_side(std::size_t maps) {
 ShadowMaps::ShadowMaps(std::span<const Light> lights, const Bounds& bounds) {
     for (const Light& light : lights) add_light(light, bounds);
     current_.resize(maps_.size(), glm::mat4(1.0f));
+    drawn_.resize(maps_.size(), -1);
     if (maps_.empty()) return;
     side_ = largest_side(maps_.size());
     for (Map& map : maps_) map.texel /= static_cast<float>(side_);
@@ -130,6 +132,16 @@ void ShadowMaps::make_device() {
     check_gl("making shadow maps");
 }
 
+void ShadowMaps::set_casters(std::vector<bool> casters) {
+    if (casters == casters_) return;
+    casters_ = std::move(casters);
+    std::ranges::fill(drawn_, -1);
+}
+
+bool ShadowMaps::holds(int index, int sample) const {
+    return device_ && drawn_[static_cast<std::size_t>(index)] == sample;
+}
+
 glm::mat4 ShadowMaps::begin(int index, int sample) {
     if (!device_) make_device();
     const auto i = static_cast<std::size_t>(index);
@@ -138,6 +150,7 @@ glm::mat4 ShadowMaps::begin(int index, int sample) {
     glm::mat4 moved(1.0f);
     moved[3] = glm::vec4(static_cast<float>(shift.x), static_cast<float>(shift.y), 0.0f, 1.0f);
     current_[i] = moved * maps_[i].clip_from_world;
+    drawn_[i] = sample;
     glBindFramebuffer(GL_FRAMEBUFFER, device_->target.get());
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, device_->texture.get(), 0,
                               index);

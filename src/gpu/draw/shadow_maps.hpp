@@ -28,6 +28,13 @@ class ShadowMaps {
 
     int count() const { return static_cast<int>(maps_.size()); }
 
+    // Which of the drawn instances cast shadows. Others than before: every map has to be drawn again.
+    void set_casters(std::vector<bool> casters);
+    // Whether the map is as begin() and the drawing after it have left it for this sample, so that it
+    // need not be drawn: a map depends on the lights and the scene, with which the object is made anew,
+    // and not on the camera.
+    bool holds(int index, int sample) const;
+
     // Makes map `index` the target, clears it and sets the state to draw into it. Sub-pixel sample
     // `sample` shifts the map by a fraction of a texel, so that the average over samples has soft
     // edges. Returns the clip_from_world of the map.
@@ -52,6 +59,8 @@ class ShadowMaps {
     std::vector<Map> maps_;
     std::vector<glm::vec2> of_light_;  // first map or -1, number of maps
     std::vector<glm::mat4> current_;   // as last drawn, with the shift
+    std::vector<int> drawn_;           // sample of each map's last drawing; -1: none
+    std::vector<bool> casters_;
     int side_ = 0;
     std::optional<Device> device_;
 };

@@ -246,9 +246,17 @@ constexpr VerbRow kVerbs[] = {
      }},
     {"screenshot", [](WordReader& w) -> Action { return ScreenshotCommand{w.word("a file")}; }},
     {"expect", read_expect},
+    {"log",
+     [](WordReader& w) -> Action {
+         if (!w.more()) w.fail("the name of a value", "the end of the line");
+         return LogCommand{w.rest()};
+     }},
     {"resize",
      [](WordReader& w) -> Action { return ResizeCommand{read_size(w, "the size of the window")}; }},
-    {"quit", [](WordReader&) -> Action { return QuitCommand{}; }},
+    {"quit",
+     [](WordReader& w) -> Action {
+         return QuitCommand{w.more() ? w.number("seconds", 0.0, 1e6) : 0.0};
+     }},
 };
 
 std::vector<Name> verb_names() {
@@ -264,10 +272,12 @@ std::vector<Command> parse_script(std::string_view text, const std::string& name
     std::vector<Command> commands;
     for (const ScriptLine& line : script_lines(text, name)) {
         WordReader words(name, line);
+        const bool may_fail = words.peek() == "try";
+        if (may_fail) words.word("try");
         const int verb = words.one_of(verbs, "a command");
         Action action = kVerbs[verb].read(words);
         words.end();
-        commands.push_back({line.number, line.text, std::move(action)});
+        commands.push_back({line.number, line.text, std::move(action), may_fail});
     }
     return commands;
 }

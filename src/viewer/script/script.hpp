@@ -116,28 +116,38 @@ enum class Comparison { equal, unequal, less, at_most, greater, at_least };
 // expect NAME OP VALUE [TOLERANCE]: OP is one of = != < <= > >=. The script fails where it does not
 // hold.
 struct ExpectCommand {
-    std::string name;  // "fps", "samples", "picked.D", a parameter ...
+    // "fps", "drawn_samples", "picked.D", a parameter ... "error": a part of the message with which the
+    // command before fails.
+    std::string name;
     Comparison comparison = Comparison::equal;
     std::string value;
     std::optional<double> number;  // `value` where it is a number; set for < <= > >=
     double tolerance = 0;          // absolute, >= 0; of = and != with a number
 };
+// log NAME...: measurements, parameters and command_line, one a line of standard output
+struct LogCommand {
+    std::vector<std::string> names;  // at least one
+};
 // resize WxH: the window
 struct ResizeCommand {
     Size size;
 };
-struct QuitCommand {};
+// quit [SECONDS]: now, or if the process was started so long ago
+struct QuitCommand {
+    double after_s = 0;
+};
 
-using Action =
-    std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
-                 DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand, PickCommand,
-                 CompareCommand, ViewCommand, PanelCommand, UndoCommand, RedoCommand, SaveCommand,
-                 TurntableCommand, ScreenshotCommand, ExpectCommand, ResizeCommand, QuitCommand>;
+using Action = std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
+                            DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand,
+                            PickCommand, CompareCommand, ViewCommand, PanelCommand, UndoCommand,
+                            RedoCommand, SaveCommand, TurntableCommand, ScreenshotCommand,
+                            ExpectCommand, LogCommand, ResizeCommand, QuitCommand>;
 
 struct Command {
     int line = 0;      // from 1
     std::string text;  // the line without its comment, for logs and messages
     Action action;
+    bool may_fail = false;  // "try COMMAND": the script goes on where it fails
 };
 
 // Throws Error "<name>: line 7: expected ..., found ...", with the nearest known word where one is

@@ -15,7 +15,6 @@
 #include "gpu/device/program.hpp"
 #include "jobs/export_material.hpp"
 #include "jobs/render.hpp"
-#include "viewer/document/command_line.hpp"
 #include "viewer/document/load_stage.hpp"
 #include "viewer/document/open_files.hpp"
 #include "viewer/document/save_scene.hpp"
@@ -30,7 +29,8 @@ constexpr double kAutosave_s = 30.0;
 constexpr double kLook_s = 1.0;    // between looks at the files on disk
 constexpr double kSettle_s = 0.2;  // after the last motion the picture refines
 constexpr std::size_t kMostMessages = 200;
-constexpr double kTurn_s = 12.0;  // a turn of the turntable
+constexpr double kMessage_s = 6.0;  // in the status bar
+constexpr double kTurn_s = 12.0;    // a turn of the turntable
 
 double seconds_since(Clock::time_point t) {
     return std::chrono::duration<double>(Clock::now() - t).count();
@@ -82,7 +82,7 @@ App::App(Window& w, gpu::Context& c, std::filesystem::path folder)
     for (const auto& [name, open] : remembered.panels)
         if (bool* panel = panels.find(name)) *panel = open;
     for (const std::string& line : warnings) say(line);
-    last_autosave_ = last_look_ = Clock::now();
+    last_look_ = Clock::now();
 }
 
 App::~App() {
@@ -105,8 +105,16 @@ App::~App() {
 }
 
 void App::say(std::string text, bool is_error) {
+    if (is_error) {
+        ++errors_said_;
+        last_error_ = text;
+    }
     messages.push_back({std::move(text), is_error, Clock::now()});
     if (messages.size() > kMostMessages) messages.pop_front();
+}
+
+bool App::has_fresh_message() const {
+    return !messages.empty() && seconds_since(messages.back().since) < kMessage_s;
 }
 
 // --- files ----------------------------------------------------------------------------------------
@@ -238,9 +246,13 @@ void App::save_gltf(const std::filesystem::path& folder) {
         });
 }
 
-void App::copy_command_line() {
+CommandLine App::command_line() const {
     const std::string scene = saved_scene_.empty() ? "scene.json" : saved_scene_;
-    const CommandLine command = render_command(document(), editor.stage(), scene, "picture.png");
+    return render_command(document(), editor.stage(), scene, "picture.png");
+}
+
+void App::copy_command_line() {
+    const CommandLine command = command_line();
     window.set_clipboard(command.text());
     if (command.needs_scene)
         say(fmt::format("copied: {} (save the scene there first: flags cannot say {})",
@@ -511,11 +523,19 @@ void App::release() {
 // --- once a frame ---------------------------------------------------------------------------------
 
 bool App::needs_frames() const {
-    return ((!picture.at_rest() || (before_picture && !before_picture->at_rest())) &&
-            refused_ != editor.revisions()) ||
-           turntable || loader_.running() || seconds_since(last_motion_) < kSettle_s + 0.1 ||
-           dragging_ != Drag::none || document().compare.mode == CompareMode::blink ||
-           (!messages.empty() && seconds_since(messages.back().since) < 6.0);
+    return !at_rest() || turntable || seconds_since(last_motion_) < kSettle_s + 0.1 ||
+           dragging_ != Drag::none;
+}
+
+bool App::needs_slow_frames() const {
+    return loader_.running() || document().compare.mode == CompareMode::blink ||
+           has_fresh_message() != message_shown_;
+}
+
+// Nothing is open until the first file is read.
+bool App::at_rest() const {
+    return document().input.empty() || refused_ == editor.revisions() ||
+           (picture.at_rest() && (!before_picture || before_picture->at_rest()));
 }
 
 void App::update() {
@@ -533,14 +553,17 @@ void App::update() {
         last_motion_ = Clock::now();
     }
     last_turn_ = Clock::now();
-    try {
-        picture.follow(editor);
-        if (before) {
-            before->set(seen_as(before->document(), document()), "follow");
-            before_picture->follow(*before);
+    if (refused_ != editor.revisions()) {
+        try {
+            picture.follow(editor);
+            if (before) {
+                before->set(seen_as(before->document(), document()), "follow");
+                before_picture->follow(*before);
+            }
+        } catch (const std::exception& error) {
+            say(one_line(error.what()), true);
+            refused_ = editor.revisions();  // said once
         }
-    } catch (const std::exception& error) {
-        say(one_line(error.what()), true);
     }
     if (picker_revisions_ != editor.revisions()) {
         Revisions as = editor.revisions();
@@ -578,6 +601,7 @@ void App::draw_picture(double budget_s) {
 void App::count_frame() {
     const double period = seconds_since(last_frame_);
     last_frame_ = Clock::now();
+    message_shown_ = has_fresh_message();
     if (period > 0.5) return;  // the window was at rest
     const double now = 1 / std::max(period, 1e-4);
     // A mean over about ten frames.
@@ -619,10 +643,13 @@ void App::follow_files() {
 
 void App::autosave_now_and_then() {
     if (state_folder.empty() || seconds_since(last_autosave_) < kAutosave_s) return;
+    // Nothing to lose, or nothing new. The first change is kept at once.
+    if (!editor.history().can_undo() || autosaved_ == document()) return;
+    if (dragging_ != Drag::none) return;
     last_autosave_ = Clock::now();
-    if (!editor.history().can_undo()) return;  // nothing to lose
     try {
         autosave(state_folder, document(), editor.stage());
+        autosaved_ = document();
     } catch (const Error& error) {
         say(error.what(), true);
     }

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/document/command_line.hpp"
 #include "viewer/document/editor.hpp"
 #include "viewer/document/keep.hpp"
 #include "viewer/inspect/inspector.hpp"
@@ -67,6 +68,8 @@ class App {
     void save_turntable(const std::filesystem::path& path, int frames);
     void save_gltf(const std::filesystem::path& folder);
     void copy_command_line();
+    // Of `burnish render`, for the scene as it was saved last.
+    CommandLine command_line() const;
     bool loading() const { return loader_.running(); }
     Background& loader() { return loader_; }
 
@@ -92,10 +95,18 @@ class App {
 
     // --- messages
     void say(std::string text, bool is_error = false);
+    std::size_t errors_said() const { return errors_said_; }
+    const std::string& last_error() const { return last_error_; }
+    // Whether the last message is shown in the status bar.
+    bool has_fresh_message() const;
 
     // --- once a frame
     void update();              // settles background work, uploads changes, follows files
     bool needs_frames() const;  // something moves or refines
+    // Something changes now and then: progress, a blink, the end of a message.
+    bool needs_slow_frames() const;
+    // The picture is refined, or the device has refused it.
+    bool at_rest() const;
     void reload_shaders();
     // Refines the picture for about `budget_s`. A device that refuses is said once, until the document
     // changes.
@@ -149,6 +160,10 @@ class App {
         last_turn_{};
     std::vector<std::pair<std::string, std::filesystem::file_time_type>> watched_;
     std::string saved_scene_;
+    std::optional<Document> autosaved_;
+    std::size_t errors_said_ = 0;
+    std::string last_error_;
+    bool message_shown_ = false;        // in the last frame
     std::optional<Revisions> refused_;  // those that the device could not draw
     std::chrono::steady_clock::time_point last_frame_{};
 };

@@ -236,10 +236,7 @@ void status_bar(App& app) {
         if (ImGui::SmallButton("cancel")) app.loader().stop();
         return;
     }
-    const bool fresh =
-        !app.messages.empty() &&
-        std::chrono::steady_clock::now() - app.messages.back().since < std::chrono::seconds(6);
-    if (fresh) {
+    if (app.has_fresh_message()) {
         const Message& last = app.messages.back();
         ImGui::TextColored(
             last.is_error ? ImVec4{1.0f, 0.55f, 0.45f, 1} : ImVec4{0.95f, 0.88f, 0.7f, 1}, "%s",

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -36,6 +37,8 @@ Examples:
 
 // Seconds of drawing between two looks at the events, while the picture refines.
 constexpr double kBudget_s = 0.03;
+// Between the frames that show progress, a blink and the end of a message.
+constexpr double kSlowFrame_s = 0.1;
 // Frames after an event in which ImGui settles.
 constexpr int kSettleFrames = 3;
 
@@ -65,7 +68,6 @@ class ImGuiContextOfWindow {
 };
 
 void draw_frame(App& app, ScriptRunner* script) {
-    const auto start = std::chrono::steady_clock::now();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     if (script != nullptr) script->feed_input();
@@ -83,35 +85,51 @@ void draw_frame(App& app, ScriptRunner* script) {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (script != nullptr) {
         glFinish();
-        script->after_draw(
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        script->after_draw();
     }
     app.window.swap();
     app.count_frame();
 }
 
 void loop(App& app, ScriptRunner* script) {
+    const auto busy = [&] {
+        return app.needs_frames() || (script != nullptr && script->needs_frame());
+    };
     int settle = kSettleFrames;
     while (!app.window.should_close()) {
-        const bool busy =
-            settle > 0 || app.needs_frames() || (script != nullptr && script->needs_frame());
-        if (busy) {
+        if (settle > 0 || busy()) {
             app.window.poll();
         } else {
-            app.window.wait(script != nullptr ? 0.05 : 1.0);
+            app.window.wait(script != nullptr         ? 0.05
+                            : app.needs_slow_frames() ? kSlowFrame_s
+                                                      : 1.0);
             app.update();  // files and autosave
         }
         if (app.window.take_events()) settle = kSettleFrames;
         const std::vector<std::string> dropped = app.window.take_dropped();
         if (!dropped.empty()) app.open(dropped);
-        if (settle == 0 && !app.needs_frames() && (script == nullptr || !script->needs_frame())) {
+        if (settle == 0 && !busy() && !app.needs_slow_frames()) {
             if (script != nullptr) script->run_idle();
-            continue;
+        } else {
+            settle = std::max(settle - 1, 0);
+            draw_frame(app, script);
         }
-        settle = std::max(settle - 1, 0);
-        draw_frame(app, script);
         if (script != nullptr && script->done()) app.window.close();
     }
+}
+
+// WIDTHxHEIGHT, of a window that holds its menu and a picture.
+WindowOptions size_of(const std::string& text) {
+    WindowOptions options;
+    const char* const end = text.data() + text.size();
+    const auto [x, first] = std::from_chars(text.data(), end, options.width);
+    const bool has_x = first == std::errc() && x != end && *x == 'x';
+    const auto [stop, second] = std::from_chars(has_x ? x + 1 : end, end, options.height);
+    if (!has_x || second != std::errc() || stop != end || options.width < 320 ||
+        options.height < 240 || std::max(options.width, options.height) > 16384)
+        throw UsageError("--size", "", "WIDTHxHEIGHT from 320x240 to 16384x16384, such as 1280x720",
+                         shown(text));
+    return options;
 }
 
 void run(const Flags& flags) {
@@ -122,19 +140,12 @@ void run(const Flags& flags) {
                                                               : std::filesystem::path(flags.state);
     std::vector<std::string> ignored;
     WindowOptions options;
-    if (!state.empty() && flags.script.empty()) {
+    // A script starts from the same window everywhere, unless it is given a state.
+    if (!state.empty() && (flags.script.empty() || !flags.state.empty())) {
         const Remembered last = load_remembered(state, ignored);
         options = {last.width, last.height, last.x, last.y, last.maximized};
     }
-    if (!flags.size.empty()) {
-        const std::size_t x = flags.size.find('x');
-        options = {};
-        if (x == std::string::npos ||
-            std::sscanf(flags.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
-            options.width < 320 || options.height < 240 || options.width > 16384 ||
-            options.height > 16384)
-            throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(flags.size));
-    }
+    if (!flags.size.empty()) options = size_of(flags.size);
     Window window(options);
     gpu::Context context = gpu::Context::adopt_current();
     const ImGuiContextOfWindow imgui(window);
@@ -144,7 +155,6 @@ void run(const Flags& flags) {
     set_theme(static_cast<float>(app.ui_scale));
     std::unique_ptr<ScriptRunner> script;
     if (!flags.script.empty()) {
-        app.recovered.reset();
         app.panels = {};
         script = std::make_unique<ScriptRunner>(app, std::move(commands), flags.script);
     }

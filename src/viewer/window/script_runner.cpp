@@ -6,9 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <numeric>
+#include <sstream>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
@@ -31,6 +34,28 @@ double resident_memory_mb() {
     double pages = 0, resident = 0;
     in >> pages >> resident;
     return in ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6 : 0;
+}
+
+// Since the process was started; to 10 ms, a tick of the kernel. 0 where the kernel does not say.
+double process_age_s() {
+    std::ifstream uptime("/proc/uptime"), stat("/proc/self/stat");
+    double now_s = 0;
+    std::string text;
+    uptime >> now_s;
+    std::getline(stat, text);
+    // Behind the program's name in brackets come the fields from 3 on; 22 is the start, in ticks.
+    std::istringstream fields(text.substr(std::min(text.rfind(')') + 1, text.size())));
+    std::string field;
+    for (int i = 3; i <= 22; ++i) fields >> field;
+    const double start_ticks = fields ? std::stod(field) : 0;
+    return start_ticks > 0 ? now_s - start_ticks / static_cast<double>(sysconf(_SC_CLK_TCK)) : 0;
+}
+
+double triangles_of(const Scene& scene) {
+    std::size_t indices = 0;
+    for (const Instance& instance : scene.instances)
+        indices += scene.meshes[static_cast<std::size_t>(instance.mesh)].indices.size();
+    return static_cast<double>(indices / 3);
 }
 
 Drag drag_of(DragKind kind) {
@@ -70,7 +95,12 @@ void save_screenshot(const Window& window, const std::string& file) {
 }
 
 ScriptRunner::ScriptRunner(App& app, std::vector<Command> commands, std::string name)
-    : app_(app), commands_(std::move(commands)), name_(std::move(name)) {}
+    : app_(app),
+      commands_(std::move(commands)),
+      name_(std::move(name)),
+      was_recoverable_(app.recovered.has_value()) {
+    app_.recovered.reset();  // its dialog would stand before everything
+}
 
 void ScriptRunner::fail(const std::string& what) const {
     throw Error(fmt::format("{}: line {}: {}", name_, line_, what));
@@ -109,10 +139,8 @@ bool ScriptRunner::still_busy() {
                         seconds_since(waiting_->since);
             break;
         case WaitKind::rest:
-            // Two frames at least: the changes before the wait have to reach the picture.
-            if (waiting_->left-- > 0 || !app_.picture.at_rest() ||
-                (app_.before_picture && !app_.before_picture->at_rest()))
-                return true;
+            // What has changed is drawn in the next frame: until then the picture looks at rest.
+            if (waiting_->left-- > 0 || !app_.at_rest()) return true;
             break;
     }
     waiting_.reset();
@@ -120,30 +148,72 @@ bool ScriptRunner::still_busy() {
 }
 
 bool ScriptRunner::needs_frame() const {
-    return !waiting_ || waiting_->kind != WaitKind::seconds;
+    return !app_.loading() && (!waiting_ || waiting_->kind != WaitKind::seconds);
+}
+
+bool ScriptRunner::done() const {
+    return next_ >= commands_.size() && !waiting_ && !dragging_ && !screenshot_ &&
+           !app_.loading() && errors_ == app_.errors_said();
+}
+
+// Whether the command in work was tried, or `expect error = TEXT` follows it.
+bool ScriptRunner::may_go_on(const std::string& text) {
+    if (may_fail_) return true;
+    if (next_ >= commands_.size()) return false;
+    const auto* expected = std::get_if<ExpectCommand>(&commands_[next_].action);
+    if (expected == nullptr || expected->name != "error") return false;
+    line_ = commands_[next_++].line;
+    if (text.find(expected->value) == std::string::npos)
+        fail(fmt::format("expected an error with {}, found {}", shown(expected->value),
+                         shown(text)));
+    return true;
+}
+
+// Errors that were said since the last look belong to the command in work.
+void ScriptRunner::settle_errors() {
+    while (errors_ < app_.errors_said()) {
+        errors_ = app_.errors_said();
+        if (may_go_on(app_.last_error())) continue;
+        if (line_ == 0) throw Error(app_.last_error());  // of a file of the command line
+        fail(app_.last_error());
+    }
 }
 
 void ScriptRunner::run() {
-    if (first_picture_s_ < 0 && app_.picture.samples() > 0)
-        first_picture_s_ = seconds_since(start_);
-    while (!still_busy() && next_ < commands_.size()) {
+    if (first_picture_s_ < 0 && !app_.document().input.empty() && app_.picture.samples() > 0)
+        first_picture_s_ = process_age_s();
+    while (!still_busy()) {
+        settle_errors();
+        if (next_ >= commands_.size()) return;
         const Command& command = commands_[next_++];
         line_ = command.line;
-        const std::size_t errors = app_.messages.size();
+        may_fail_ = command.may_fail;
         try {
             execute(command);
         } catch (const Error& error) {
             const std::string what = error.what();
+            if (may_go_on(what)) continue;
             if (what.starts_with(name_ + ": line")) throw;
             fail(what);
         }
-        for (std::size_t i = errors; i < app_.messages.size(); ++i)
-            if (app_.messages[i].is_error) fail(app_.messages[i].text);
     }
 }
 
-void ScriptRunner::after_draw(double frame_s) {
-    if (dragging_ && dragging_->frame > 1) drag_frames_s_.push_back(frame_s);
+void ScriptRunner::after_draw() {
+    const Clock::time_point now = Clock::now();
+    // The first frame of a drag begins its time.
+    const double cpu_s = process_cpu_seconds();
+    if (dragging_ && last_drag_frame_) {
+        drag_frames_s_.push_back(std::chrono::duration<double>(now - *last_drag_frame_).count());
+        drag_cpu_s_ += cpu_s - last_cpu_s_;
+    }
+    last_cpu_s_ = cpu_s;
+    last_drag_frame_.reset();
+    if (dragging_) last_drag_frame_ = now;
+    if (changed_ && app_.picture.samples() > 0) {
+        change_s_ = seconds_since(*changed_);
+        changed_.reset();
+    }
     if (!screenshot_) return;
     save_screenshot(app_.window, *screenshot_);
     screenshot_.reset();
@@ -158,10 +228,20 @@ double ScriptRunner::measured(const std::string& name) const {
                          static_cast<double>(drag_frames_s_.size()));
     if (name == "fps_min")
         return drag_frames_s_.empty() ? 0 : fps(*std::ranges::max_element(drag_frames_s_));
-    if (name == "samples") return app_.picture.samples();
+    // Of all threads, of a frame of the last drag: what other programs do changes it little.
+    if (name == "frame_cpu_ms")
+        return 1000 * drag_cpu_s_ /
+               static_cast<double>(std::max<std::size_t>(drag_frames_s_.size(), 1));
+    if (name == "drawn_samples") return app_.picture.samples();
     if (name == "scale") return app_.picture.scale();
     if (name == "idle_cpu") return idle_cpu_.value_or(0);
     if (name == "first_picture_s") return first_picture_s_;
+    if (name == "change_s") return change_s_;
+    if (name == "recovered") return was_recoverable_ ? 1 : 0;
+    if (name == "window_width") return app_.window.width();
+    if (name == "window_height") return app_.window.height();
+    if (name == "materials") return static_cast<double>(app_.scene().materials.size());
+    if (name == "triangles") return triangles_of(app_.scene());
     if (name == "undo_count") return static_cast<double>(app_.editor.history().undo_count());
     if (name == "redo_count") return static_cast<double>(app_.editor.history().redo_count());
     if (name == "lights") return static_cast<double>(app_.scene().lights.size());
@@ -193,19 +273,37 @@ double ScriptRunner::measured(const std::string& name) const {
     fail(fmt::format("expected a measurement or a parameter, found {}", shown(name)));
 }
 
+void ScriptRunner::log(const std::string& name) const {
+    std::string text;
+    if (name == "command_line") {
+        text = app_.command_line().text();
+    } else if (const Parameter* parameter = find_parameter(name)) {
+        const auto value = parameter_of(app_.document(), name, app_.material);
+        text = value ? text_of(*parameter, *value) : "the input's";
+    } else {
+        text = fmt::format("{:.6g}", measured(name));
+    }
+    std::printf("%s %s\n", name.c_str(), one_line(text).c_str());
+    std::fflush(stdout);
+}
+
 void ScriptRunner::expect(const ExpectCommand& command) {
+    static constexpr std::array<std::string_view, 6> kSigns = {"=", "!=", "<", "<=", ">", ">="};
+    const std::string wanted =
+        fmt::format("{} {} {}", command.name, kSigns[static_cast<std::size_t>(command.comparison)],
+                    command.value);
+    if (command.name == "error") fail("expected an error of the command before, found none");
     if (find_parameter(command.name) != nullptr) {
         const auto value = parameter_of(app_.document(), command.name, app_.material);
         const std::string text = value ? text_of(*find_parameter(command.name), *value) : "";
         if (!meets(command, text) &&
             !(command.number && value && std::holds_alternative<double>(*value) &&
               meets(command, std::get<double>(*value))))
-            fail(fmt::format("expected {} {}, found {}", command.name, command.value, shown(text)));
+            fail(fmt::format("expected {}, found {}", wanted, shown(text)));
         return;
     }
     const double found = measured(command.name);
-    if (!meets(command, found))
-        fail(fmt::format("expected {} {}, found {:.6g}", command.name, command.value, found));
+    if (!meets(command, found)) fail(fmt::format("expected {}, found {:.6g}", wanted, found));
 }
 
 void ScriptRunner::execute(const Command& command) {
@@ -230,6 +328,7 @@ void ScriptRunner::execute(const Command& command) {
                 app_.edit(c.name, c.name,
                           [&](Document& d) { set_parameter_text(d, c.name, c.value, material); });
                 app_.editor.close_step();
+                changed_ = Clock::now();
             } else if constexpr (std::is_same_v<T, UnsetCommand>) {
                 const auto material = material_of(c.material);
                 app_.edit({}, c.name,
@@ -243,6 +342,8 @@ void ScriptRunner::execute(const Command& command) {
                 app_.edit({}, "environment", [&](Document& d) { d.environment = c.name; });
             } else if constexpr (std::is_same_v<T, DragCommand>) {
                 drag_frames_s_.clear();
+                drag_cpu_s_ = 0;
+                last_drag_frame_.reset();
                 dragging_ = Dragging{c, 0};
             } else if constexpr (std::is_same_v<T, MoveCommand>) {
                 mouse_ = glm::dvec2(c.x, c.y);
@@ -257,8 +358,8 @@ void ScriptRunner::execute(const Command& command) {
                     fail(
                         fmt::format("expected a key of the list under ?, found {}", shown(c.keys)));
             } else if constexpr (std::is_same_v<T, WaitCommand>) {
-                waiting_ = Waiting{c.kind, c.kind == WaitKind::rest ? 2 : c.amount, Clock::now(),
-                                   process_cpu_seconds()};
+                const double left = c.kind == WaitKind::rest ? 1 : c.amount;
+                waiting_ = Waiting{c.kind, left, Clock::now(), process_cpu_seconds()};
             } else if constexpr (std::is_same_v<T, PickCommand>) {
                 app_.pick(in_picture(c.x, c.y));
                 if (!app_.picked) fail("expected a surface there, found the background");
@@ -300,10 +401,13 @@ void ScriptRunner::execute(const Command& command) {
                 screenshot_ = c.file;
             } else if constexpr (std::is_same_v<T, ExpectCommand>) {
                 expect(c);
+            } else if constexpr (std::is_same_v<T, LogCommand>) {
+                for (const std::string& name : c.names) log(name);
             } else if constexpr (std::is_same_v<T, ResizeCommand>) {
                 app_.window.resize(c.size.width, c.size.height);
                 waiting_ = Waiting{WaitKind::frames, 3, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, QuitCommand>) {
+                if (process_age_s() < c.after_s) return;
                 app_.window.close();
                 next_ = commands_.size();
             }

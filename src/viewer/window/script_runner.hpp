@@ -18,8 +18,10 @@ class ScriptRunner {
   public:
     ScriptRunner(App& app, std::vector<Command> commands, std::string name);
 
-    bool done() const { return next_ >= commands_.size() && !waiting_; }
-    // Whether the command in work goes on in frames, though nothing moves: all but a wait for time.
+    // Whether the last command has ended, with the work that it began.
+    bool done() const;
+    // Whether the command in work goes on in frames, though nothing moves: all but a wait for time and
+    // for a file that is read.
     bool needs_frame() const;
     // In place of a frame, where nothing is to be drawn: lets a wait for time go on.
     void run_idle() { run(); }
@@ -29,7 +31,7 @@ class ScriptRunner {
     // ..." for a command that fails and an expectation that does not hold.
     void run();
     // After the frame was drawn, before it is swapped: takes the picture that was asked for.
-    void after_draw(double frame_s);
+    void after_draw();
 
   private:
     struct Waiting {
@@ -44,6 +46,9 @@ class ScriptRunner {
     };
 
     void execute(const Command& command);
+    void settle_errors();
+    bool may_go_on(const std::string& error);
+    void log(const std::string& name) const;
     void expect(const ExpectCommand& command);
     double measured(const std::string& name) const;
     bool still_busy();
@@ -54,13 +59,18 @@ class ScriptRunner {
     std::string name_;
     std::size_t next_ = 0;
     int line_ = 0;
+    bool may_fail_ = false;  // the command in work
     std::optional<Waiting> waiting_;
     std::optional<Dragging> dragging_;
     std::optional<std::string> screenshot_;
     std::vector<double> drag_frames_s_;
+    double drag_cpu_s_ = 0, last_cpu_s_ = 0;  // of these frames; of the process at the last one
+    std::optional<std::chrono::steady_clock::time_point> last_drag_frame_, changed_;
     std::optional<double> idle_cpu_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    double first_picture_s_ = -1;
+    double first_picture_s_ = -1;  // since the process started
+    double change_s_ = 0;          // from the last `set` until it was drawn
+    std::size_t errors_ = 0;       // that were met: of App::errors_said()
+    bool was_recoverable_ = false;
     // The mouse of the script; none: the person's.
     std::optional<glm::dvec2> mouse_;
     int click_step_ = 0;  // 3: pressed next, 2: down, 1: released
