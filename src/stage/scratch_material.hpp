@@ -4,6 +4,7 @@
 #include <string>
 
 #include "burnish/image.hpp"
+#include "burnish/scratch_maps.hpp"
 
 namespace burnish {
 
@@ -15,6 +16,9 @@ struct ScratchTextures {
     Texture anisotropy;    // direction of stretch, across the grooves, and strength; may be empty
     double tile_mm = 0.0;  // side of the tile; 0: unknown
 };
+
+// Maps as they are read from a folder of them. `ground`: the first layer of their settings.
+ScratchTextures scratch_textures(const ScratchMaps& maps, const ScratchLayer& ground);
 
 // The maps of a preset, engraved by this call, or of a folder made by `burnish scratch`. A preset
 // has both textures; the second one of a folder is read when `with_anisotropy`. Throws UsageError

@@ -19,6 +19,7 @@
 #include "viewer/document/load_stage.hpp"
 #include "viewer/document/open_files.hpp"
 #include "viewer/document/save_scene.hpp"
+#include "viewer/generate/save_maps.hpp"
 #include "viewer/motion/light_sphere.hpp"
 #include "viewer/motion/orbit.hpp"
 
@@ -71,7 +72,7 @@ bool* Panels::find(std::string_view name) {
 }
 
 App::App(Window& w, gpu::Context& c, std::filesystem::path folder)
-    : window(w), context(c), picture(c), state_folder(std::move(folder)) {
+    : window(w), context(c), picture(c), generator(folder), state_folder(std::move(folder)) {
     loader_.on_done([] { Window::wake(); });
     std::vector<std::string> warnings;
     if (!state_folder.empty()) {
@@ -112,6 +113,7 @@ void App::say(std::string text, bool is_error) {
 // --- files ----------------------------------------------------------------------------------------
 
 void App::load(Document document, std::string name, std::function<void(Document, Stage)> adopt) {
+    generator.cancel(*this);
     const auto wanted = std::make_shared<const Document>(std::move(document));
     loader_.start<Stage>(
         name, [wanted](const Progress& progress) { return load_stage(*wanted, progress); },
@@ -172,7 +174,7 @@ void App::open(const std::vector<std::string>& paths) {
 }
 
 void App::save_scene(const std::filesystem::path& path) {
-    viewer::save_scene(document(), editor.stage(), path);
+    viewer::save_scene(document(), editor.stage(), path, generator.cache());
     saved_scene_ = path.string();
     add_recent(remembered, path.string());
     say("saved " + path.string());
@@ -239,6 +241,18 @@ void App::save_gltf(const std::filesystem::path& folder) {
         });
 }
 
+void App::save_maps(const std::filesystem::path& folder) {
+    const MapsRequest request = maps_request(editor.stage(), material, folder);
+    loader_.start<SavedMaps>(
+        "maps", [request](const Progress& progress) { return make_maps(request, progress); },
+        [this, folder, what = request.what](const SavedMaps& saved) {
+            for (const std::string& line : saved.warnings) say(line);
+            say(fmt::format("saved the {}: {} files in {}", what, saved.written.size(),
+                            folder.string()));
+        },
+        [this](const std::string& line) { say(line, true); });
+}
+
 void App::copy_command_line() {
     const std::string scene = saved_scene_.empty() ? "scene.json" : saved_scene_;
     const CommandLine command = render_command(document(), editor.stage(), scene, "picture.png");
@@ -285,6 +299,7 @@ void App::unset_parameter(std::string_view name) {
 }
 
 void App::undo() {
+    generator.cancel(*this);
     const std::shared_ptr<const Document> to = editor.history().undo_document();
     if (!to) return say("nothing to undo");
     try {
@@ -302,6 +317,7 @@ void App::undo() {
 }
 
 void App::redo() {
+    generator.cancel(*this);
     const std::shared_ptr<const Document> to = editor.history().redo_document();
     if (!to) return say("nothing to redo");
     try {
@@ -390,6 +406,10 @@ void App::drag(Drag kind, glm::dvec2 by) {
         case Drag::none:
             return;
     }
+}
+
+void App::note_motion() {
+    last_motion_ = Clock::now();
 }
 
 void App::end_drag() {
@@ -482,6 +502,7 @@ void App::pick_again() {
 
 bool App::needs_frames() const {
     return (!picture.at_rest() && refused_ != editor.revisions()) || turntable || loader_.running() ||
+           generator.working() ||
            seconds_since(last_motion_) < kSettle_s + 0.1 || dragging_ != Drag::none ||
            document().compare.mode == CompareMode::blink ||
            (!messages.empty() && seconds_since(messages.back().since) < 6.0);
@@ -502,11 +523,13 @@ void App::update() {
         last_motion_ = Clock::now();
     }
     last_turn_ = Clock::now();
+    generator.settle(*this);
     try {
         picture.follow(editor);
     } catch (const std::exception& error) {
         say(one_line(error.what()), true);
     }
+    generator.show(*this);
     if (picker_revisions_ != editor.revisions()) {
         Revisions as = editor.revisions();
         if (!picker_revisions_ || picker_revisions_->scene != as.scene) {
@@ -538,6 +561,7 @@ void App::draw_picture(double budget_s) {
 }
 
 void App::count_frame() {
+    generator.shown();
     const double period = seconds_since(last_frame_);
     last_frame_ = Clock::now();
     if (period > 0.5) return;  // the window was at rest

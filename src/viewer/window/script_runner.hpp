@@ -45,6 +45,7 @@ class ScriptRunner {
 
     void execute(const Command& command);
     void expect(const ExpectCommand& command);
+    void generate(const GenerateCommand& command);
     double measured(const std::string& name) const;
     bool still_busy();
     [[noreturn]] void fail(const std::string& what) const;
@@ -57,6 +58,7 @@ class ScriptRunner {
     std::optional<Waiting> waiting_;
     std::optional<Dragging> dragging_;
     std::optional<std::string> screenshot_;
+    bool generating_ = false;
     std::vector<double> drag_frames_s_;
     std::optional<double> idle_cpu_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
