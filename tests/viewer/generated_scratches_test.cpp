@@ -1,6 +1,4 @@
 // The generator of scratches: coarse maps against full ones, folders of the cache, saved scenes.
-#include "viewer/generate/scratches.hpp"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,6 +14,7 @@
 #include "viewer/document/load_stage.hpp"
 #include "viewer/document/save_scene.hpp"
 #include "viewer/generate/save_maps.hpp"
+#include "viewer/generate/scratches.hpp"
 #include "viewer/viewer_support.hpp"
 
 namespace burnish::viewer {
@@ -93,7 +92,8 @@ TEST(GeneratedScratches, ChoicesAreWhatTheCommandEngraves) {
     const ScratchSettings made = scratch_recipe(choice).settings;
     for (std::size_t i = 0; i < preset.layers.size(); ++i) {
         EXPECT_DOUBLE_EQ(made.layers[i].density_per_cm2, 3.0 * preset.layers[i].density_per_cm2);
-        EXPECT_DOUBLE_EQ(made.layers[i].depth_mm.typical(), 0.5 * preset.layers[i].depth_mm.typical());
+        EXPECT_DOUBLE_EQ(made.layers[i].depth_mm.typical(),
+                         0.5 * preset.layers[i].depth_mm.typical());
         EXPECT_EQ(made.layers[i].width_mm, preset.layers[i].width_mm);
     }
     Spread spread = parse_spread("normal:4:1", "test");
@@ -171,7 +171,8 @@ TEST(GeneratedScratches, ASavedSceneHasItsOwnCopy) {
     Editor editor;
     editor.open(document);
     save_scene(editor.document(), editor.stage(), folder / "work/worn.json", cache);
-    EXPECT_TRUE(fs::exists(folder / "work/worn.scratch" / fs::path(first).filename() / "normal.png"));
+    EXPECT_TRUE(
+        fs::exists(folder / "work/worn.scratch" / fs::path(first).filename() / "normal.png"));
     fs::remove_all(folder / "state");
     fs::rename(folder / "work", folder / "moved");
     StageRequest request;
@@ -192,8 +193,9 @@ TEST(GeneratedScratches, MapsAreSavedAsTheirCommandsMakeThem) {
     Document document;
     document.input = two_materials(folder, "two.glb").string();
     document.environment = "none";
-    EXPECT_NE(error_line([&] { maps_request(load_stage(document), std::nullopt, folder / "maps"); })
-                  .find("scratches or a weave, whose maps can be saved"),
+    EXPECT_NE(error_line([&] {
+                  maps_request(load_stage(document), std::nullopt, folder / "maps");
+              }).find("scratches or a weave, whose maps can be saved"),
               std::string::npos);
     const fs::path made = make_cached_scratches(folder / "cache", small_recipe(), {});
     set_parameter(document, "scratch", made.string(), 0);
@@ -231,8 +233,9 @@ TEST(GeneratedScratches, PreviewsRepeatAsTheMapWill) {
     EXPECT_FLOAT_EQ(halved[0].shown.normal_texture.transform[0][0],
                     2.0f * same[0].shown.normal_texture.transform[0][0]);
     set_parameter(document, "uv_scale", 3.0, 0);
-    EXPECT_EQ(scratch_previews(load_stage(document), 0, 5.0)[0].shown.normal_texture.transform[0][0],
-              3.0f);
+    EXPECT_EQ(
+        scratch_previews(load_stage(document), 0, 5.0)[0].shown.normal_texture.transform[0][0],
+        3.0f);
 }
 
 }  // namespace

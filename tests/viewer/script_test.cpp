@@ -58,7 +58,8 @@ TEST(ViewerScript, EveryCommandIsRead) {
     EXPECT_EQ(only<WaitCommand>("wait rest").kind, WaitKind::rest);
     EXPECT_EQ(only<WaitCommand>("wait seconds 0.5").amount, 0.5);
     const auto generate = only<GenerateCommand>(
-        "generate scratch preset swirl-marks amount 2.5 strength 0.5 seed 7 size 1024 tile 20 angle "
+        "generate scratch preset swirl-marks amount 2.5 strength 0.5 seed 7 size 1024 tile 20 "
+        "angle "
         "-30 range 4 length 9 width 0.2 depth 0.01");
     EXPECT_EQ(generate.preset, "swirl-marks");
     EXPECT_EQ(generate.amount, 2.5);

@@ -175,8 +175,8 @@ ScratchReport make_scratch_maps(const ScratchRequest& request, const Progress& p
                               write_image(path, scratch_preview(maps), metadata);
                           }});
     const ScratchLayer& ground = settings.layers.front();
-    std::vector<NamedPicture> pictures = request.drawn_only ? drawn_pictures_of(maps, ground)
-                                                            : pictures_of(maps, ground, report);
+    std::vector<NamedPicture> pictures =
+        request.drawn_only ? drawn_pictures_of(maps, ground) : pictures_of(maps, ground, report);
     Image occlusion;
     if (request.orm) {
         const double texel_mm = maps.tile_mm / maps.size;

@@ -202,7 +202,8 @@ std::string scratch_recipe_key(const ScratchRecipe& recipe) {
     out["program"] = version();
     for (const fs::path& file : {recipe.wear_mask, recipe.direction_image})
         if (!file.empty()) out["files"].push_back(file_stamp(file));
-    return fmt::format("{:016x}", hash_of(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
+    return fmt::format("{:016x}",
+                       hash_of(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
 }
 
 ScratchRecipe load_scratch_recipe(const fs::path& file_or_folder) {

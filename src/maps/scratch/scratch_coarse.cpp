@@ -14,7 +14,9 @@ namespace burnish {
 
 namespace {
 
-constexpr int kWindow = 64;  // texels a side
+using Strokes = std::vector<std::vector<Stroke>>;  // of each layer
+
+constexpr int kWindow = 64;                           // texels a side
 constexpr int kFewestWindows = 3, kMostWindows = 12;  // along a side of the tile
 
 // What drawing costs one processor, in nanoseconds, on the machine on which the sizes were chosen: each
@@ -24,8 +26,9 @@ constexpr double kStroke_ns = 1000, kRow_ns = 100, kTexel_ns = 5, kBentTexel_ns 
 // For all strokes on the map, and for all windows.
 constexpr double kMap_ns = 5.5e7, kWindows_ns = 3e7;
 
-// More are not drawn.
-constexpr double kMostStrokes = 20000;
+// More are not drawn on the coarse map. More than this are not made for the windows either, and fewer
+// where strokes are trimmed to the tile point by point.
+constexpr double kMostStrokes = 20000, kMostMade = 120000;
 
 double strokes_of(const ScratchSettings& settings) {
     double count = 0.0;
@@ -33,9 +36,15 @@ double strokes_of(const ScratchSettings& settings) {
     return count;
 }
 
-// Share of the strokes that are drawn.
-double share_of_strokes(const ScratchSettings& settings) {
-    return std::min(kMostStrokes / std::max(strokes_of(settings), 1.0), 1.0);
+// The share that gives `most` strokes, at most all.
+double share_of_strokes(const ScratchSettings& settings, double most) {
+    return std::min(most / std::max(strokes_of(settings), 1.0), 1.0);
+}
+
+bool has_full_face(const ScratchSettings& settings) {
+    return std::ranges::any_of(settings.layers, [](const ScratchLayer& layer) {
+        return layer.field == ScratchField::circular || layer.field == ScratchField::radial;
+    });
 }
 
 // Nanoseconds for all strokes on a map of this size.
@@ -78,8 +87,7 @@ SquaredSlopes squared_slopes(const ScratchMaps& maps, int x0, int y0, int x1, in
 // A part of the full map, from (x0, y0) on: heights of kWindow x kWindow texels.
 class WindowEngraver {
   public:
-    WindowEngraver(const ScratchSettings& settings, const std::vector<std::vector<Stroke>>& strokes)
-        : settings_(settings) {
+    WindowEngraver(const ScratchSettings& settings, const Strokes& strokes) : settings_(settings) {
         for (std::size_t i = 0; i < settings.layers.size(); ++i)
             layers_.push_back(texel_strokes(strokes[i], settings.layers[i].taper,
                                             settings.tile_mm / settings.size));
@@ -134,7 +142,7 @@ int windows_a_side(const ScratchSettings& settings) {
 
 // Root of the mean squared slope of the full map over that of the coarse one, both over the same
 // windows: whether a rare broad furrow runs through them or not, it does so in both.
-double slope_ratio(const ScratchSettings& settings, const std::vector<std::vector<Stroke>>& strokes,
+double slope_ratio(const ScratchSettings& settings, const Strokes& strokes,
                    const ScratchMaps& coarse) {
     const WindowEngraver full(settings, strokes);
     const auto side = static_cast<std::size_t>(windows_a_side(settings));
@@ -150,14 +158,17 @@ double slope_ratio(const ScratchSettings& settings, const std::vector<std::vecto
             // Rows are shifted against each other, so that windows do not line up along a straight
             // scratch.
             const int y0 = std::max(place(i / side), 0);
-            const int x0 = (std::max(place(i % side), 0) +
-                            static_cast<int>(i / side) * settings.size * 5 / 8 /
-                                static_cast<int>(side)) %
-                           settings.size;
+            const int x0 =
+                (std::max(place(i % side), 0) +
+                 static_cast<int>(i / side) * settings.size * 5 / 8 / static_cast<int>(side)) %
+                settings.size;
             found[i][0] = full.squared_slopes_at(x0, y0);
-            const auto at = [&](int texel) { return static_cast<int>(std::lround(texel * texels)); };
-            found[i][1] = squared_slopes(coarse, at(x0), at(y0), std::max(at(x0 + kWindow), at(x0) + 1),
-                                         std::max(at(y0 + kWindow), at(y0) + 1));
+            const auto at = [&](int texel) {
+                return static_cast<int>(std::lround(texel * texels));
+            };
+            found[i][1] =
+                squared_slopes(coarse, at(x0), at(y0), std::max(at(x0 + kWindow), at(x0) + 1),
+                               std::max(at(y0 + kWindow), at(y0) + 1));
         }
     });
     std::array<SquaredSlopes, 2> all;
@@ -175,7 +186,7 @@ double slope_ratio(const ScratchSettings& settings, const std::vector<std::vecto
 
 int coarse_scratch_size(const ScratchSettings& settings) {
     constexpr std::array kSizes = {512, 384, 256, 192, 128};
-    const double share = share_of_strokes(settings);
+    const double share = share_of_strokes(settings, kMostStrokes);
     const auto* const size = std::find_if(kSizes.begin(), kSizes.end() - 1, [&](int texels) {
         return share * drawing_ns(settings, texels) <= kMap_ns;
     });
@@ -185,15 +196,19 @@ int coarse_scratch_size(const ScratchSettings& settings) {
 ScratchMaps engrave_coarse(const ScratchSettings& settings, const ScratchInputs& inputs, int size) {
     check_scratch_inputs(settings, inputs);
     const bool is_full = size >= settings.size;
-    // Many scratches lie on one another: what is seen depends little on their number.
-    const ScratchSettings fewer =
-        scaled_scratches(settings, is_full ? 1.0 : share_of_strokes(settings), 1.0);
-    const std::vector<std::vector<Stroke>> strokes = strokes_of_layers(fewer, inputs);
-    ScratchSettings coarse = fewer;
+    // Many scratches lie on one another: where they are is seen little, how steep they are is seen.
+    ScratchSettings coarse =
+        scaled_scratches(settings, is_full ? 1.0 : share_of_strokes(settings, kMostStrokes), 1.0);
     coarse.size = size;
-    ScratchMaps maps = engrave_strokes(coarse, inputs, strokes, {});
+    const Strokes drawn = strokes_of_layers(coarse, inputs);
+    ScratchMaps maps = engrave_strokes(coarse, inputs, drawn, {});
     if (is_full) return maps;
-    const auto scale = static_cast<float>(slope_ratio(fewer, strokes, maps));
+    const double share =
+        share_of_strokes(settings, has_full_face(settings) ? kMostStrokes : kMostMade);
+    const ScratchSettings dense = scaled_scratches(settings, share, 1.0);
+    const bool same = dense.layers == coarse.layers;  // strokes do not depend on the size
+    const auto scale = static_cast<float>(
+        slope_ratio(dense, same ? drawn : strokes_of_layers(dense, inputs), maps));
     for (float& height : maps.height.pixels) height *= scale;
     return maps;
 }

@@ -49,8 +49,7 @@ MapsRequest maps_request(const Stage& stage, std::optional<int> material,
         const std::string name = name_of_material(stage, i);
         if (const std::string scratch = scratches_of(stage, i); !scratch.empty())
             return {scratch_request(scratch, folder), "scratches of " + name};
-        if (names_one(values, "weave"))
-            return {weave_request(values, folder), "weave of " + name};
+        if (names_one(values, "weave")) return {weave_request(values, folder), "weave of " + name};
     }
     throw Error(material ? name_of_material(stage, *material) : std::string("the scene"), "",
                 "scratches or a weave, whose maps can be saved",

@@ -156,13 +156,14 @@ std::vector<ScratchPreview> scratch_previews(const Stage& stage, std::optional<i
         Material& shown = preview.shown;
         if (!values.is_set("scratch")) {
             shown.normal_texture = TextureUse{};
-            shown.normal_scale =
-                values.is_set("normal_scale") ? static_cast<float>(values.real("normal_scale")) : 1.0f;
+            shown.normal_scale = values.is_set("normal_scale")
+                                     ? static_cast<float>(values.real("normal_scale"))
+                                     : 1.0f;
             shown.flip_green = values.is_set("flip_green") && values.boolean("flip_green");
         }
-        preview.follows =
-            values.is_set("scratch") && static_cast<ScratchDirection>(values.choice(
-                                            "scratch_direction")) == ScratchDirection::follow;
+        preview.follows = values.is_set("scratch") &&
+                          static_cast<ScratchDirection>(values.choice("scratch_direction")) ==
+                              ScratchDirection::follow;
         const auto s = static_cast<float>(repeats_of(
             stage, i, values, tile_mm, static_cast<double>(shown.normal_texture.transform[0][0])));
         shown.normal_texture.transform = glm::mat3(s, 0, 0, 0, s, 0, 0, 0, 1);

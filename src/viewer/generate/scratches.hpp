@@ -45,7 +45,8 @@ ScratchTextures coarse_scratches(const ScratchRecipe& recipe);
 
 // --- full maps in the cache
 // Where the maps of the recipe lie, or would lie.
-std::filesystem::path scratch_folder(const std::filesystem::path& cache, const ScratchRecipe& recipe);
+std::filesystem::path scratch_folder(const std::filesystem::path& cache,
+                                     const ScratchRecipe& recipe);
 // Makes the maps that rendering reads, unless they are there. Returns their folder. Throws Error when it
 // cannot be written, and what make_scratch_maps throws.
 std::filesystem::path make_cached_scratches(const std::filesystem::path& cache,

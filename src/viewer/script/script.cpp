@@ -188,7 +188,8 @@ Action read_generate(WordReader& words) {
         const Name key = kKeys[static_cast<std::size_t>(words.one_of(kKeys, "a setting"))];
         if (key == "preset") {
             const auto names = scratch_preset_names();
-            c.preset = std::string(names[static_cast<std::size_t>(words.one_of(names, "a preset"))]);
+            c.preset =
+                std::string(names[static_cast<std::size_t>(words.one_of(names, "a preset"))]);
         }
         if (key == "seed") c.seed = words.whole("a seed", 0, 2147483647);
         if (key == "size") c.size = words.whole("texels a side", 16, 16384);

@@ -137,11 +137,11 @@ struct ResizeCommand {
 };
 struct QuitCommand {};
 
-using Action =
-    std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
-                 DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand, PickCommand,
-                 CompareCommand, ViewCommand, PanelCommand, GenerateCommand, UndoCommand, RedoCommand, SaveCommand,
-                 TurntableCommand, ScreenshotCommand, ExpectCommand, ResizeCommand, QuitCommand>;
+using Action = std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
+                            DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand,
+                            PickCommand, CompareCommand, ViewCommand, PanelCommand, GenerateCommand,
+                            UndoCommand, RedoCommand, SaveCommand, TurntableCommand,
+                            ScreenshotCommand, ExpectCommand, ResizeCommand, QuitCommand>;
 
 struct Command {
     int line = 0;      // from 1

@@ -43,7 +43,9 @@ class Generator {
     bool working() const { return finish_ || background_.running(); }
     const Background& background() const { return background_; }
     const std::string& fault() const { return fault_; }
-    double preview_ms() const { return preview_ms_; }  // from the last change to the screen; 0: none yet
+    double preview_ms() const {
+        return preview_ms_;
+    }  // from the last change to the screen; 0: none yet
     const std::filesystem::path& cache() const { return cache_; }
 
   private:
@@ -62,7 +64,8 @@ class Generator {
     std::filesystem::path cache_;
     bool cache_is_own_ = false;
     ScratchChoice choice_;
-    std::string known_ = "?";  // what the document was scratched with when the choice was taken from it
+    std::string known_ =
+        "?";  // what the document was scratched with when the choice was taken from it
     std::map<std::string, ScratchChoice> made_;  // by the folder that was made of it
     std::optional<Look> look_;
     bool fresh_ = false;  // the look is not yet on the picture

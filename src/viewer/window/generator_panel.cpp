@@ -119,9 +119,10 @@ void base_row(Rows& rows, const ScratchChoice& choice) {
 }
 
 void tile_rows(Rows& rows, const ScratchSettings& s) {
-    rows.whole("seed", static_cast<int>(std::min(s.seed, 2147483647u)), 0, 2147483647,
-               "Of all random choices: another seed, other scratches of the same kind.",
-               [](ScratchChoice& c, int v) { c.recipe.settings.seed = static_cast<std::uint32_t>(v); });
+    rows.whole(
+        "seed", static_cast<int>(std::min(s.seed, 2147483647u)), 0, 2147483647,
+        "Of all random choices: another seed, other scratches of the same kind.",
+        [](ScratchChoice& c, int v) { c.recipe.settings.seed = static_cast<std::uint32_t>(v); });
     rows.real("tile", s.tile_mm, 10, 200, "%.4g mm",
               "Side of the tile on the surface. Scratches keep their size in millimeters: a larger "
               "tile holds more of them. It repeats as uv_scale, or physical_size, says.",
@@ -138,7 +139,8 @@ void layer_rows(Rows& rows, const ScratchChoice& choice) {
     const ScratchSettings& s = choice.recipe.settings;
     const ScratchLayer& layer = s.layers.front();
     const auto of_layer = [](double ScratchLayer::*member) {
-        return [member](ScratchChoice& c, double v) { c.recipe.settings.layers.front().*member = v; };
+        return
+            [member](ScratchChoice& c, double v) { c.recipe.settings.layers.front().*member = v; };
     };
     const auto of_spread = [](Spread ScratchLayer::*member) {
         return [member](ScratchChoice& c, double v) {
@@ -151,8 +153,9 @@ void layer_rows(Rows& rows, const ScratchChoice& choice) {
     const bool aimless = layer.field == ScratchField::random;
     ImGui::BeginDisabled(aimless);
     rows.real("angle", layer.angle_deg, -180, 180, "%.1f deg",
-              aimless ? "These scratches run in every direction."
-                      : "Direction of the scratches, counter-clockwise; it turns circles into spirals.",
+              aimless
+                  ? "These scratches run in every direction."
+                  : "Direction of the scratches, counter-clockwise; it turns circles into spirals.",
               of_layer(&ScratchLayer::angle_deg), false);
     rows.real("range", layer.range_deg, 0, 90, "%.2f deg",
               aimless ? "These scratches run in every direction."
@@ -162,14 +165,14 @@ void layer_rows(Rows& rows, const ScratchChoice& choice) {
     const double width = layer.width_mm.typical(), length = layer.length_mm.typical();
     // The limits are those of `burnish scratch`, so that a slider does not end in a fault.
     rows.real("length", length, std::max(width, 0.2),
-              std::max(4 * s.tile_mm * share_of(layer.length_mm), std::max(width, 0.2) * 1.01), "%.3g mm",
-              "Median length. Long scratches are tapered over more of it.",
+              std::max(4 * s.tile_mm * share_of(layer.length_mm), std::max(width, 0.2) * 1.01),
+              "%.3g mm", "Median length. Long scratches are tapered over more of it.",
               of_spread(&ScratchLayer::length_mm));
     const double least_width = std::max(2 * layer.depth_mm.typical() * choice.strength, 0.005);
-    rows.real("width", width, least_width,
-              std::max(std::min(0.5 * s.tile_mm * share_of(layer.width_mm), length),
-                       least_width * 1.01),
-              "%.3g mm", "Median width, where a scratch is widest.", of_spread(&ScratchLayer::width_mm));
+    rows.real(
+        "width", width, least_width,
+        std::max(std::min(0.5 * s.tile_mm * share_of(layer.width_mm), length), least_width * 1.01),
+        "%.3g mm", "Median width, where a scratch is widest.", of_spread(&ScratchLayer::width_mm));
     rows.real("depth", layer.depth_mm.typical(), 0.0001,
               std::max(0.5 * width / std::max(choice.strength, 0.01), 0.00011), "%.3g mm",
               "Median depth before `strength`, at most half the width: a hemisphere.",
@@ -187,7 +190,8 @@ void state_rows(App& app) {
     }
     if (!generator.working()) {
         ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("Drag a slider: a coarse map follows it. The full map is made when it is let go.");
+        ImGui::TextDisabled(
+            "Drag a slider: a coarse map follows it. The full map is made when it is let go.");
         ImGui::PopTextWrapPos();
         return;
     }
@@ -208,18 +212,23 @@ void generator_panel(App& app) {
     const ScratchSettings& s = choice.recipe.settings;
     ImGui::TextDisabled("%s", app.material ? "of the selected material" : "of all materials");
     base_row(rows, choice);
-    rows.real("amount", choice.amount, 0, kMostScratchAmount, "x %.2f", "Factor on the number of scratches.",
-              [](ScratchChoice& c, double v) { c.amount = v; }, false);
-    rows.real("strength", choice.strength, 0, most_strength(s), "x %.2f",
-              "Factor on all depths. It ends where a groove would be deeper than half its width.",
-              [](ScratchChoice& c, double v) { c.strength = v; }, false);
+    rows.real(
+        "amount", choice.amount, 0, kMostScratchAmount, "x %.2f",
+        "Factor on the number of scratches.", [](ScratchChoice& c, double v) { c.amount = v; },
+        false);
+    rows.real(
+        "strength", choice.strength, 0, most_strength(s), "x %.2f",
+        "Factor on all depths. It ends where a groove would be deeper than half its width.",
+        [](ScratchChoice& c, double v) { c.strength = v; }, false);
     tile_rows(rows, s);
     ImGui::Spacing();
     ImGui::TextDisabled("first layer of %d", static_cast<int>(s.layers.size()));
     layer_rows(rows, choice);
     state_rows(app);
     if (ImGui::Button("another seed"))
-        rows.complete([](ScratchChoice& c) { c.recipe.settings.seed = c.recipe.settings.seed % 2147483647u + 1; });
+        rows.complete([](ScratchChoice& c) {
+            c.recipe.settings.seed = c.recipe.settings.seed % 2147483647u + 1;
+        });
     ImGui::SameLine();
     if (ImGui::Button("as the preset"))
         rows.complete([](ScratchChoice& c) {
