@@ -104,9 +104,12 @@ double most_strength(const ScratchSettings& settings) {
 void base_row(Rows& rows, const ScratchChoice& choice) {
     std::vector<std::string> names;
     for (const std::string_view name : scratch_preset_names()) names.emplace_back(name);
+    // A folder of the cache has a name that says nothing.
     const bool preset = std::ranges::find(names, choice.base) != names.end();
-    const std::string now =
-        preset ? choice.base : std::filesystem::path(choice.base).filename().string() + " (folder)";
+    const std::string folder = std::filesystem::path(choice.base).filename().string();
+    const bool generated =
+        folder.size() == 16 && folder.find_first_not_of("0123456789abcdef") == std::string::npos;
+    const std::string now = preset ? choice.base : generated ? "as saved" : folder;
     rows.list("preset", now, names, "What wore the surface. The rest of the panel starts from it.",
               [&](ScratchChoice& c, std::size_t i) {
                   // Size, tile and seed are no part of a preset.

@@ -18,7 +18,10 @@ class ScriptRunner {
   public:
     ScriptRunner(App& app, std::vector<Command> commands, std::string name);
 
-    bool done() const { return next_ >= commands_.size() && !waiting_; }
+    bool done() const {
+        return next_ >= commands_.size() && !waiting_ && !dragging_ && !generating_ &&
+               !app_.loading();
+    }
     // Whether the command in work goes on in frames, though nothing moves: all but a wait for time.
     bool needs_frame() const;
     // In place of a frame, where nothing is to be drawn: lets a wait for time go on.
