@@ -85,14 +85,14 @@ void copy_scratches(const fs::path& from, const fs::path& to) {
     fs::create_directories(to, error);
     if (error)
         throw Error(to.string(), "", "a folder for the scene's scratches",
-                    one_line(error.message()));
+                    reason_of(error.value()));
     std::vector<fs::path> names;
     for (fs::directory_iterator entry(from, error), end; !error && entry != end;
          entry.increment(error))
         if (entry->path().filename() != description) names.push_back(entry->path().filename());
     if (error)
         throw Error(from.string(), "", "the folder of generated scratches",
-                    one_line(error.message()));
+                    reason_of(error.value()));
     names.push_back(description);
     for (const fs::path& name : names) write_bytes(to / name, read_file(from / name));
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "burnish/error.hpp"
+#include "core/files.hpp"
 #include "maps/scratch/scratch_coarse.hpp"
 #include "scene/geometry/texture_scale.hpp"
 
@@ -114,7 +115,7 @@ fs::path make_cached_scratches(const fs::path& cache, const ScratchRecipe& recip
     fs::create_directories(cache, error);
     if (error)
         throw Error(cache.string(), "", "a folder for scratch maps that can be written",
-                    one_line(error.message()));
+                    reason_of(error.value()));
     ScratchRequest request;
     request.recipe = recipe;
     request.drawn_only = true;
