@@ -155,6 +155,27 @@ TEST(GeneratedScratches, AFolderThatCannotBeWrittenIsAMessage) {
     EXPECT_NE(line.find("a folder for scratch maps"), std::string::npos) << line;
 }
 
+// What another thread has read is what the editor would have read; then the folder is not looked at.
+TEST(GeneratedScratches, MapsThatWereReadAreTaken) {
+    const ScratchFolder folder;
+    const std::string made = make_cached_scratches(folder / "cache", small_recipe(), {}).string();
+    Document document;
+    document.input = two_materials(folder, "two.glb").string();
+    document.environment = "none";
+    Editor reads, takes;
+    reads.open(document);
+    takes.open(document);
+    takes.put_scratch(made, load_scratch(made, true));
+    set_parameter(document, "scratch", made);
+    reads.set(document);
+    fs::remove_all(made);
+    takes.set(document);
+    expect_same_stage(takes.stage(), reads.stage());
+    // Once: a folder that is read anew is the one on disk.
+    set_parameter_text(document, "scratch_direction", "follow");
+    EXPECT_THROW(takes.set(document), UsageError);
+}
+
 // The scene is moved, and the cache is gone: it is drawn as before.
 TEST(GeneratedScratches, ASavedSceneHasItsOwnCopy) {
     const ScratchFolder folder;

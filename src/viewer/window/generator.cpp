@@ -85,12 +85,13 @@ void Generator::settle(App& app) {
 
 void Generator::start(App& app) {
     finish_ = false;
-    background_.start<fs::path>(
+    background_.start<Full>(
         "scratches",
         [cache = cache_, recipe = scratch_recipe(choice_)](const Progress& progress) {
-            return make_cached_scratches(cache, recipe, progress);
+            const std::string folder = make_cached_scratches(cache, recipe, progress).string();
+            return Full{folder, load_scratch(folder, true)};
         },
-        [this, &app](const fs::path& folder) { adopt(app, folder); },
+        [this, &app](Full full) { adopt(app, std::move(full)); },
         [this, &app](const std::string& line) {
             fault_ = line;
             drop(app);
@@ -98,11 +99,12 @@ void Generator::start(App& app) {
         });
 }
 
-void Generator::adopt(App& app, const fs::path& folder) {
-    const std::string name = folder.string();
+void Generator::adopt(App& app, Full full) {
+    const std::string& name = full.folder;
     const std::optional<int> material = look_ ? look_->material : app.material;
     made_[name] = choice_;
     known_ = name;
+    app.editor.put_scratch(name, std::move(full.maps));
     app.edit({}, "scratches",
              [&](Document& d) { viewer::set_parameter(d, "scratch", name, material); });
     drop(app);

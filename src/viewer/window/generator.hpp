@@ -56,8 +56,13 @@ class Generator {
         double tile_mm = 0;
     };
 
+    struct Full {
+        std::string folder;
+        ScratchTextures maps;
+    };
+
     void start(App& app);
-    void adopt(App& app, const std::filesystem::path& folder);
+    void adopt(App& app, Full full);
     void follow(const App& app);
     void drop(App& app);
 
