@@ -79,6 +79,8 @@ void Generator::drop(App& app) {
 
 void Generator::settle(App& app) {
     background_.poll();
+    // Somebody has given the material other scratches, or another normal map, meanwhile.
+    if (look_ && known_ != "?" && scratches_now(app, look_->material) != known_) cancel(app);
     if (finish_ && !changed_ && !background_.running()) start(app);
     follow(app);
 }
