@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "burnish/api.hpp"
@@ -43,6 +44,11 @@ class LayeredMaterials {
     // and maps that failed to apply are not kept. Throws UsageError too for an index without a material.
     Remarks apply(Scene& scene, const ParameterValues& flags,
                   const std::map<int, ParameterValues>& upper);
+
+    // As MaterialAssets::put_scratch.
+    void put_scratch(const std::string& name, ScratchTextures textures) {
+        assets_.put_scratch(name, std::move(textures));
+    }
 
     // After many edits: frees maps that no material has used for long (MaterialAssets::free_unused).
     // Their textures in the scene become empty, and later maps are assigned to their places.

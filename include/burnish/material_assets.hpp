@@ -32,6 +32,13 @@ struct MapTextures {
     std::vector<std::string> warnings;  // what the picture will lack
 };
 
+// A scratch map as textures.
+struct ScratchTextures {
+    Texture normal;
+    Texture anisotropy;    // direction of stretch, across the grooves, and strength; may be empty
+    double tile_mm = 0.0;  // side of the tile; 0: unknown
+};
+
 // Loads each thing once, and keeps it, so that parameters can be applied any number of times. A
 // thing is known by the text that names it.
 class MaterialAssets {
@@ -50,6 +57,12 @@ class MaterialAssets {
     // files, Error for files that cannot be read; what was loaded before stays.
     void load(const ParameterValues& values, std::vector<Texture>& textures,
               std::vector<std::string>& warnings);
+
+    // The maps of a folder that another thread, say, has read: the next load() that would read this folder
+    // takes them. Those of one folder are kept.
+    void put_scratch(const std::string& name, ScratchTextures textures) {
+        ready_ = {name, std::move(textures)};
+    }
 
     // For a session of many edits. Things that no load() has named since begin_uses() are unused;
     // free_unused drops them, the one longest unused first, until kMostUnused are left whose textures
@@ -85,7 +98,8 @@ class MaterialAssets {
 
     std::map<std::string, int> normal_maps_;
     std::map<std::string, ScratchMaps> scratch_;
-    std::map<std::string, MapTextures> maps_;  // by the texts that name them
+    std::pair<std::string, ScratchTextures> ready_;  // "": none
+    std::map<std::string, MapTextures> maps_;        // by the texts that name them
     std::map<std::string, std::shared_ptr<const Draft>> drafts_;
     std::map<std::string, std::shared_ptr<const TabulatedMaterial>> tabulated_;
     std::map<std::pair<std::string, std::string>, Thing> things_;  // by parameter and name

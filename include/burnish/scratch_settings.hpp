@@ -90,6 +90,10 @@ struct ScratchSettings {
     bool operator==(const ScratchSettings&) const = default;
 };
 
+// `amount` times as many scratches, all of them `strength` times as deep. Both are 0 or more; whether
+// the result can be engraved, check_scratch_settings says.
+ScratchSettings scaled_scratches(ScratchSettings settings, double amount, double strength);
+
 // Scratches that a layer tries to place; a wear mask leaves some out.
 double scratch_count(const ScratchSettings& settings, const ScratchLayer& layer);
 

@@ -112,7 +112,9 @@ void MaterialAssets::load_scratch_maps(const std::string& name, bool follow,
     Thing& thing = use("scratch", name);
     ScratchMaps maps = scratch(name);
     if (maps.normal >= 0 && (!follow || maps.anisotropy >= 0)) return;
-    ScratchTextures made = load_scratch(name, follow);
+    const bool ready = !name.empty() && ready_.first == name;
+    ScratchTextures made = ready ? std::move(ready_.second) : load_scratch(name, follow);
+    if (ready) ready_ = {};
     maps.tile_mm = made.tile_mm;
     if (maps.normal < 0) maps.normal = place(thing, textures, std::move(made.normal));
     if (follow) maps.anisotropy = place(thing, textures, std::move(made.anisotropy));

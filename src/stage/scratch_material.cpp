@@ -49,13 +49,7 @@ Texture texture_of(int size, const Rows& rows) {
 ScratchTextures engraved(const std::string& preset) {
     ScratchSettings settings = scratch_preset(preset, "scratch");
     settings.size = kScratchPresetSize;
-    const ScratchMaps maps = engrave(settings, {}, available_memory());
-    const ScratchLayer& ground = settings.layers.front();
-    return {texture_of(maps.size,
-                       [&](int begin, int end, float* to) { normal_rows(maps, begin, end, to); }),
-            texture_of(maps.size, [&](int begin, int end,
-                                      float* to) { stretch_rows(maps, ground, begin, end, to); }),
-            settings.tile_mm};
+    return scratch_textures(engrave(settings, {}, available_memory()), settings.layers.front());
 }
 
 // What `burnish scratch` writes into its pictures; 0 where it is not there, or no number.
@@ -97,6 +91,14 @@ bool is_preset(std::string_view name) {
 }
 
 }  // namespace
+
+ScratchTextures scratch_textures(const ScratchMaps& maps, const ScratchLayer& ground) {
+    return {texture_of(maps.size,
+                       [&](int begin, int end, float* to) { normal_rows(maps, begin, end, to); }),
+            texture_of(maps.size, [&](int begin, int end,
+                                      float* to) { stretch_rows(maps, ground, begin, end, to); }),
+            maps.tile_mm};
+}
 
 ScratchTextures load_scratch(const std::string& name, bool with_anisotropy) {
     ScratchTextures textures;

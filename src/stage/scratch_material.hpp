@@ -3,18 +3,16 @@
 
 #include <string>
 
-#include "burnish/image.hpp"
+#include "burnish/material_assets.hpp"
+#include "burnish/scratch_maps.hpp"
 
 namespace burnish {
 
 // Side in texels of the maps of a preset for rendering.
 inline constexpr int kScratchPresetSize = 2048;
 
-struct ScratchTextures {
-    Texture normal;
-    Texture anisotropy;    // direction of stretch, across the grooves, and strength; may be empty
-    double tile_mm = 0.0;  // side of the tile; 0: unknown
-};
+// Maps as they are read from a folder of them. `ground`: the first layer of their settings.
+ScratchTextures scratch_textures(const ScratchMaps& maps, const ScratchLayer& ground);
 
 // The maps of a preset, engraved by this call, or of a folder made by `burnish scratch`. A preset
 // has both textures; the second one of a folder is read when `with_anisotropy`. Throws UsageError

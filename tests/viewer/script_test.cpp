@@ -57,6 +57,22 @@ TEST(ViewerScript, EveryCommandIsRead) {
     EXPECT_EQ(only<WaitCommand>("wait 12").amount, 12.0);
     EXPECT_EQ(only<WaitCommand>("wait rest").kind, WaitKind::rest);
     EXPECT_EQ(only<WaitCommand>("wait seconds 0.5").amount, 0.5);
+    const auto generate = only<GenerateCommand>(
+        "generate scratch preset swirl-marks amount 2.5 strength 0.5 seed 7 size 1024 tile 20 "
+        "angle "
+        "-30 range 4 length 9 width 0.2 depth 0.01");
+    EXPECT_EQ(generate.preset, "swirl-marks");
+    EXPECT_EQ(generate.amount, 2.5);
+    EXPECT_EQ(generate.strength, 0.5);
+    EXPECT_EQ(generate.seed, 7);
+    EXPECT_EQ(generate.size, 1024);
+    EXPECT_EQ(generate.tile_mm, 20.0);
+    EXPECT_EQ(generate.angle_deg, -30.0);
+    EXPECT_EQ(generate.range_deg, 4.0);
+    EXPECT_EQ(generate.length_mm, 9.0);
+    EXPECT_EQ(generate.width_mm, 0.2);
+    EXPECT_EQ(generate.depth_mm, 0.01);
+    EXPECT_FALSE(only<GenerateCommand>("generate scratch").amount);
     EXPECT_EQ(only<PickCommand>("pick 3 4").x, 3.0);
     const auto compare = only<CompareCommand>("compare split normal-map follow-grain");
     EXPECT_EQ(compare.mode, CompareMode::split);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "burnish/error.hpp"
 #include "cli/commands/commands.hpp"
@@ -202,11 +203,7 @@ ScratchRecipe recipe_of(const ScratchFlags& flags) {
     }
     change_first_layer(flags, settings.layers.front());
     for (const std::string& text : flags.layers) settings.layers.push_back(parse_layer(text));
-    for (ScratchLayer& layer : settings.layers) {
-        layer.count *= flags.amount;
-        layer.density_per_cm2 *= flags.amount;
-        layer.depth_mm = layer.depth_mm.times(flags.strength);
-    }
+    settings = scaled_scratches(std::move(settings), flags.amount, flags.strength);
     return recipe;
 }
 

@@ -46,17 +46,6 @@ Image read_square(const fs::path& path, int least_channels, const char* channels
     return read_image(path, {.as_data = true});
 }
 
-ScratchInputs read_inputs(const ScratchRecipe& recipe) {
-    ScratchInputs inputs;
-    if (!recipe.wear_mask.empty())
-        inputs.wear_mask = one_channel(read_square(recipe.wear_mask, 1, "1 or more"));
-    if (!recipe.direction_image.empty())
-        inputs.direction =
-            read_square(recipe.direction_image, 3, "3 or more: red and green are the direction");
-    inputs.direction_is_double_angle = recipe.direction_is_double_angle;
-    return inputs;
-}
-
 // Values of the height, converted by `value`.
 DataPicture height_picture(const ScratchMaps& maps, DataFormat format,
                            const std::function<float(float)>& value) {
@@ -103,6 +92,19 @@ DataPicture anisotropy_picture(const ScratchMaps& maps, const ScratchLayer& grou
                            });
 }
 
+DataPicture normal_picture(const ScratchMaps& maps) {
+    return picture_of_rows(
+        DataFormat::png16, kRgb, maps.size, maps.size,
+        [&maps](int begin, int end, float* to) { normal_rows(maps, begin, end, to); });
+}
+
+std::vector<NamedPicture> drawn_pictures_of(const ScratchMaps& maps, const ScratchLayer& ground) {
+    std::vector<NamedPicture> all;
+    all.push_back({"normal.png", normal_picture(maps)});
+    all.push_back({"anisotropy.png", anisotropy_picture(maps, ground)});
+    return all;
+}
+
 std::vector<NamedPicture> pictures_of(const ScratchMaps& maps, const ScratchLayer& ground,
                                       const ScratchReport& report) {
     const auto low = static_cast<float>(report.low_mm);
@@ -112,10 +114,7 @@ std::vector<NamedPicture> pictures_of(const ScratchMaps& maps, const ScratchLaye
     all.push_back({"height.exr", height_picture(maps, DataFormat::exr, [](float h) { return h; })});
     all.push_back({"height.png", height_picture(maps, DataFormat::png16,
                                                 [=](float h) { return (h - low) * scale; })});
-    all.push_back({"normal.png", picture_of_rows(DataFormat::png16, kRgb, maps.size, maps.size,
-                                                 [&maps](int begin, int end, float* to) {
-                                                     normal_rows(maps, begin, end, to);
-                                                 })});
+    all.push_back({"normal.png", normal_picture(maps)});
     all.push_back({"direction.png", direction_picture(maps)});
     all.push_back({"anisotropy.png", anisotropy_picture(maps, ground)});
     all.push_back({"moments.exr", moments_picture(maps)});
@@ -143,10 +142,21 @@ Metadata metadata_of(const ScratchRequest& request, const ScratchReport& report)
 
 }  // namespace
 
+ScratchInputs read_scratch_inputs(const ScratchRecipe& recipe) {
+    ScratchInputs inputs;
+    if (!recipe.wear_mask.empty())
+        inputs.wear_mask = one_channel(read_square(recipe.wear_mask, 1, "1 or more"));
+    if (!recipe.direction_image.empty())
+        inputs.direction =
+            read_square(recipe.direction_image, 3, "3 or more: red and green are the direction");
+    inputs.direction_is_double_angle = recipe.direction_is_double_angle;
+    return inputs;
+}
+
 ScratchReport make_scratch_maps(const ScratchRequest& request, const Progress& progress) {
     const ScratchSettings& settings = request.recipe.settings;
     check_scratch_settings(settings, "scratch settings");
-    const ScratchInputs inputs = read_inputs(request.recipe);
+    const ScratchInputs inputs = read_scratch_inputs(request.recipe);
     ScratchReport report;
     report.memory = scratch_memory(settings);
     const OutputFolder folder(request.output);
@@ -160,10 +170,13 @@ ScratchReport make_scratch_maps(const ScratchRequest& request, const Progress& p
                               path, scratch_recipe_text(request.recipe, report, request.command,
                                                         request.output));
                       }});
-    others.push_back({request.output / "preview.png", [&](const fs::path& path) {
-                          write_image(path, scratch_preview(maps), metadata);
-                      }});
-    std::vector<NamedPicture> pictures = pictures_of(maps, settings.layers.front(), report);
+    if (!request.drawn_only)
+        others.push_back({request.output / "preview.png", [&](const fs::path& path) {
+                              write_image(path, scratch_preview(maps), metadata);
+                          }});
+    const ScratchLayer& ground = settings.layers.front();
+    std::vector<NamedPicture> pictures =
+        request.drawn_only ? drawn_pictures_of(maps, ground) : pictures_of(maps, ground, report);
     Image occlusion;
     if (request.orm) {
         const double texel_mm = maps.tile_mm / maps.size;

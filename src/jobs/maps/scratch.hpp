@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "burnish/progress.hpp"
+#include "burnish/scratch_maps.hpp"
 #include "burnish/scratch_settings.hpp"
 
 namespace burnish {
@@ -23,11 +24,20 @@ struct ScratchRecipe {
 // Throws Error with file, key, expected and found.
 ScratchRecipe load_scratch_recipe(const std::filesystem::path& file_or_folder);
 
+// 16 hexadecimal digits that differ where the maps do: of the settings, of the names, sizes and times
+// of the files that they refer to, and of the version of the program.
+std::string scratch_recipe_key(const ScratchRecipe& recipe);
+
+// The pictures that a recipe refers to. Throws Error for what cannot be read.
+ScratchInputs read_scratch_inputs(const ScratchRecipe& recipe);
+
 struct ScratchRequest {
     ScratchRecipe recipe;
     bool orm = false;              // ao.png and orm.png too
     std::filesystem::path output;  // a folder, created if it is missing
     std::string command;           // for metadata
+    // normal.png and anisotropy.png alone, with scratch.json: what rendering reads.
+    bool drawn_only = false;
 };
 
 // Of the metal between the scratches, perceptual, in orm.png.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -54,6 +55,47 @@ ordered_json layer_json(const ScratchLayer& layer) {
     out["placement"] = name_in(scratch_placement_names(), static_cast<int>(layer.placement));
     out["passes"] = layer.passes;
     return out;
+}
+
+ordered_json recipe_json(const ScratchRecipe& recipe, const fs::path& folder) {
+    const auto relative = [&](const fs::path& file) {
+        std::error_code error;
+        const fs::path near = fs::proximate(file, folder, error);
+        return (error ? file : near).generic_string();
+    };
+    ordered_json out;
+    out["format"] = kFormat;
+    out["version"] = 1;
+    out["size"] = recipe.settings.size;
+    out["tile_mm"] = recipe.settings.tile_mm;
+    out["seed"] = recipe.settings.seed;
+    if (!recipe.wear_mask.empty()) out["wear_mask"] = relative(recipe.wear_mask);
+    if (!recipe.direction_image.empty()) {
+        out["direction_image"] = relative(recipe.direction_image);
+        out["direction_is_double_angle"] = recipe.direction_is_double_angle;
+    }
+    for (const ScratchLayer& layer : recipe.settings.layers)
+        out["layers"].push_back(layer_json(layer));
+    return out;
+}
+
+// Fowler, Noll and Vo, FNV-1a with 64 bits: the same on every machine.
+std::uint64_t hash_of(std::string_view text) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char c : text) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 1099511628211u;
+    }
+    return hash;
+}
+
+// What of a file differs when it was written anew.
+ordered_json file_stamp(const fs::path& file) {
+    std::error_code error;
+    const auto time = fs::last_write_time(file, error);
+    const auto bytes = fs::file_size(file, error);
+    return {fs::absolute(file).string(), error ? 0 : time.time_since_epoch().count(),
+            error ? 0 : bytes};
 }
 
 // --- reading ----------------------------------------------------------------------------------
@@ -146,30 +188,22 @@ ScratchRecipe read_recipe(const JsonPlace& root, const fs::path& folder) {
 
 std::string scratch_recipe_text(const ScratchRecipe& recipe, const ScratchReport& report,
                                 const std::string& command, const fs::path& folder) {
-    const auto relative = [&](const fs::path& file) {
-        std::error_code error;
-        const fs::path near = fs::proximate(file, folder, error);
-        return (error ? file : near).generic_string();
-    };
-    ordered_json out;
-    out["format"] = kFormat;
-    out["version"] = 1;
-    out["size"] = recipe.settings.size;
-    out["tile_mm"] = recipe.settings.tile_mm;
-    out["seed"] = recipe.settings.seed;
-    if (!recipe.wear_mask.empty()) out["wear_mask"] = relative(recipe.wear_mask);
-    if (!recipe.direction_image.empty()) {
-        out["direction_image"] = relative(recipe.direction_image);
-        out["direction_is_double_angle"] = recipe.direction_is_double_angle;
-    }
-    for (const ScratchLayer& layer : recipe.settings.layers)
-        out["layers"].push_back(layer_json(layer));
+    ordered_json out = recipe_json(recipe, folder);
     out["made"] = {{"version", version()},
                    {"command", command},
                    {"height_png_black_mm", report.low_mm},
                    {"height_png_white_mm", report.high_mm},
                    {"rms_slope", report.rms_slope}};
     return out.dump(2) + "\n";
+}
+
+std::string scratch_recipe_key(const ScratchRecipe& recipe) {
+    ordered_json out = recipe_json(recipe, {});
+    out["program"] = version();
+    for (const fs::path& file : {recipe.wear_mask, recipe.direction_image})
+        if (!file.empty()) out["files"].push_back(file_stamp(file));
+    return fmt::format("{:016x}",
+                       hash_of(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
 }
 
 ScratchRecipe load_scratch_recipe(const fs::path& file_or_folder) {

@@ -23,27 +23,17 @@ struct DrawnLayer {
     StrokeBins bins;
 };
 
-std::vector<TexelStroke> texel_strokes(const ScratchSettings& settings, std::size_t layer,
-                                       const ScratchInputs& inputs) {
-    const std::vector<Stroke> strokes = make_strokes(settings, layer, inputs);
-    std::vector<TexelStroke> drawn(strokes.size());
-    parallel_for(strokes.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            drawn[i] = texel_stroke(strokes[i], settings.layers[layer].taper,
-                                    settings.tile_mm / settings.size);
-    });
-    return drawn;
-}
-
 // Engraves blocks of one tile; any thread may engrave any block.
 class Engraver {
   public:
-    Engraver(const ScratchSettings& settings, const ScratchInputs& inputs, ScratchMaps& maps)
+    Engraver(const ScratchSettings& settings, const ScratchInputs& inputs,
+             const std::vector<std::vector<Stroke>>& strokes, ScratchMaps& maps)
         : settings_(settings), maps_(maps), ground_(settings.layers.front(), inputs) {
         for (std::size_t i = 0; i < settings.layers.size(); ++i) {
-            std::vector<TexelStroke> strokes = texel_strokes(settings, i, inputs);
-            StrokeBins bins(strokes, settings.size);
-            layers_.push_back({std::move(strokes), std::move(bins)});
+            std::vector<TexelStroke> drawn = texel_strokes(strokes[i], settings.layers[i].taper,
+                                                           settings.tile_mm / settings.size);
+            StrokeBins bins(drawn, settings.size);
+            layers_.push_back({std::move(drawn), std::move(bins)});
         }
     }
 
@@ -124,7 +114,10 @@ void require_square(const Image& image, const char* name, int least_channels,
         if (!std::isfinite(value)) throw UsageError(name, "", "numbers", "infinities or NaN");
 }
 
-void check_inputs(const ScratchSettings& settings, const ScratchInputs& inputs) {
+}  // namespace
+
+void check_scratch_inputs(const ScratchSettings& settings, const ScratchInputs& inputs) {
+    check_scratch_settings(settings, "scratch settings");
     require_square(inputs.wear_mask, "wear mask", 1, "1 or more");
     require_square(inputs.direction, "direction image", 2,
                    "2 or more: red and green are the direction");
@@ -137,8 +130,6 @@ void check_inputs(const ScratchSettings& settings, const ScratchInputs& inputs) 
         throw UsageError("scratch settings", "direction image",
                          "a layer with the field image, which would use it", "none");
 }
-
-}  // namespace
 
 std::uint64_t scratch_memory(const ScratchSettings& settings) {
     const double texels = static_cast<double>(settings.size) * settings.size;
@@ -157,20 +148,30 @@ std::uint64_t scratch_memory(const ScratchSettings& settings) {
 
 ScratchMaps engrave(const ScratchSettings& settings, const ScratchInputs& inputs,
                     std::uint64_t memory_limit, const Progress& progress) {
-    check_scratch_settings(settings, "scratch settings");
-    check_inputs(settings, inputs);
+    check_scratch_inputs(settings, inputs);
     const std::uint64_t needed = scratch_memory(settings);
     if (needed > memory_limit)
         throw Error("scratch map", fmt::format("size {}", settings.size),
                     fmt::format("{:.1f} MB of free memory", static_cast<double>(needed) / 1e6),
                     fmt::format("{:.1f} MB", static_cast<double>(memory_limit) / 1e6));
+    progress.step("scratches", 0.0);
+    ScratchMaps maps =
+        engrave_strokes(settings, inputs, strokes_of_layers(settings, inputs), progress);
+    progress.step("moments", 0.0);
+    maps.moments = moment_levels(maps);
+    progress.step("moments", 1.0);
+    return maps;
+}
+
+ScratchMaps engrave_strokes(const ScratchSettings& settings, const ScratchInputs& inputs,
+                            const std::vector<std::vector<Stroke>>& strokes,
+                            const Progress& progress) {
     ScratchMaps maps;
     maps.size = settings.size;
     maps.tile_mm = settings.tile_mm;
-    progress.step("scratches", 0.0);
     maps.height = image_on_large_pages(settings.size, settings.size, 1);
     maps.direction = image_on_large_pages(settings.size, settings.size, 2);
-    const Engraver engraver(settings, inputs, maps);
+    const Engraver engraver(settings, inputs, strokes, maps);
     const std::size_t side = engraver.blocks_a_side(), blocks = side * side;
     // Cancellation takes effect between these steps only; 256 blocks are 4 million texels.
     constexpr std::size_t kStep = 256;
@@ -182,9 +183,6 @@ ScratchMaps engrave(const ScratchSettings& settings, const ScratchInputs& inputs
             for (std::size_t i = begin; i < end; ++i) engraver.engrave_block(from + i, block);
         });
     }
-    progress.step("moments", 0.0);
-    maps.moments = moment_levels(maps);
-    progress.step("moments", 1.0);
     return maps;
 }
 

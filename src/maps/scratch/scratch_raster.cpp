@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/parallel.hpp"
+
 namespace burnish {
 
 namespace {
@@ -335,6 +337,16 @@ TexelStroke texel_stroke(const Stroke& stroke, double taper, double texel_mm) {
     out.low_y = static_cast<float>(low_y);
     out.high_y = static_cast<float>(high_y);
     return out;
+}
+
+std::vector<TexelStroke> texel_strokes(const std::vector<Stroke>& strokes, double taper,
+                                       double texel_mm) {
+    std::vector<TexelStroke> drawn(strokes.size());
+    parallel_for(strokes.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            drawn[i] = texel_stroke(strokes[i], taper, texel_mm);
+    });
+    return drawn;
 }
 
 StrokeBins::StrokeBins(const std::vector<TexelStroke>& strokes, int size) {

@@ -27,6 +27,9 @@ struct TexelStroke {
 
 TexelStroke texel_stroke(const Stroke& stroke, double taper, double texel_mm);
 
+std::vector<TexelStroke> texel_strokes(const std::vector<Stroke>& strokes, double taper,
+                                       double texel_mm);
+
 // A stroke that touches a block. `shift_x`, `shift_y`: translation in whole tiles that moves the
 // stroke to the block.
 struct StrokeUse {

@@ -333,6 +333,15 @@ std::span<const std::string_view> scratch_placement_names() {
     return kPlacements;
 }
 
+ScratchSettings scaled_scratches(ScratchSettings settings, double amount, double strength) {
+    for (ScratchLayer& layer : settings.layers) {
+        layer.count *= amount;
+        layer.density_per_cm2 *= amount;
+        layer.depth_mm = layer.depth_mm.times(strength);
+    }
+    return settings;
+}
+
 double scratch_count(const ScratchSettings& settings, const ScratchLayer& layer) {
     const double tile_cm = settings.tile_mm / 10.0;
     const double wished =

@@ -56,7 +56,7 @@ class LayerStrokes {
         Stroke stroke = shape(random, at);
         if (!mask_.empty() || field_.full_face()) {
             if (!stays(at, level)) return std::nullopt;
-            trim(stroke, level);
+            if (!mask_.empty() || !is_within_tile(stroke)) trim(stroke, level);
         }
         return stroke;
     }
@@ -125,6 +125,12 @@ class LayerStrokes {
         return mask_.empty() || sample_tile(mask_, 0, p) > level;
     }
 
+    // No point of the stroke is further from its middle than half its length: trim() would leave it.
+    bool is_within_tile(const Stroke& stroke) const {
+        const double low = stroke.half_length, high = settings_.tile_mm - stroke.half_length;
+        return std::min(stroke.x, stroke.y) > low && std::max(stroke.x, stroke.y) < high;
+    }
+
     // Length of the stroke from its middle in the direction `sign`, up to the edge of the mask.
     double reach(const Stroke& stroke, double sign, double level) const {
         // The step is at most the half width of the scratch at the edge of a mask, except for very
@@ -185,6 +191,14 @@ std::vector<Stroke> make_strokes(const ScratchSettings& settings, std::size_t la
     all.reserve(source.count());
     for (const std::vector<Stroke>& part : parts) all.insert(all.end(), part.begin(), part.end());
     return all;
+}
+
+std::vector<std::vector<Stroke>> strokes_of_layers(const ScratchSettings& settings,
+                                                   const ScratchInputs& inputs) {
+    std::vector<std::vector<Stroke>> layers;
+    for (std::size_t i = 0; i < settings.layers.size(); ++i)
+        layers.push_back(make_strokes(settings, i, inputs));
+    return layers;
 }
 
 }  // namespace burnish

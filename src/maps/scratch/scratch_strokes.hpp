@@ -1,4 +1,5 @@
-// Strokes from settings: the position and shape of each scratch. Private to the scratch generator.
+// Strokes from settings: the position and shape of each scratch; strokes into maps. Private to the scratch
+// generator.
 #pragma once
 
 #include <cstddef>
@@ -30,5 +31,16 @@ StrokePoint point_on(const Stroke& stroke, double s);
 // texels or the number of threads.
 std::vector<Stroke> make_strokes(const ScratchSettings& settings, std::size_t layer,
                                  const ScratchInputs& inputs);
+
+// Throws UsageError for settings and inputs that cannot be.
+void check_scratch_inputs(const ScratchSettings& settings, const ScratchInputs& inputs);
+
+std::vector<std::vector<Stroke>> strokes_of_layers(const ScratchSettings& settings,
+                                                   const ScratchInputs& inputs);
+
+// As engrave(), without moments, of strokes that are made already and settings that were checked.
+ScratchMaps engrave_strokes(const ScratchSettings& settings, const ScratchInputs& inputs,
+                            const std::vector<std::vector<Stroke>>& strokes,
+                            const Progress& progress);
 
 }  // namespace burnish

@@ -62,6 +62,10 @@ class Editor {
     void set(Document document, std::string_view key = {}, std::string_view name = {});
     // The same with a stage that load_stage has made of it.
     void set_loaded(Document document, Stage stage, std::string_view name = {});
+    // Maps of a folder that were read on another thread, before a document that is set names it.
+    void put_scratch(const std::string& name, ScratchTextures textures) {
+        stage_.materials.put_scratch(name, std::move(textures));
+    }
     void close_step() { history_.close(); }  // at the end of a drag
 
     // False: there is nothing to undo. They may have to read the input anew: see needs_load of

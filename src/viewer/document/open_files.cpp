@@ -77,7 +77,8 @@ std::string_view parameter_of_role(MapRole role) {
             return "emissive_map";
         case MapRole::metallic_roughness:
             throw Error("a map of metallic and roughness", "",
-                        "the folder that it is in: no parameter names such a map alone", "the picture");
+                        "the folder that it is in: no parameter names such a map alone",
+                        "the picture");
         case MapRole::normal:
         case MapRole::normal_directx:
             break;

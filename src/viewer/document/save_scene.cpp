@@ -34,13 +34,20 @@ std::string in_utf8(const std::string& text) {
 // Names of files as a scene file in `folder` states them.
 class FileNames {
   public:
-    explicit FileNames(const fs::path& scene_file)
-        : folder_(real_folder(fs::absolute(scene_file).parent_path())) {}
+    explicit FileNames(const fs::path& scene_file, const fs::path& cache = {})
+        : folder_(real_folder(fs::absolute(scene_file).parent_path())),
+          own_(fs::absolute(scene_file).stem().string() + ".scratch"),
+          cache_(cache.empty() ? fs::path() : real_folder(cache)) {}
 
     // `key`: the text parameter, "" for a model or an environment.
     std::string name(const std::string& from_here, std::string_view key = "") const {
         if (!is_file(from_here, key)) return from_here;
-        const fs::path file = absolute_name(from_here);
+        fs::path file = absolute_name(from_here);
+        if (!cache_.empty() && file.parent_path() == cache_) {
+            const fs::path copy = folder_ / own_ / file.filename();
+            copies_[file] = copy;
+            file = copy;
+        }
         std::string written =
             (shares_a_folder(file) ? file.lexically_relative(folder_) : file).string();
         if (!is_file(written, key)) written = "./" + written;  // a file called "none" or "brushed"
@@ -49,6 +56,9 @@ class FileNames {
                         "another encoding: rename the file");
         return written;
     }
+
+    // Folders of the cache, and where the scene has copies of them.
+    const std::map<fs::path, fs::path>& copies() const { return copies_; }
 
   private:
     static bool is_file(const std::string& name, std::string_view key) {
@@ -63,8 +73,29 @@ class FileNames {
         return of_file != file.end() && of_folder != folder_.end() && *of_file == *of_folder;
     }
 
-    fs::path folder_;
+    fs::path folder_, own_, cache_;
+    mutable std::map<fs::path, fs::path> copies_;
 };
+
+// The file whose presence says that a folder of scratches is whole is copied last.
+void copy_scratches(const fs::path& from, const fs::path& to) {
+    const fs::path description = "scratch.json";
+    std::error_code error;
+    if (fs::exists(to / description, error)) return;
+    fs::create_directories(to, error);
+    if (error)
+        throw Error(to.string(), "", "a folder for the scene's scratches",
+                    reason_of(error.value()));
+    std::vector<fs::path> names;
+    for (fs::directory_iterator entry(from, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->path().filename() != description) names.push_back(entry->path().filename());
+    if (error)
+        throw Error(from.string(), "", "the folder of generated scratches",
+                    reason_of(error.value()));
+    names.push_back(description);
+    for (const fs::path& name : names) write_bytes(to / name, read_file(from / name));
+}
 
 // --- values -------------------------------------------------------------------------------------
 
@@ -239,11 +270,8 @@ void write_json(const Json& json, int indent, std::string& out) {
     out += "\n" + margin.substr(2) + (json.is_array() ? "]" : "}");
 }
 
-}  // namespace
-
-std::string scene_text(const Document& document, const Stage& stage, const fs::path& where) {
+std::string text_of_scene(const Document& document, const Stage& stage, const FileNames& files) {
     require_valid(document);
-    const FileNames files(where);
     MaterialSets materials(stage, files);
     Json root;
     root["format"] = "burnish-scene";
@@ -265,8 +293,18 @@ std::string scene_text(const Document& document, const Stage& stage, const fs::p
     return text + "\n";
 }
 
-void save_scene(const Document& document, const Stage& stage, const fs::path& where) {
-    write_text_file(where, scene_text(document, stage, where));
+}  // namespace
+
+std::string scene_text(const Document& document, const Stage& stage, const fs::path& where) {
+    return text_of_scene(document, stage, FileNames(where));
+}
+
+void save_scene(const Document& document, const Stage& stage, const fs::path& where,
+                const fs::path& cache) {
+    const FileNames files(where, cache);
+    const std::string text = text_of_scene(document, stage, files);
+    for (const auto& [from, to] : files.copies()) copy_scratches(from, to);
+    write_text_file(where, text);
 }
 
 }  // namespace burnish::viewer

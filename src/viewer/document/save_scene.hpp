@@ -19,7 +19,11 @@ namespace burnish::viewer {
 std::string scene_text(const Document& document, const Stage& stage,
                        const std::filesystem::path& where);
 
-// Written whole or not at all. Throws Error when it cannot be written.
-void save_scene(const Document& document, const Stage& stage, const std::filesystem::path& where);
+// Written whole or not at all. Throws Error when it cannot be written. `cache`: folders of generated
+// scratches, of which the scene gets copies of its own, so that it lives without the cache:
+// "<name of the scene>.scratch/<name of the folder>" beside it. Without `cache` it names them where
+// they are.
+void save_scene(const Document& document, const Stage& stage, const std::filesystem::path& where,
+                const std::filesystem::path& cache = {});
 
 }  // namespace burnish::viewer

@@ -9,6 +9,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/parameters.hpp"
+#include "burnish/scratch_settings.hpp"
 #include "burnish/shading_names.hpp"
 #include "burnish/stage.hpp"
 #include "core/files.hpp"
@@ -173,6 +174,37 @@ Action read_panel(WordReader& words) {
     return command;
 }
 
+Action read_generate(WordReader& words) {
+    static constexpr std::array<Name, 1> kKinds = {"scratch"};
+    static constexpr std::array<Name, 11> kKeys = {"preset", "amount", "strength", "seed",
+                                                   "size",   "tile",   "angle",    "range",
+                                                   "length", "width",  "depth"};
+    words.one_of(kKinds, "what is generated");
+    GenerateCommand c;
+    const auto number = [&](Name key, double low, double high, std::optional<double>& to) {
+        to = words.number(key, low, high);
+    };
+    while (words.more()) {
+        const Name key = kKeys[static_cast<std::size_t>(words.one_of(kKeys, "a setting"))];
+        if (key == "preset") {
+            const auto names = scratch_preset_names();
+            c.preset =
+                std::string(names[static_cast<std::size_t>(words.one_of(names, "a preset"))]);
+        }
+        if (key == "seed") c.seed = words.whole("a seed", 0, 2147483647);
+        if (key == "size") c.size = words.whole("texels a side", 16, 16384);
+        if (key == "amount") number(key, 0.0, 8.0, c.amount);
+        if (key == "strength") number(key, 0.0, 4.0, c.strength);
+        if (key == "tile") number(key, 0.1, 1e4, c.tile_mm);
+        if (key == "angle") number(key, -360.0, 360.0, c.angle_deg);
+        if (key == "range") number(key, 0.0, 90.0, c.range_deg);
+        if (key == "length") number(key, 1e-4, 4e4, c.length_mm);
+        if (key == "width") number(key, 1e-5, 5e3, c.width_mm);
+        if (key == "depth") number(key, 0.0, 1e4, c.depth_mm);
+    }
+    return c;
+}
+
 Action read_save(WordReader& words) {
     static constexpr std::array<Name, 4> kKinds = {"scene", "picture", "maps", "gltf"};
     SaveCommand command;
@@ -236,6 +268,7 @@ constexpr VerbRow kVerbs[] = {
     {"compare", read_compare_command},
     {"view", [](WordReader& w) -> Action { return ViewCommand{w.word("the name of a view")}; }},
     {"panel", read_panel},
+    {"generate", read_generate},
     {"undo", [](WordReader& w) -> Action { return UndoCommand{read_steps(w)}; }},
     {"redo", [](WordReader& w) -> Action { return RedoCommand{read_steps(w)}; }},
     {"save", read_save},

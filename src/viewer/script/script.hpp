@@ -89,6 +89,15 @@ struct PanelCommand {
     std::string name;
     bool open = false;
 };
+// generate scratch [preset NAME] [amount N] [strength N] [seed N] [size N] [tile MM] [angle DEG]
+// [range DEG] [length MM] [width MM] [depth MM]: what is not named stays as the panel has it; angle to
+// depth are of the first layer.
+struct GenerateCommand {
+    std::optional<std::string> preset;
+    std::optional<double> amount, strength;  // 0 to 8, 0 to 4
+    std::optional<int> seed, size;           // 0 to 2147483647; 16 to 16384 texels
+    std::optional<double> tile_mm, angle_deg, range_deg, length_mm, width_mm, depth_mm;
+};
 // undo [N], redo [N]
 struct UndoCommand {
     int steps = 1;  // 1 to 1000
@@ -137,11 +146,12 @@ struct QuitCommand {
     double after_s = 0;
 };
 
-using Action = std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
-                            DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand,
-                            PickCommand, CompareCommand, ViewCommand, PanelCommand, UndoCommand,
-                            RedoCommand, SaveCommand, TurntableCommand, ScreenshotCommand,
-                            ExpectCommand, LogCommand, ResizeCommand, QuitCommand>;
+using Action =
+    std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
+                 DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand, PickCommand,
+                 CompareCommand, ViewCommand, PanelCommand, GenerateCommand, UndoCommand,
+                 RedoCommand, SaveCommand, TurntableCommand, ScreenshotCommand, ExpectCommand,
+                 LogCommand, ResizeCommand, QuitCommand>;
 
 struct Command {
     int line = 0;      // from 1

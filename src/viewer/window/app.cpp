@@ -5,20 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "burnish/error.hpp"
-#include "burnish/image_io.hpp"
-#include "core/files.hpp"
 #include "gpu/device/program.hpp"
-#include "jobs/export_material.hpp"
-#include "jobs/render.hpp"
 #include "viewer/document/load_stage.hpp"
-#include "viewer/document/open_files.hpp"
-#include "viewer/document/save_scene.hpp"
-#include "viewer/motion/light_sphere.hpp"
 #include "viewer/motion/orbit.hpp"
 
 namespace burnish::viewer {
@@ -71,7 +63,7 @@ bool* Panels::find(std::string_view name) {
 }
 
 App::App(Window& w, gpu::Context& c, std::filesystem::path folder)
-    : window(w), context(c), picture(c), state_folder(std::move(folder)) {
+    : window(w), context(c), picture(c), generator(folder), state_folder(std::move(folder)) {
     loader_.on_done([] { Window::wake(); });
     std::vector<std::string> warnings;
     if (!state_folder.empty()) {
@@ -117,150 +109,6 @@ bool App::has_fresh_message() const {
     return !messages.empty() && seconds_since(messages.back().since) < kMessage_s;
 }
 
-// --- files ----------------------------------------------------------------------------------------
-
-void App::load(Document document, std::string name, std::function<void(Document, Stage)> adopt) {
-    const auto wanted = std::make_shared<const Document>(std::move(document));
-    loader_.start<Stage>(
-        name, [wanted](const Progress& progress) { return load_stage(*wanted, progress); },
-        [this, wanted, adopt = std::move(adopt)](Stage stage) {
-            try {
-                adopt(*wanted, std::move(stage));
-                report_new_warnings();
-                after_change();
-            } catch (const std::exception& error) {
-                say(one_line(error.what()), true);
-            }
-        },
-        [this](const std::string& line) { say(line, true); });
-}
-
-void App::open_document(Document document, const std::string& name) {
-    load(std::move(document), name, [this](Document d, Stage stage) {
-        editor.open_loaded(std::move(d), std::move(stage));
-        material.reset();
-        picked.reset();
-    });
-}
-
-void App::open_first(std::vector<std::string> paths) {
-    try {
-        std::vector<std::string> notes;
-        Document document = document_for(paths, &notes);
-        for (const std::string& path : paths) add_recent(remembered, path);
-        for (std::string& note : notes) say(std::move(note));
-        open_document(std::move(document), paths.empty() ? "the first scene" : paths.front());
-    } catch (const Error& error) {
-        say(error.what(), true);
-        open_document(first_document(), "the first scene");
-    }
-}
-
-void App::open(const std::vector<std::string>& paths) {
-    try {
-        std::vector<std::string> notes;
-        Document next = document();
-        for (const std::string& path : paths) next = opened(next, path, material, &notes);
-        for (const std::string& path : paths) add_recent(remembered, path);
-        for (std::string& note : notes) say(std::move(note));
-        if (needs_load(document(), next)) {
-            load(std::move(next), paths.front(), [this](Document d, Stage stage) {
-                editor.set_loaded(std::move(d), std::move(stage), "open");
-                material.reset();
-                picked.reset();
-            });
-        } else {
-            editor.set(std::move(next), {}, "open");
-            report_new_warnings();
-            after_change();
-        }
-    } catch (const std::exception& error) {
-        say(one_line(error.what()), true);
-    }
-}
-
-void App::save_scene(const std::filesystem::path& path) {
-    viewer::save_scene(document(), editor.stage(), path);
-    saved_scene_ = path.string();
-    add_recent(remembered, path.string());
-    say("saved " + path.string());
-}
-
-void App::save_picture(const std::filesystem::path& path, std::optional<Size> size) {
-    RenderSettings settings = editor.stage().settings;
-    settings.width = size ? size->width : picture_width;
-    settings.height = size ? size->height : picture_height;
-    const Image linear = picture.render(editor.stage().camera, settings, {});
-    write_image(path,
-                holds_linear(path)
-                    ? linear
-                    : to_display(linear, editor.stage().exposure_ev, editor.stage().tone_map),
-                {});
-    say("saved " + path.string());
-}
-
-void App::save_turntable(const std::filesystem::path& path, int frames) {
-    RenderSettings settings = editor.stage().settings;
-    settings.width = picture_width;
-    settings.height = picture_height;
-    for (int i = 0; i < frames; ++i) {
-        const double angle = glm::two_pi<double>() * i / frames;
-        const Image linear = picture.render(turned(editor.stage().camera, angle), settings, {});
-        const std::filesystem::path file = numbered(path, i);
-        write_image(file,
-                    holds_linear(file)
-                        ? linear
-                        : to_display(linear, editor.stage().exposure_ev, editor.stage().tone_map),
-                    {});
-    }
-    say(fmt::format("saved {} frames beside {}", frames, path.string()));
-}
-
-void App::save_gltf(const std::filesystem::path& folder) {
-    // The job reads a scene file: the document goes through one that lies beside the folder.
-    const std::filesystem::path scene_file =
-        std::filesystem::absolute(folder).parent_path() / ".burnish-view-export.json";
-    viewer::save_scene(document(), editor.stage(), scene_file);
-    ExportMaterialRequest request;
-    request.stage.input = scene_file.string();
-    if (material) request.material = std::to_string(*material);
-    request.preview = false;  // it would need a context of its own
-    request.output = folder;
-    request.command = "burnish view";
-    loader_.start<ExportMaterialReport>(
-        "export",
-        [request, scene_file](const Progress& progress) {
-            const ExportMaterialReport report = export_material(request, progress);
-            std::error_code error;
-            std::filesystem::remove(scene_file, error);
-            return report;
-        },
-        [this, folder](const ExportMaterialReport& report) {
-            for (const std::string& line : report.warnings) say(line);
-            say(fmt::format("saved {} files in {}", report.written.size(), folder.string()));
-        },
-        [this, scene_file](const std::string& line) {
-            std::error_code error;
-            std::filesystem::remove(scene_file, error);
-            say(line, true);
-        });
-}
-
-CommandLine App::command_line() const {
-    const std::string scene = saved_scene_.empty() ? "scene.json" : saved_scene_;
-    return render_command(document(), editor.stage(), scene, "picture.png");
-}
-
-void App::copy_command_line() {
-    const CommandLine command = command_line();
-    window.set_clipboard(command.text());
-    if (command.needs_scene)
-        say(fmt::format("copied: {} (save the scene there first: flags cannot say {})",
-                        command.text(), command.reason));
-    else
-        say("copied: " + command.text());
-}
-
 // --- changes --------------------------------------------------------------------------------------
 
 bool App::edit(std::string_view key, std::string_view name,
@@ -295,6 +143,7 @@ void App::unset_parameter(std::string_view name) {
 }
 
 void App::undo() {
+    generator.cancel(*this);
     const std::shared_ptr<const Document> to = editor.history().undo_document();
     if (!to) return say("nothing to undo");
     try {
@@ -311,6 +160,7 @@ void App::undo() {
 }
 
 void App::redo() {
+    generator.cancel(*this);
     const std::shared_ptr<const Document> to = editor.history().redo_document();
     if (!to) return say("nothing to redo");
     try {
@@ -336,195 +186,11 @@ void App::after_change() {
     watched_.clear();
 }
 
-// --- moves ----------------------------------------------------------------------------------------
-
-namespace {
-
-// An orthographic camera that is moved becomes a perspective one that sees the same height at its target.
-double fov_deg_of(const Camera& camera) {
-    if (!camera.orthographic) return glm::degrees(static_cast<double>(camera.yfov));
-    const double distance = static_cast<double>(glm::distance(camera.position, camera.target));
-    return glm::degrees(2 * std::atan(static_cast<double>(camera.ymag) / std::max(distance, 1e-9)));
-}
-
-}  // namespace
-
-int App::dragged_light() {
-    const std::vector<Light>& lights = scene().lights;
-    if (lights.empty()) {
-        edit({}, "add light", [](Document& d) { d.lights = {parse_light("30,45")}; });
-        light = 0;
-    }
-    light = std::clamp(light, 0, static_cast<int>(scene().lights.size()) - 1);
-    return light;
-}
-
-void App::drag(Drag kind, glm::dvec2 by) {
-    last_motion_ = Clock::now();
-    dragging_ = kind;
-    const Camera& camera = editor.stage().camera;
-    const auto move_to = [&](const Camera& moved) {
-        edit("camera", "camera", [&](Document& d) {
-            viewer::set_camera(d, moved.position, moved.target,
-                               std::clamp(fov_deg_of(moved), 1.0, 170.0));
-        });
-    };
-    switch (kind) {
-        case Drag::orbit:
-            return move_to(orbited(camera, by, picture_height));
-        case Drag::pan:
-            return move_to(panned(camera, by, picture_height));
-        case Drag::zoom:
-            return move_to(zoomed(camera, std::exp(0.005 * by.y), glm::dvec3(camera.target)));
-        case Drag::environment: {
-            // A drag as long as the picture is wide turns the environment once.
-            const double turn = 360.0 * by.x / std::max(picture_width, 1);
-            edit("environment_rotation", "environment_rotation", [&](Document& d) {
-                double angle = d.values.real("environment_rotation") + turn;
-                angle -= 360.0 * std::floor((angle + 180.0) / 360.0);
-                viewer::set_parameter(d, "environment_rotation", angle);
-            });
-            return;
-        }
-        case Drag::light: {
-            const auto index = static_cast<std::size_t>(dragged_light());
-            const glm::dvec3 pivot(bounds_of(scene()).center());
-            std::vector<Light> lights = scene().lights;
-            lights[index] = viewer::dragged_light(camera, lights[index], pivot, by, picture_height);
-            edit("light", "light", [&](Document& d) { d.lights = lights; });
-            return;
-        }
-        case Drag::highlight:
-        case Drag::none:
-            return;
-    }
-}
-
-void App::end_drag() {
-    dragging_ = Drag::none;
-    editor.close_step();
-}
-
-void App::zoom_at(glm::dvec2 pixel, double steps) {
-    last_motion_ = Clock::now();
-    const Camera moved = zoomed(editor.stage().camera, wheel_factor(steps), pixel, picture_size());
-    edit("camera", "camera", [&](Document& d) {
-        viewer::set_camera(d, moved.position, moved.target,
-                           std::clamp(fov_deg_of(moved), 1.0, 170.0));
-    });
-}
-
-void App::frame_all() {
-    const Bounds bounds = bounds_of(scene());
-    const Camera moved = framed(editor.stage().camera, bounds,
-                                static_cast<double>(picture_width) / std::max(picture_height, 1));
-    edit({}, "frame", [&](Document& d) {
-        viewer::set_camera(d, moved.position, moved.target,
-                           std::clamp(fov_deg_of(moved), 1.0, 170.0));
-    });
-}
-
-void App::put_highlight(glm::dvec2 pixel) {
-    last_motion_ = Clock::now();
-    dragging_ = Drag::highlight;
-    const Camera& camera = editor.stage().camera;
-    const auto hit = viewer::pick(scene(), picker_, camera, pixel, picture_size());
-    if (!hit) return;
-    const auto index = static_cast<std::size_t>(dragged_light());
-    const auto placed = light_for_highlight(scene(), *hit, towards_eye(camera, hit->position),
-                                            scene().lights[index]);
-    if (!placed) return say("no light above the horizon puts the highlight there");
-    std::vector<Light> lights = scene().lights;
-    lights[index] = *placed;
-    edit("light", "highlight", [&](Document& d) { d.lights = lights; });
-}
-
-void App::pick(glm::dvec2 pixel) {
-    const Camera& camera = editor.stage().camera;
-    const auto hit = viewer::pick(scene(), picker_, camera, pixel, picture_size());
-    if (!hit) {
-        picked.reset();
-        return;
-    }
-    Picked found;
-    found.hit = *hit;
-    found.pixel = pixel;
-    picked = std::move(found);
-    pick_again();
-    panels.inspector = true;
-}
-
-void App::pick_again() {
-    if (!picked) return;
-    const Camera& camera = editor.stage().camera;
-    const glm::dvec3 at = picked->hit.position;
-    std::vector<Method> methods = document().compare.mode == CompareMode::off
-                                      ? std::vector<Method>{}
-                                      : document().compare.methods;
-    const Method own = scene().materials[static_cast<std::size_t>(picked->hit.material)].method;
-    for (const Method m : {own, Method::normal_map, Method::follow_grain, Method::deform_smooth})
-        if (std::ranges::find(methods, m) == methods.end() && methods.size() < kMostCompared)
-            methods.push_back(m);
-    const glm::dvec3 to_eye = towards_eye(camera, at);
-    glm::dvec3 to_light(picked->hit.normal);
-    if (!scene().lights.empty()) {
-        light = std::clamp(light, 0, static_cast<int>(scene().lights.size()) - 1);
-        to_light = towards_light(scene().lights[static_cast<std::size_t>(light)], at);
-    }
-    try {
-        picked->report = inspect(scene(), picked->hit, to_eye, to_light, methods);
-        picked->albedos.clear();
-        for (const MethodReport& m : picked->report.methods)
-            picked->albedos.push_back(m.lobe.has_meaning()
-                                          ? lobe_albedo(m.lobe, picked->report.to_eye, 2048)
-                                          : LobeAlbedo{});
-    } catch (const Error& error) {
-        say(error.what(), true);
-        picked.reset();
-    }
-}
-
-// --- before and after -----------------------------------------------------------------------------
-
-namespace {
-
-// `held` under the camera, the lights, the environment and the settings of `now`.
-Document seen_as(const Document& held, const Document& now) {
-    Document document = held;
-    for (const Parameter& p : parameter_table())
-        if (p.group != ParameterGroup::material && p.group != ParameterGroup::mesh)
-            document.values.erase(p.name);
-    for (const auto& [name, value] : now.values.set_values()) {
-        const ParameterGroup group = find_parameter(name)->group;
-        if (group != ParameterGroup::material && group != ParameterGroup::mesh)
-            document.values.set_value(name, value);
-    }
-    document.lights = now.lights;
-    document.environment = now.environment;
-    return document;
-}
-
-}  // namespace
-
-void App::hold() {
-    before = std::make_unique<Editor>(editor);
-    before_picture = std::make_unique<Picture>(context);
-    if (document().compare.mode == CompareMode::off)
-        edit({}, "compare", [](Document& d) { d.compare.mode = CompareMode::split; });
-    say("held as before: changes are compared with it (H lets it go)");
-}
-
-void App::release() {
-    before.reset();
-    before_picture.reset();
-    compared.invalidate();
-}
-
 // --- once a frame ---------------------------------------------------------------------------------
 
 bool App::needs_frames() const {
-    return !at_rest() || turntable || seconds_since(last_motion_) < kSettle_s + 0.1 ||
-           dragging_ != Drag::none;
+    return !at_rest() || turntable || generator.working() ||
+           seconds_since(last_motion_) < kSettle_s + 0.1 || dragging_ != Drag::none;
 }
 
 bool App::needs_slow_frames() const {
@@ -553,6 +219,7 @@ void App::update() {
         last_motion_ = Clock::now();
     }
     last_turn_ = Clock::now();
+    generator.settle(*this);
     if (refused_ != editor.revisions()) {
         try {
             picture.follow(editor);
@@ -565,6 +232,7 @@ void App::update() {
             refused_ = editor.revisions();  // said once
         }
     }
+    generator.show(*this);
     if (picker_revisions_ != editor.revisions()) {
         Revisions as = editor.revisions();
         if (!picker_revisions_ || picker_revisions_->scene != as.scene) {
@@ -599,6 +267,7 @@ void App::draw_picture(double budget_s) {
 }
 
 void App::count_frame() {
+    generator.shown();
     const double period = seconds_since(last_frame_);
     last_frame_ = Clock::now();
     message_shown_ = has_fresh_message();

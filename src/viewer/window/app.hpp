@@ -22,6 +22,7 @@
 #include "viewer/script/script.hpp"
 #include "viewer/window/background.hpp"
 #include "viewer/window/compared.hpp"
+#include "viewer/window/generator.hpp"
 #include "viewer/window/picture.hpp"
 #include "viewer/window/window.hpp"
 
@@ -67,6 +68,8 @@ class App {
     void save_picture(const std::filesystem::path& path, std::optional<Size> size);
     void save_turntable(const std::filesystem::path& path, int frames);
     void save_gltf(const std::filesystem::path& folder);
+    // The folder that `burnish scratch` or `burnish weave` makes with the material's settings.
+    void save_maps(const std::filesystem::path& folder);
     void copy_command_line();
     // Of `burnish render`, for the scene as it was saved last.
     CommandLine command_line() const;
@@ -84,6 +87,7 @@ class App {
     // --- moves; pixels are those of the picture, in device pixels
     void drag(Drag kind, glm::dvec2 by_px);
     void end_drag();
+    void note_motion();  // the picture is quick rather than fine for a while
     void zoom_at(glm::dvec2 pixel, double steps);
     void frame_all();
     void put_highlight(glm::dvec2 pixel);
@@ -117,6 +121,7 @@ class App {
     gpu::Context& context;
     Editor editor;
     Picture picture;
+    Generator generator;
     Remembered remembered;
     Panels panels;
     std::filesystem::path state_folder;

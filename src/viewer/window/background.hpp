@@ -81,6 +81,9 @@ class Background {
         return true;
     }
 
+    // Asks the work to end. poll() settles it then, and calls nothing.
+    void cancel() { token_.cancel(); }
+
     void stop() {
         if (!thread_.joinable()) return;
         token_.cancel();

@@ -22,7 +22,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_N
 
 // --- a small dialog for names of files ------------------------------------------------------------
 
-enum class Ask { none, open, scene, picture, turntable, gltf };
+enum class Ask { none, open, scene, picture, turntable, gltf, maps };
 
 struct Dialog {
     Ask ask = Ask::none;
@@ -48,6 +48,8 @@ const char* title_of(Ask ask) {
             return "Save a turntable of 48 frames";
         case Ask::gltf:
             return "Export the materials as glTF";
+        case Ask::maps:
+            return "Save the maps of scratches or of a weave";
         case Ask::none:
             break;
     }
@@ -63,6 +65,7 @@ void run_dialog(App& app, const Dialog& d) {
     if (d.ask == Ask::scene) return app.save_scene(d.path);
     if (d.ask == Ask::picture) return app.save_picture(d.path, std::nullopt);
     if (d.ask == Ask::turntable) return app.save_turntable(d.path, 48);
+    if (d.ask == Ask::maps) return app.save_maps(d.path);
     app.save_gltf(d.path);
 }
 
@@ -155,6 +158,7 @@ void file_menu(App& app) {
     if (ImGui::MenuItem("Save scene ...", "Ctrl+S")) press_key(app, "ctrl+s");
     if (ImGui::MenuItem("Save picture ...", "Ctrl+P")) press_key(app, "ctrl+p");
     if (ImGui::MenuItem("Save turntable ...")) ask_for(Ask::turntable, "turn.png");
+    if (ImGui::MenuItem("Save maps ...")) ask_for(Ask::maps, "maps");
     if (ImGui::MenuItem("Export materials as glTF ...")) ask_for(Ask::gltf, "material");
     if (ImGui::MenuItem("Copy command line", "Ctrl+Shift+C")) app.copy_command_line();
     ImGui::Separator();
@@ -191,6 +195,7 @@ void view_menu(App& app) {
     ImGui::MenuItem("Lobe inspector", "4", &app.panels.inspector);
     ImGui::MenuItem("Messages", "5", &app.panels.messages);
     ImGui::MenuItem("Costs", "6", &app.panels.costs);
+    ImGui::MenuItem("Scratches", "7", &app.panels.generator);
 }
 
 void compare_menu(App& app) {
@@ -354,6 +359,7 @@ const std::vector<KeyBinding>& bindings() {
         {"4", "lobe inspector", toggle<&Panels::inspector>},
         {"5", "messages", toggle<&Panels::messages>},
         {"6", "costs", toggle<&Panels::costs>},
+        {"7", "generator of scratches", toggle<&Panels::generator>},
         {"?", "these keys", toggle<&Panels::keys>},
         {"ctrl+z", "undo", [](App& a) { a.undo(); }},
         {"ctrl+y", "redo", [](App& a) { a.redo(); }},
@@ -424,6 +430,7 @@ struct Tab {
 constexpr Tab kTabs[] = {{&Panels::scene, "Scene", scene_panel},
                          {&Panels::compare, "Compare", compare_panel},
                          {&Panels::inspector, "Lobe", inspector_panel},
+                         {&Panels::generator, "Scratches", generator_panel},
                          {&Panels::costs, "Costs", costs_panel},
                          {&Panels::messages, "Log", message_panel}};
 
@@ -460,6 +467,8 @@ float right_side(App& app, float x, float top, float width, float height) {
     ImGui::SetNextWindowSize({width, height});
     if (ImGui::Begin("##right", nullptr, kFixed)) {
         const Tab* shown = nullptr;
+        const ImVec2 padding = ImGui::GetStyle().FramePadding;
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.5f * padding.x, padding.y});
         for (const Tab& tab : kTabs) {
             const bool on = app.panels.*tab.open;
             ImGui::PushStyleColor(
@@ -470,6 +479,7 @@ float right_side(App& app, float x, float top, float width, float height) {
             ImGui::SameLine(0, 2);
             if (on) shown = &tab;
         }
+        ImGui::PopStyleVar();
         ImGui::NewLine();
         ImGui::Separator();
         if (shown != nullptr) {

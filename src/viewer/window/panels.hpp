@@ -18,6 +18,7 @@ void inspector_panel(App& app);
 void message_panel(App& app);
 void keys_panel(App& app);
 void costs_panel(App& app);
+void generator_panel(App& app);
 
 // The picture with its dividers, and the mouse in it.
 void picture_view(App& app);

@@ -67,8 +67,13 @@ void Picture::follow(const Editor& editor) {
     if (first || now.scene != before.scene || now.geometry != before.geometry ||
         now.textures != before.textures) {
         renderer_->set_scene(stage.scene);
+        previewing_ = false;
+        preview_normal_ = preview_stretch_ = -1;
     } else {
-        if (now.materials != before.materials) renderer_->set_materials(stage.scene.materials);
+        if (now.materials != before.materials) {
+            renderer_->set_materials(stage.scene.materials);
+            previewing_ = false;
+        }
         if (now.lights != before.lights) renderer_->set_lights(stage.scene.lights);
     }
     if (first || now.environment != before.environment)
@@ -86,6 +91,38 @@ void Picture::follow(const Editor& editor) {
     display_changed_ = true;
     if (!display_only) begun_ = false;
     followed_ = now;
+}
+
+void Picture::preview(const std::vector<ScratchPreview>& materials, const ScratchTextures& maps) {
+    if (!followed_) return;
+    const auto put = [&](int& id, const Texture& texture) {
+        if (id < 0)
+            id = renderer_->add_texture(texture);
+        else
+            renderer_->update_texture(id, texture);
+    };
+    put(preview_normal_, maps.normal);
+    if (std::ranges::any_of(materials, &ScratchPreview::follows))
+        put(preview_stretch_, maps.anisotropy);
+    for (const ScratchPreview& preview : materials) {
+        Material shown = preview.shown;
+        shown.normal_texture.texture = preview_normal_;
+        if (preview.follows) shown.anisotropy_texture.texture = preview_stretch_;
+        renderer_->update_material(preview.material, shown);
+    }
+    previewing_ = true;
+    begun_ = false;
+}
+
+void Picture::end_preview(const Editor& editor) {
+    // Where the materials have changed since, follow() sets them.
+    if (!previewing_ || !followed_ || followed_->scene != editor.revisions().scene ||
+        followed_->materials != editor.revisions().materials ||
+        followed_->textures != editor.revisions().textures)
+        return;
+    renderer_->set_materials(editor.stage().scene.materials);
+    previewing_ = false;
+    begun_ = false;
 }
 
 void Picture::set_size(int width, int height) {

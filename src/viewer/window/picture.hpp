@@ -15,6 +15,7 @@
 #include "burnish/context.hpp"
 #include "burnish/renderer.hpp"
 #include "viewer/document/editor.hpp"
+#include "viewer/generate/scratches.hpp"
 
 namespace burnish::viewer {
 
@@ -36,6 +37,11 @@ class Picture {
     // Uploads what the editor has changed since the last call, and starts the picture anew where it
     // changes. Throws Error for what the device cannot take; the picture is then what it was.
     void follow(const Editor& editor);
+    // Shows the materials with these maps in place of the scene's: scratches that are not in the document
+    // yet. It ends with the next change of materials or textures that follow() brings.
+    void preview(const std::vector<ScratchPreview>& materials, const ScratchTextures& maps);
+    void end_preview(const Editor& editor);
+    bool previewing() const { return previewing_; }
     // Size in device pixels, at most 8192 a side. `rate`: frames a second to hold while things move.
     void set_size(int width, int height);
     void set_panes(std::vector<Pane> panes);
@@ -80,6 +86,8 @@ class Picture {
     gpu::Context& context_;
     std::unique_ptr<gpu::Renderer> renderer_;
     std::optional<Revisions> followed_;
+    bool previewing_ = false;
+    int preview_normal_ = -1, preview_stretch_ = -1;  // textures of the renderer's; -1: none
     Camera camera_;
     RenderSettings settings_;
     double exposure_ev_ = 0;

@@ -117,7 +117,11 @@ void ScriptRunner::feed_input() {
 
 // Whether the last command still takes frames.
 bool ScriptRunner::still_busy() {
-    if (app_.loading() || click_step_ > 0 || screenshot_) return true;
+    if (app_.loading() || app_.generator.working() || click_step_ > 0 || screenshot_) return true;
+    if (generating_) {
+        generating_ = false;
+        if (!app_.generator.fault().empty()) fail(app_.generator.fault());
+    }
     if (dragging_) {
         const DragCommand& c = dragging_->command;
         if (dragging_->frame < c.frames) {
@@ -152,7 +156,7 @@ bool ScriptRunner::needs_frame() const {
 }
 
 bool ScriptRunner::done() const {
-    return next_ >= commands_.size() && !waiting_ && !dragging_ && !screenshot_ &&
+    return next_ >= commands_.size() && !waiting_ && !dragging_ && !generating_ && !screenshot_ &&
            !app_.loading() && errors_ == app_.errors_said();
 }
 
@@ -247,6 +251,7 @@ double ScriptRunner::measured(const std::string& name) const {
     if (name == "lights") return static_cast<double>(app_.scene().lights.size());
     if (name == "warnings") return static_cast<double>(app_.editor.warnings().size());
     if (name == "flip" || name == "difference") return app_.compared.mean();
+    if (name == "preview_ms") return app_.generator.preview_ms();
     if (name == "memory_mb") return resident_memory_mb();
     if (name.starts_with("picked.")) {
         if (!app_.picked)
@@ -304,6 +309,28 @@ void ScriptRunner::expect(const ExpectCommand& command) {
     }
     const double found = measured(command.name);
     if (!meets(command, found)) fail(fmt::format("expected {}, found {:.6g}", wanted, found));
+}
+
+void ScriptRunner::generate(const GenerateCommand& command) {
+    app_.generator.change(app_, [&](ScratchChoice& choice) {
+        if (command.preset) choice = scratch_choice(*command.preset);
+        ScratchSettings& settings = choice.recipe.settings;
+        ScratchLayer& layer = settings.layers.front();
+        choice.amount = command.amount.value_or(choice.amount);
+        choice.strength = command.strength.value_or(choice.strength);
+        if (command.seed) settings.seed = static_cast<std::uint32_t>(*command.seed);
+        settings.size = command.size.value_or(settings.size);
+        settings.tile_mm = command.tile_mm.value_or(settings.tile_mm);
+        layer.angle_deg = command.angle_deg.value_or(layer.angle_deg);
+        layer.range_deg = command.range_deg.value_or(layer.range_deg);
+        if (command.length_mm) set_typical(layer.length_mm, *command.length_mm);
+        if (command.width_mm) set_typical(layer.width_mm, *command.width_mm);
+        if (command.depth_mm) set_typical(layer.depth_mm, *command.depth_mm);
+    });
+    if (!app_.generator.fault().empty()) fail(app_.generator.fault());
+    app_.note_motion();
+    app_.generator.finish();
+    generating_ = true;
 }
 
 void ScriptRunner::execute(const Command& command) {
@@ -387,6 +414,8 @@ void ScriptRunner::execute(const Command& command) {
                                      fmt::join(Panels::names(), ", "), shown(c.name)));
                 *panel = c.open;
                 waiting_ = Waiting{WaitKind::frames, 2, Clock::now(), 0};
+            } else if constexpr (std::is_same_v<T, GenerateCommand>) {
+                generate(c);
             } else if constexpr (std::is_same_v<T, UndoCommand>) {
                 for (int i = 0; i < c.steps; ++i) app_.undo();
             } else if constexpr (std::is_same_v<T, RedoCommand>) {
@@ -394,7 +423,8 @@ void ScriptRunner::execute(const Command& command) {
             } else if constexpr (std::is_same_v<T, SaveCommand>) {
                 if (c.kind == SaveKind::scene) app_.save_scene(c.file);
                 if (c.kind == SaveKind::picture) app_.save_picture(c.file, c.size);
-                if (c.kind == SaveKind::gltf || c.kind == SaveKind::maps) app_.save_gltf(c.file);
+                if (c.kind == SaveKind::gltf) app_.save_gltf(c.file);
+                if (c.kind == SaveKind::maps) app_.save_maps(c.file);
             } else if constexpr (std::is_same_v<T, TurntableCommand>) {
                 app_.save_turntable(c.file, c.frames);
             } else if constexpr (std::is_same_v<T, ScreenshotCommand>) {

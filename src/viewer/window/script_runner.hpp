@@ -50,6 +50,7 @@ class ScriptRunner {
     bool may_go_on(const std::string& error);
     void log(const std::string& name) const;
     void expect(const ExpectCommand& command);
+    void generate(const GenerateCommand& command);
     double measured(const std::string& name) const;
     bool still_busy();
     [[noreturn]] void fail(const std::string& what) const;
@@ -63,6 +64,7 @@ class ScriptRunner {
     std::optional<Waiting> waiting_;
     std::optional<Dragging> dragging_;
     std::optional<std::string> screenshot_;
+    bool generating_ = false;
     std::vector<double> drag_frames_s_;
     double drag_cpu_s_ = 0, last_cpu_s_ = 0;  // of these frames; of the process at the last one
     std::optional<std::chrono::steady_clock::time_point> last_drag_frame_, changed_;

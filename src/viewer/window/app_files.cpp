@@ -1,0 +1,173 @@
+// The part of App that reads and writes files.
+#include <fmt/format.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
+#include "jobs/export_material.hpp"
+#include "jobs/render.hpp"
+#include "viewer/document/load_stage.hpp"
+#include "viewer/document/open_files.hpp"
+#include "viewer/document/save_scene.hpp"
+#include "viewer/generate/save_maps.hpp"
+#include "viewer/window/app.hpp"
+
+namespace burnish::viewer {
+
+void App::load(Document document, std::string name, std::function<void(Document, Stage)> adopt) {
+    generator.cancel(*this);
+    const auto wanted = std::make_shared<const Document>(std::move(document));
+    loader_.start<Stage>(
+        name, [wanted](const Progress& progress) { return load_stage(*wanted, progress); },
+        [this, wanted, adopt = std::move(adopt)](Stage stage) {
+            try {
+                adopt(*wanted, std::move(stage));
+                report_new_warnings();
+                after_change();
+            } catch (const std::exception& error) {
+                say(one_line(error.what()), true);
+            }
+        },
+        [this](const std::string& line) { say(line, true); });
+}
+
+void App::open_document(Document document, const std::string& name) {
+    load(std::move(document), name, [this](Document d, Stage stage) {
+        editor.open_loaded(std::move(d), std::move(stage));
+        material.reset();
+        picked.reset();
+    });
+}
+
+void App::open_first(std::vector<std::string> paths) {
+    try {
+        std::vector<std::string> notes;
+        Document document = document_for(paths, &notes);
+        for (const std::string& path : paths) add_recent(remembered, path);
+        for (std::string& note : notes) say(std::move(note));
+        open_document(std::move(document), paths.empty() ? "the first scene" : paths.front());
+    } catch (const Error& error) {
+        say(error.what(), true);
+        open_document(first_document(), "the first scene");
+    }
+}
+
+void App::open(const std::vector<std::string>& paths) {
+    try {
+        std::vector<std::string> notes;
+        Document next = document();
+        for (const std::string& path : paths) next = opened(next, path, material, &notes);
+        for (const std::string& path : paths) add_recent(remembered, path);
+        for (std::string& note : notes) say(std::move(note));
+        if (needs_load(document(), next)) {
+            load(std::move(next), paths.front(), [this](Document d, Stage stage) {
+                editor.set_loaded(std::move(d), std::move(stage), "open");
+                material.reset();
+                picked.reset();
+            });
+        } else {
+            editor.set(std::move(next), {}, "open");
+            report_new_warnings();
+            after_change();
+        }
+    } catch (const std::exception& error) {
+        say(one_line(error.what()), true);
+    }
+}
+
+void App::save_scene(const std::filesystem::path& path) {
+    viewer::save_scene(document(), editor.stage(), path, generator.cache());
+    saved_scene_ = path.string();
+    add_recent(remembered, path.string());
+    say("saved " + path.string());
+}
+
+void App::save_picture(const std::filesystem::path& path, std::optional<Size> size) {
+    RenderSettings settings = editor.stage().settings;
+    settings.width = size ? size->width : picture_width;
+    settings.height = size ? size->height : picture_height;
+    const Image linear = picture.render(editor.stage().camera, settings, {});
+    write_image(path,
+                holds_linear(path)
+                    ? linear
+                    : to_display(linear, editor.stage().exposure_ev, editor.stage().tone_map),
+                {});
+    say("saved " + path.string());
+}
+
+void App::save_turntable(const std::filesystem::path& path, int frames) {
+    RenderSettings settings = editor.stage().settings;
+    settings.width = picture_width;
+    settings.height = picture_height;
+    for (int i = 0; i < frames; ++i) {
+        const double angle = glm::two_pi<double>() * i / frames;
+        const Image linear = picture.render(turned(editor.stage().camera, angle), settings, {});
+        const std::filesystem::path file = numbered(path, i);
+        write_image(file,
+                    holds_linear(file)
+                        ? linear
+                        : to_display(linear, editor.stage().exposure_ev, editor.stage().tone_map),
+                    {});
+    }
+    say(fmt::format("saved {} frames beside {}", frames, path.string()));
+}
+
+void App::save_gltf(const std::filesystem::path& folder) {
+    // The job reads a scene file: the document goes through one that lies beside the folder.
+    const std::filesystem::path scene_file =
+        std::filesystem::absolute(folder).parent_path() / ".burnish-view-export.json";
+    viewer::save_scene(document(), editor.stage(), scene_file);
+    ExportMaterialRequest request;
+    request.stage.input = scene_file.string();
+    if (material) request.material = std::to_string(*material);
+    request.preview = false;  // it would need a context of its own
+    request.output = folder;
+    request.command = "burnish view";
+    loader_.start<ExportMaterialReport>(
+        "export",
+        [request, scene_file](const Progress& progress) {
+            const ExportMaterialReport report = export_material(request, progress);
+            std::error_code error;
+            std::filesystem::remove(scene_file, error);
+            return report;
+        },
+        [this, folder](const ExportMaterialReport& report) {
+            for (const std::string& line : report.warnings) say(line);
+            say(fmt::format("saved {} files in {}", report.written.size(), folder.string()));
+        },
+        [this, scene_file](const std::string& line) {
+            std::error_code error;
+            std::filesystem::remove(scene_file, error);
+            say(line, true);
+        });
+}
+
+void App::save_maps(const std::filesystem::path& folder) {
+    const MapsRequest request = maps_request(editor.stage(), material, folder);
+    loader_.start<SavedMaps>(
+        "maps", [request](const Progress& progress) { return make_maps(request, progress); },
+        [this, folder, what = request.what](const SavedMaps& saved) {
+            for (const std::string& line : saved.warnings) say(line);
+            say(fmt::format("saved the {}: {} files in {}", what, saved.written.size(),
+                            folder.string()));
+        },
+        [this](const std::string& line) { say(line, true); });
+}
+
+CommandLine App::command_line() const {
+    const std::string scene = saved_scene_.empty() ? "scene.json" : saved_scene_;
+    return render_command(document(), editor.stage(), scene, "picture.png");
+}
+
+void App::copy_command_line() {
+    const CommandLine command = command_line();
+    window.set_clipboard(command.text());
+    if (command.needs_scene)
+        say(fmt::format("copied: {} (save the scene there first: flags cannot say {})",
+                        command.text(), command.reason));
+    else
+        say("copied: " + command.text());
+}
+
+}  // namespace burnish::viewer
