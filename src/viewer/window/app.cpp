@@ -12,6 +12,7 @@
 #include "gpu/device/program.hpp"
 #include "viewer/document/load_stage.hpp"
 #include "viewer/motion/orbit.hpp"
+#include "viewer/window/app_parts.hpp"
 
 namespace burnish::viewer {
 namespace {

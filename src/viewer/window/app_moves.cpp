@@ -8,6 +8,7 @@
 #include "viewer/motion/light_sphere.hpp"
 #include "viewer/motion/orbit.hpp"
 #include "viewer/window/app.hpp"
+#include "viewer/window/app_parts.hpp"
 
 namespace burnish::viewer {
 
@@ -15,14 +16,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// An orthographic camera that is moved becomes a perspective one that sees the same height at its target.
+}  // namespace
+
 double fov_deg_of(const Camera& camera) {
     if (!camera.orthographic) return glm::degrees(static_cast<double>(camera.yfov));
     const double distance = static_cast<double>(glm::distance(camera.position, camera.target));
     return glm::degrees(2 * std::atan(static_cast<double>(camera.ymag) / std::max(distance, 1e-9)));
 }
-
-}  // namespace
 
 int App::dragged_light() {
     const std::vector<Light>& lights = scene().lights;
@@ -165,9 +165,6 @@ void App::pick_again() {
 
 // --- before and after -----------------------------------------------------------------------------
 
-namespace {
-
-// `held` under the camera, the lights, the environment and the settings of `now`.
 Document seen_as(const Document& held, const Document& now) {
     Document document = held;
     for (const Parameter& p : parameter_table())
@@ -182,8 +179,6 @@ Document seen_as(const Document& held, const Document& now) {
     document.environment = now.environment;
     return document;
 }
-
-}  // namespace
 
 void App::hold() {
     before = std::make_unique<Editor>(editor);

@@ -1,0 +1,129 @@
+#include "viewer/window/file_dialog.hpp"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "burnish/error.hpp"
+
+namespace burnish::viewer {
+namespace {
+
+struct Dialog {
+    Ask ask = Ask::none;
+    std::string path;
+    std::string failed;
+    bool opened = false;
+};
+
+Dialog& dialog() {
+    static Dialog one;
+    return one;
+}
+
+const char* title_of(Ask ask) {
+    switch (ask) {
+        case Ask::open:
+            return "Open a file";
+        case Ask::scene:
+            return "Save the scene";
+        case Ask::picture:
+            return "Save the picture";
+        case Ask::turntable:
+            return "Save a turntable of 48 frames";
+        case Ask::gltf:
+            return "Export the materials as glTF";
+        case Ask::maps:
+            return "Save the maps of scratches or of a weave";
+        case Ask::none:
+            break;
+    }
+    return "";
+}
+
+void run_dialog(App& app, const Dialog& d) {
+    if (d.ask == Ask::open) return app.open({d.path});
+    if (d.ask == Ask::scene) return app.save_scene(d.path);
+    if (d.ask == Ask::picture) return app.save_picture(d.path, std::nullopt);
+    if (d.ask == Ask::turntable) return app.save_turntable(d.path, 48);
+    if (d.ask == Ask::maps) return app.save_maps(d.path);
+    app.save_gltf(d.path);
+}
+
+// Files and folders beside the path that begin as it does.
+std::vector<std::string> completions(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> found;
+    std::error_code error;
+    const fs::path given(path.empty() ? "./" : path);
+    const fs::path folder = given.has_parent_path() ? given.parent_path() : fs::path(".");
+    const std::string begins = given.filename().string();
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        const std::string name = it->path().filename().string();
+        if (name.starts_with('.') || !name.starts_with(begins)) continue;
+        std::error_code ignored;
+        found.push_back((folder / name).string() + (it->is_directory(ignored) ? "/" : ""));
+        if (found.size() >= 200) break;
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+}  // namespace
+
+void ask_for(Ask ask, std::string path) {
+    dialog() = {ask, std::move(path), {}, true};
+}
+
+bool is_asking() {
+    return dialog().ask != Ask::none;
+}
+
+void draw_dialog(App& app) {
+    Dialog& d = dialog();
+    if (d.ask == Ask::none) return;
+    if (d.opened) ImGui::OpenPopup(title_of(d.ask));
+    const auto scale = static_cast<float>(app.ui_scale);
+    ImGui::SetNextWindowSize({560 * scale, 380 * scale}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(
+        {0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
+        ImGuiCond_Appearing, {0.5f, 0.5f});
+    bool open = true;
+    if (!ImGui::BeginPopupModal(title_of(d.ask), &open)) {
+        if (!d.opened) d.ask = Ask::none;
+        return;
+    }
+    if (d.opened) ImGui::SetKeyboardFocusHere();
+    d.opened = false;
+    ImGui::SetNextItemWidth(-1);
+    const bool entered = ImGui::InputText("##path", &d.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const float bottom = 2.4f * ImGui::GetFrameHeightWithSpacing();
+    if (ImGui::BeginChild("list", {0, -bottom}, true))
+        for (const std::string& name : completions(d.path))
+            if (ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_DontClosePopups))
+                d.path = name;
+    ImGui::EndChild();
+    ImGui::TextColored({0.95f, 0.6f, 0.5f, 1}, "%s", d.failed.c_str());
+    const bool pressed = ImGui::Button(d.ask == Ask::open ? "Open" : "Save", {100 * scale, 0});
+    ImGui::SameLine();
+    const bool cancelled = ImGui::Button("Cancel", {100 * scale, 0}) || !open ||
+                           ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (pressed || entered) {
+        try {
+            run_dialog(app, d);
+            d.ask = Ask::none;
+            ImGui::CloseCurrentPopup();
+        } catch (const std::exception& error) {
+            d.failed = one_line(error.what());
+        }
+    } else if (cancelled) {
+        d.ask = Ask::none;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace burnish::viewer
