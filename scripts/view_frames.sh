@@ -29,7 +29,7 @@ value() {
 # row LABEL SETUP [FILE...]: one line of the table of frame rates.
 motion="wait 2
 drag orbit 600 100 ${DRAG_FRAMES:-120}
-log fps fps_min triangles scale first_picture_s frame_cpu_ms
+log fps fps_min scene_triangles scale first_picture_s frame_cpu_ms
 quit"
 row() {
     label=$1
@@ -38,7 +38,7 @@ row() {
     run row "$setup
 wait 5
 $motion" "$@"
-    printf '| %s | %.0f | %.1f | %.1f | %.0f | %.2f | %.2f |\n' "$label" "$(value row triangles)" \
+    printf '| %s | %.0f | %.1f | %.1f | %.0f | %.2f | %.2f |\n' "$label" "$(value row scene_triangles)" \
         "$(value row fps)" "$(value row fps_min)" "$(value row frame_cpu_ms)" "$(value row scale)" "$(value row first_picture_s)"
 }
 

@@ -108,11 +108,16 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
 }
 
 void ShadowMaps::take_device(ShadowMaps& before) {
-    if (count() == before.count() && side_ == before.side_) device_ = std::move(before.device_);
+    device_ = std::move(before.device_);
+    before.device_.reset();
 }
 
-void ShadowMaps::make_device() {
-    device_.emplace();
+bool ShadowMaps::has_images() const {
+    return device_ && device_->side == side_ && device_->layers == count();
+}
+
+void ShadowMaps::make_images() {
+    if (!device_) device_.emplace();
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, device_->texture.get());
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, side_, side_, count(), 0,
@@ -130,6 +135,8 @@ void ShadowMaps::make_device() {
     glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     check_gl("making shadow maps");
+    device_->side = side_;
+    device_->layers = count();
 }
 
 void ShadowMaps::set_casters(std::vector<bool> casters) {
@@ -139,11 +146,11 @@ void ShadowMaps::set_casters(std::vector<bool> casters) {
 }
 
 bool ShadowMaps::holds(int index, int sample) const {
-    return device_ && drawn_[static_cast<std::size_t>(index)] == sample;
+    return has_images() && drawn_[static_cast<std::size_t>(index)] == sample;
 }
 
 glm::mat4 ShadowMaps::begin(int index, int sample) {
-    if (!device_) make_device();
+    if (!has_images()) make_images();
     const auto i = static_cast<std::size_t>(index);
     // pixel_offset is a triangle filter of half width 1, here in texels.
     const glm::dvec2 shift = pixel_offset(sample) * (2.0 / side_);
@@ -169,7 +176,7 @@ glm::mat4 ShadowMaps::begin(int index, int sample) {
 
 void ShadowMaps::bind(Program& program) const {
     program.set("u_shadow_maps", static_cast<int>(kShadowUnit));
-    if (!device_) return;
+    if (maps_.empty() || !has_images()) return;
     glActiveTexture(GL_TEXTURE0 + kShadowUnit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, device_->texture.get());
     glBindSampler(kShadowUnit, device_->sampler.get());

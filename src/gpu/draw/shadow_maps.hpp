@@ -23,7 +23,8 @@ class ShadowMaps {
     // begin().
     ShadowMaps(std::span<const Light> lights, const Bounds& bounds);
 
-    // Takes over the images of `before` when their number and size are the same.
+    // Takes over the images of `before`. Others in number or size are allocated in their place; without
+    // maps they stay for the next light.
     void take_device(ShadowMaps& before);
 
     int count() const { return static_cast<int>(maps_.size()); }
@@ -52,9 +53,11 @@ class ShadowMaps {
         GlTexture texture;
         Sampler sampler;
         Framebuffer target;
+        int side = 0, layers = 0;  // as allocated
     };
     void add_light(const Light& light, const Bounds& bounds);
-    void make_device();
+    bool has_images() const;
+    void make_images();
 
     std::vector<Map> maps_;
     std::vector<glm::vec2> of_light_;  // first map or -1, number of maps

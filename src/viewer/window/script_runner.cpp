@@ -54,7 +54,8 @@ double process_age_s() {
 double triangles_of(const Scene& scene) {
     std::size_t indices = 0;
     for (const Instance& instance : scene.instances)
-        indices += scene.meshes[static_cast<std::size_t>(instance.mesh)].indices.size();
+        if (instance.mesh >= 0)  // below 0: hidden
+            indices += scene.meshes[static_cast<std::size_t>(instance.mesh)].indices.size();
     return static_cast<double>(indices / 3);
 }
 
@@ -245,7 +246,7 @@ double ScriptRunner::measured(const std::string& name) const {
     if (name == "window_width") return app_.window.width();
     if (name == "window_height") return app_.window.height();
     if (name == "materials") return static_cast<double>(app_.scene().materials.size());
-    if (name == "triangles") return triangles_of(app_.scene());
+    if (name == "scene_triangles") return triangles_of(app_.scene());
     if (name == "undo_count") return static_cast<double>(app_.editor.history().undo_count());
     if (name == "redo_count") return static_cast<double>(app_.editor.history().redo_count());
     if (name == "lights") return static_cast<double>(app_.scene().lights.size());
