@@ -134,7 +134,8 @@ TEST(ViewerScript, ErrorsNameTheLineAndTheNearestWord) {
     refused("expect fps > fast", {"a number behind"});
     refused("expect fps > 3 0.1", {"no tolerance"});
     refused("expect fps = 3 -0.1", {"a tolerance"});
-    refused("quit now", {"the end of the line"});
+    refused("quit now", {"seconds"});
+    refused("quit 5 now", {"the end of the line"});
 }
 
 TEST(ViewerScript, ExpectationsHoldOrNot) {

@@ -24,8 +24,10 @@ bool AlbedoTables::has(Brdf brdf, Mdf mdf) const {
 }
 
 void AlbedoTables::require(Brdf brdf, Mdf mdf) {
-    if (has(brdf, mdf)) return;
-    const std::vector<float> table = albedo_table(brdf, mdf);
+    if (!has(brdf, mdf)) put(brdf, mdf, albedo_table(brdf, mdf));
+}
+
+void AlbedoTables::put(Brdf brdf, Mdf mdf, const std::vector<float>& table) {
     GlTexture texture;
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_3D, texture.get());

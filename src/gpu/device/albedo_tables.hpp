@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "burnish/shading_names.hpp"
 #include "gpu/device/handles.hpp"
@@ -14,6 +15,8 @@ class AlbedoTables {
   public:
     // Makes the table if it is missing, from 6.3 million samples of the model.
     void require(Brdf brdf, Mdf mdf);
+    // Takes the table that albedo_table(brdf, mdf) gave, perhaps on another thread.
+    void put(Brdf brdf, Mdf mdf, const std::vector<float>& table);
     bool has(Brdf brdf, Mdf mdf) const;
     // Binds a table that was required before to kAlbedoUnit.
     void bind(Brdf brdf, Mdf mdf) const;

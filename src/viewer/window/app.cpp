@@ -195,8 +195,8 @@ bool App::needs_frames() const {
 }
 
 bool App::needs_slow_frames() const {
-    return loader_.running() || document().compare.mode == CompareMode::blink ||
-           has_fresh_message() != message_shown_;
+    return loader_.running() || picture.prepares_motion() ||
+           document().compare.mode == CompareMode::blink || has_fresh_message() != message_shown_;
 }
 
 // Nothing is open until the first file is read.

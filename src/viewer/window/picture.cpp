@@ -81,6 +81,14 @@ void Picture::follow(const Editor& editor) {
                                                                       : &stage.environment);
     any_tabulated_ = std::ranges::any_of(
         stage.scene.materials, [](const Material& m) { return tabulated_of(m) != nullptr; });
+    lit_ = !stage.environment.radiance.empty();
+    if (first || now.materials != before.materials || now.scene != before.scene) {
+        std::vector<std::pair<Brdf, Mdf>> models = models_with_tables(stage.scene);
+        if (models != models_) motion_prepared_ = false;
+        models_ = std::move(models);
+    }
+    if (first || now.environment != before.environment || now.scene != before.scene)
+        motion_prepared_ = false;
     Revisions as_before = now;
     as_before.display = before.display;
     const bool display_only = !first && as_before == before;
@@ -166,7 +174,7 @@ RenderSettings Picture::pane_settings(const Pane& pane) const {
     o.samples = 1;
     if (o.image_light == ImageLight::importance) {
         // Tables have no prefiltered light.
-        if (any_tabulated_) {
+        if (any_tabulated_ || !motion_prepared_) {
             o.image_light_samples = std::min(o.image_light_samples, 2);
         } else {
             o.image_light = ImageLight::prefiltered;
@@ -231,13 +239,31 @@ void Picture::adapt_scale() {
     last_moving_frame_ = now;
 }
 
+bool Picture::prepares_motion() const {
+    return followed_ && !motion_prepared_ && !any_tabulated_ && lit_ &&
+           settings_.image_light == ImageLight::importance;
+}
+
+// At rest: the first frame of a motion then compiles and blurs nothing.
+void Picture::prepare_motion() {
+    if (!prepares_motion() || !tables_.ready(context_, models_)) return;
+    RenderSettings o = settings_;
+    o.image_light = ImageLight::prefiltered;
+    o.samples = 1;
+    renderer_->prepare(o);
+    motion_prepared_ = true;
+}
+
 bool Picture::refine(double budget_s) {
     if (!followed_) return false;
     if (moving_) {
         adapt_scale();
         begun_ = false;  // every frame of a motion is a picture of its own
     }
-    if (at_rest()) return false;
+    if (at_rest()) {
+        prepare_motion();
+        return false;
+    }
     if (!begun_) begin_panes();
     const auto start = Clock::now();
     bool added = true;
@@ -256,6 +282,7 @@ bool Picture::refine(double budget_s) {
     }
     present_panes();
     display_changed_ = false;
+    if (at_rest()) prepare_motion();
     return true;
 }
 

@@ -16,6 +16,7 @@
 #include "burnish/renderer.hpp"
 #include "viewer/document/editor.hpp"
 #include "viewer/generate/scratches.hpp"
+#include "viewer/window/motion_tables.hpp"
 
 namespace burnish::viewer {
 
@@ -55,6 +56,8 @@ class Picture {
     // Returns false when every pane was at rest.
     bool refine(double budget_s);
     bool at_rest() const;
+    // At rest, refine() still prepares what the first frame of a motion needs.
+    bool prepares_motion() const;
     int samples() const;  // of the pane that has fewest
     int wanted_samples() const { return settings_.samples; }
     double scale() const { return shown_scale_; }  // of the resolution shown
@@ -81,6 +84,7 @@ class Picture {
     void begin_panes();
     void present_panes();
     void adapt_scale();
+    void prepare_motion();
     bool is_done(std::size_t index) const;
 
     gpu::Context& context_;
@@ -92,7 +96,10 @@ class Picture {
     RenderSettings settings_;
     double exposure_ev_ = 0;
     ToneMap tone_map_ = ToneMap::khronos_neutral;
-    bool any_tabulated_ = false;
+    bool any_tabulated_ = false, lit_ = false;
+    MotionTables tables_;
+    std::vector<std::pair<Brdf, Mdf>> models_;  // of the materials
+    bool motion_prepared_ = false;
     std::vector<Pane> panes_{Pane{}};
     std::vector<std::unique_ptr<Shown>> shown_;
     std::vector<int> samples_;
