@@ -31,7 +31,7 @@ view: packages packages_view
 	cmake --build $(BUILD) -j $(JOBS) --target burnish_cli burnish_view
 
 all: packages packages_view
-	@$(CONFIGURE)
+	cmake --preset $(PRESET)
 	cmake --build $(BUILD) -j $(JOBS)
 
 packages:
@@ -58,7 +58,7 @@ bench: all
 	scripts/bench.sh $(BUILD)
 
 # The generated references are compared by `make test`: they need every program.
-check: packages packages_check
+check: packages packages_view packages_check
 	scripts/check.sh
 	@$(CONFIGURE)
 	cmake --build $(BUILD) -j $(JOBS) --target burnish_check_tests

@@ -218,7 +218,8 @@ void method_block(App& app, const LobeReport& r, const MethodReport& m, std::siz
     number_row("f cos", rgb(m.f_cos));
     if (i < app.picked->albedos.size()) {
         const LobeAlbedo& a = app.picked->albedos[i];
-        const std::string text = fmt::format("{} +- {:.2g}", rgb(a.whole), a.error);
+        const std::string text =
+            fmt::format("{:.2f} {:.2f} {:.2f} +- {:.4f}", a.whole.x, a.whole.y, a.whole.z, a.error);
         if (a.gains_energy)
             ImGui::TextColored({1.0f, 0.45f, 0.4f, 1}, "albedo %s: gains energy", text.c_str());
         else

@@ -267,7 +267,7 @@ const std::vector<KeyBinding>& bindings() {
              (void)a;
          }},
         {"ctrl+shift+c", "copy the command line", [](App& a) { a.copy_command_line(); }},
-        {"f5", "reload shaders (BURNISH_SHADER_DIR)", [](App& a) { a.reload_shaders(); }},
+        {"f5", "reload shaders", [](App& a) { a.reload_shaders(); }},
         {"ctrl+q", "quit", [](App& a) { a.window.close(); }},
     };
     return all;
