@@ -8,7 +8,9 @@ set(BURNISH_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)
 install(TARGETS burnish EXPORT burnish_targets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${BURNISH_INCLUDE})
-install(TARGETS burnish_codecs LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET burnish_codecs)  # fuzzers have the codecs in the program
+    install(TARGETS burnish_codecs LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
 if(TARGET burnish_view)
     install(TARGETS burnish_view RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
