@@ -24,7 +24,8 @@ Bytes bytes_from(const std::string& text) {
 
 std::string little(std::uint32_t value, int count) {
     std::string text;
-    for (int i = 0; i < count; ++i) text += static_cast<char>(value >> 8 * i & 0xFFU);
+    for (int i = 0; i < count; ++i)
+        text += static_cast<char>(std::uint64_t{value} >> 8 * i & 0xFFU);
     return text;
 }
 

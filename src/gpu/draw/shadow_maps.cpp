@@ -117,7 +117,7 @@ bool ShadowMaps::has_images() const {
 }
 
 void ShadowMaps::make_images() {
-    if (!device_) device_.emplace();
+    if (!device_) device_ = Device{};
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, device_->texture.get());
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, side_, side_, count(), 0,

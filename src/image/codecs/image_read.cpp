@@ -319,8 +319,9 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options) 
 Texture read_texture(const std::filesystem::path& path, ColorSpace color_space,
                      std::vector<std::string>* warnings) {
     const std::string name = path.string();
-    return with_errors_of(
-        name, [&] { return decode_texture(read_image_file(path), name, color_space, warnings); });
+    return with_errors_of(name, [&] {
+        return oiio::decode_texture(read_image_file(path), name, color_space, warnings);
+    });
 }
 
 Texture decode_texture(std::span<const std::byte> bytes, const std::string& name,

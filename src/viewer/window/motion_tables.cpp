@@ -14,11 +14,12 @@ bool MotionTables::ready(gpu::Context& context, const std::vector<std::pair<Brdf
         if (!context.albedos().has(computed_.first, computed_.second))
             context.albedos().put(computed_.first, computed_.second, table);
     }
-    for (const auto& [brdf, mdf] : models) {
-        if (context.albedos().has(brdf, mdf)) continue;
+    for (const std::pair<Brdf, Mdf>& model : models) {
+        if (context.albedos().has(model.first, model.second)) continue;
         if (!work_.valid()) {
-            computed_ = {brdf, mdf};
-            work_ = std::async(std::launch::async, [brdf, mdf] { return albedo_table(brdf, mdf); });
+            computed_ = model;
+            work_ = std::async(std::launch::async,
+                               [model] { return albedo_table(model.first, model.second); });
         }
         return false;
     }
