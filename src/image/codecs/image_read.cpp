@@ -18,6 +18,7 @@
 #include "image/codecs/exr_window.hpp"
 #include "image/codecs/image_file.hpp"
 #include "image/codecs/image_metadata.hpp"
+#include "image/codecs/oiio_codecs.hpp"
 #include "image/codecs/subsampled_exr.hpp"
 #include "image/guard/container_checks.hpp"
 #include "image/guard/format.hpp"
