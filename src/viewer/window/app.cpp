@@ -143,34 +143,22 @@ void App::unset_parameter(std::string_view name) {
          [&](Document& d) { viewer::unset_parameter(d, name, own ? material : std::nullopt); });
 }
 
-void App::undo() {
+void App::step_history(bool forward) {
     generator.cancel(*this);
-    const std::shared_ptr<const Document> to = editor.history().undo_document();
-    if (!to) return say("nothing to undo");
+    const char* name = forward ? "redo" : "undo";
+    const History& history = editor.history();
+    const std::shared_ptr<const Document> to =
+        forward ? history.redo_document() : history.undo_document();
+    if (!to) return say(fmt::format("nothing to {}", name));
     try {
         if (needs_load(document(), *to)) {
-            load(*to, "undo",
-                 [this](const Document&, Stage stage) { editor.undo_loaded(std::move(stage)); });
+            load(*to, name, [this, forward](const Document&, Stage stage) {
+                forward ? editor.redo_loaded(std::move(stage))
+                        : editor.undo_loaded(std::move(stage));
+            });
             return;
         }
-        editor.undo();
-        after_change();
-    } catch (const std::exception& error) {
-        say(one_line(error.what()), true);
-    }
-}
-
-void App::redo() {
-    generator.cancel(*this);
-    const std::shared_ptr<const Document> to = editor.history().redo_document();
-    if (!to) return say("nothing to redo");
-    try {
-        if (needs_load(document(), *to)) {
-            load(*to, "redo",
-                 [this](const Document&, Stage stage) { editor.redo_loaded(std::move(stage)); });
-            return;
-        }
-        editor.redo();
+        forward ? editor.redo() : editor.undo();
         after_change();
     } catch (const std::exception& error) {
         say(one_line(error.what()), true);
@@ -213,9 +201,7 @@ void App::update() {
             const Camera moved =
                 orbited_by(editor.stage().camera, glm::dvec3(editor.stage().camera.target),
                            glm::two_pi<double>() * step / kTurn_s, 0);
-            edit("camera", "turntable", [&](Document& d) {
-                viewer::set_camera(d, moved.position, moved.target, fov_deg_of(moved));
-            });
+            move_camera(moved, "camera", "turntable");
         }
         last_motion_ = Clock::now();
     }

@@ -81,8 +81,10 @@ class App {
               const std::function<void(Document&)>& change);
     void set_parameter(std::string_view name, const ParameterValue& value);
     void unset_parameter(std::string_view name);
-    void undo();
-    void redo();
+    // The document's camera becomes this one.
+    void move_camera(const Camera& camera, std::string_view key, std::string_view name);
+    void undo() { step_history(false); }
+    void redo() { step_history(true); }
 
     // --- moves; pixels are those of the picture, in device pixels
     void drag(Drag kind, glm::dvec2 by_px);
@@ -153,6 +155,7 @@ class App {
   private:
     void load(Document document, std::string name, std::function<void(Document, Stage)> adopt);
     void after_change();
+    void step_history(bool forward);
     void autosave_now_and_then();
     void follow_files();
     void report_new_warnings();

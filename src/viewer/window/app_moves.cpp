@@ -19,9 +19,18 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 double fov_deg_of(const Camera& camera) {
-    if (!camera.orthographic) return glm::degrees(static_cast<double>(camera.yfov));
-    const double distance = static_cast<double>(glm::distance(camera.position, camera.target));
-    return glm::degrees(2 * std::atan(static_cast<double>(camera.ymag) / std::max(distance, 1e-9)));
+    double fov = static_cast<double>(camera.yfov);
+    if (camera.orthographic) {
+        const double distance = static_cast<double>(glm::distance(camera.position, camera.target));
+        fov = 2 * std::atan(static_cast<double>(camera.ymag) / std::max(distance, 1e-9));
+    }
+    return std::clamp(glm::degrees(fov), 1.0, 170.0);  // the range of camera_fov
+}
+
+void App::move_camera(const Camera& camera, std::string_view key, std::string_view name) {
+    edit(key, name, [&](Document& d) {
+        viewer::set_camera(d, camera.position, camera.target, fov_deg_of(camera));
+    });
 }
 
 int App::dragged_light() {
@@ -38,12 +47,7 @@ void App::drag(Drag kind, glm::dvec2 by) {
     last_motion_ = Clock::now();
     dragging_ = kind;
     const Camera& camera = editor.stage().camera;
-    const auto move_to = [&](const Camera& moved) {
-        edit("camera", "camera", [&](Document& d) {
-            viewer::set_camera(d, moved.position, moved.target,
-                               std::clamp(fov_deg_of(moved), 1.0, 170.0));
-        });
-    };
+    const auto move_to = [&](const Camera& moved) { move_camera(moved, "camera", "camera"); };
     switch (kind) {
         case Drag::orbit:
             return move_to(orbited(camera, by, picture_height));
@@ -87,20 +91,14 @@ void App::end_drag() {
 void App::zoom_at(glm::dvec2 pixel, double steps) {
     last_motion_ = Clock::now();
     const Camera moved = zoomed(editor.stage().camera, wheel_factor(steps), pixel, picture_size());
-    edit("camera", "camera", [&](Document& d) {
-        viewer::set_camera(d, moved.position, moved.target,
-                           std::clamp(fov_deg_of(moved), 1.0, 170.0));
-    });
+    move_camera(moved, "camera", "camera");
 }
 
 void App::frame_all() {
     const Bounds bounds = bounds_of(scene());
     const Camera moved = framed(editor.stage().camera, bounds,
                                 static_cast<double>(picture_width) / std::max(picture_height, 1));
-    edit({}, "frame", [&](Document& d) {
-        viewer::set_camera(d, moved.position, moved.target,
-                           std::clamp(fov_deg_of(moved), 1.0, 170.0));
-    });
+    move_camera(moved, {}, "frame");
 }
 
 void App::put_highlight(glm::dvec2 pixel) {

@@ -7,7 +7,7 @@
 
 namespace burnish::viewer {
 
-// Degrees. An orthographic camera that is moved becomes a perspective one that sees the same height at its
+// Degrees, 1 to 170. An orthographic camera that is moved becomes a perspective one that sees the same height at its
 // target.
 double fov_deg_of(const Camera& camera);
 

@@ -12,6 +12,7 @@ namespace burnish::viewer {
 namespace {
 
 constexpr int kLargestSide = 8192;
+constexpr double kRate = 30.0;  // frames a second that a moving picture holds
 // Shares of the resolution between which a moving picture chooses.
 constexpr std::array<double, 6> kScales = {1.0, 0.75, 0.55, 0.4, 0.3, 0.2};
 
@@ -230,9 +231,9 @@ void Picture::adapt_scale() {
         const auto index =
             static_cast<std::size_t>(place == kScales.end() ? 2 : place - kScales.begin());
         // Between 0.6 and 1 periods of the rate nothing changes, so that it does not swing.
-        if (period > 1.0 / rate_ && index + 1 < kScales.size()) {
+        if (period > 1.0 / kRate && index + 1 < kScales.size()) {
             moving_scale_ = kScales[index + 1];
-        } else if (period < 0.6 / rate_ && index > 0) {
+        } else if (period < 0.6 / kRate && index > 0) {
             moving_scale_ = kScales[index - 1];
         }
     }
@@ -320,11 +321,6 @@ Image Picture::shown(std::size_t index) const {
                 to[3 * x + c] = static_cast<float>(from[4 * x + c]) / 255.0f;
     }
     return image;
-}
-
-Image Picture::linear(std::size_t index) {
-    renderer_->select_series(static_cast<int>(index));
-    return renderer_->picture();
 }
 
 Image Picture::render(const Camera& camera, const RenderSettings& settings,

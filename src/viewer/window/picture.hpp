@@ -43,10 +43,9 @@ class Picture {
     void preview(const std::vector<ScratchPreview>& materials, const ScratchTextures& maps);
     void end_preview(const Editor& editor);
     bool previewing() const { return previewing_; }
-    // Size in device pixels, at most 8192 a side. `rate`: frames a second to hold while things move.
+    // Size in device pixels, at most 8192 a side.
     void set_size(int width, int height);
     void set_panes(std::vector<Pane> panes);
-    void set_rate(double frames_per_second) { rate_ = frames_per_second; }
     // While true, resolution and samples drop to hold the rate.
     void set_moving(bool moving);
     // Draws again from the first sample (shaders were reloaded).
@@ -67,9 +66,8 @@ class Picture {
     const Pane& pane(std::size_t index) const { return panes_[index]; }
     // A texture whose lower left corner is that of the pane; 0: nothing was drawn yet.
     unsigned texture(std::size_t index) const;
-    // Colors of a pane as the display has them, 8 bits, and the linear mean.
+    // Colors of a pane as the display has them, 8 bits.
     Image shown(std::size_t index) const;
-    Image linear(std::size_t index);
 
     gpu::Renderer& renderer() { return *renderer_; }
     // Another picture of the scene, of any size. Ends and restarts the panes.
@@ -105,7 +103,7 @@ class Picture {
     std::vector<int> samples_;
     int width_ = 1, height_ = 1;
     bool moving_ = false, begun_ = false, display_changed_ = false;
-    double rate_ = 30, moving_scale_ = 0.5, shown_scale_ = 1, sample_s_ = 0;
+    double moving_scale_ = 0.5, shown_scale_ = 1, sample_s_ = 0;
     std::optional<Clock::time_point> last_moving_frame_;
 };
 

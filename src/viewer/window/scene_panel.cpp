@@ -4,40 +4,26 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <numbers>
 
 #include "burnish/stage.hpp"
 #include "core/text.hpp"
 #include "gpu/device/program.hpp"
+#include "scene/camera/angles.hpp"
+#include "viewer/window/app_parts.hpp"
 #include "viewer/window/panels.hpp"
 
 namespace burnish::viewer {
 namespace {
 
-// Azimuth and elevation in degrees, as --light has them.
-glm::dvec2 angles_of(const Light& light) {
-    const glm::dvec3 to(-light.direction);
-    return {glm::degrees(std::atan2(to.x, to.z)),
-            glm::degrees(std::asin(std::clamp(to.y, -1.0, 1.0)))};
-}
-
-glm::vec3 direction_of(glm::dvec2 angles_deg) {
-    const double a = glm::radians(angles_deg.x), e = glm::radians(angles_deg.y);
-    return -glm::normalize(
-        glm::vec3(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)));
-}
-
 // Draws one light; true when it has changed.
 bool light_rows(Light& light) {
     bool changed = false;
     if (light.type == LightType::directional) {
-        const glm::dvec2 angles = angles_of(light);
-        float at[2] = {static_cast<float>(angles.x), static_cast<float>(angles.y)};
+        const DirectionAngles angles = angles_of(-glm::dvec3(light.direction));
+        float at[2] = {static_cast<float>(angles.azimuth_deg),
+                       static_cast<float>(angles.elevation_deg)};
         if (ImGui::DragFloat2("az, el", at, 0.5f, -360, 360, "%.1f deg")) {
-            light.direction = direction_of({at[0], std::clamp(at[1], -90.0f, 90.0f)});
+            light.direction = -glm::vec3(direction_at({at[0], std::clamp(at[1], -90.0f, 90.0f)}));
             changed = true;
         }
     } else {
@@ -148,7 +134,7 @@ void bookmarks(App& app) {
         const Camera& camera = app.editor.stage().camera;
         app.edit({}, "bookmarks", [&](Document& d) {
             d.bookmarks.push_back({fmt::format("view {}", d.bookmarks.size() + 1), camera.position,
-                                   camera.target, glm::degrees(static_cast<double>(camera.yfov))});
+                                   camera.target, fov_deg_of(camera)});
         });
     }
 }
