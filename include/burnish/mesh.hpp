@@ -4,6 +4,7 @@
 // one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -50,5 +51,11 @@ struct Bounds {
 // The box of all positions, those with a coordinate that is not finite left out; a point at the
 // origin when none is left.
 Bounds bounds_of(const Mesh& mesh);
+
+// About `triangles` triangles, or more where its topology asks for them, that stand for those of the mesh: three
+// indices each into its vertices, in an order that is quick to draw. Edges are collapsed in the order of their quadric
+// error (Garland and Heckbert 1997, by meshoptimizer); borders and seams of texture coordinates stay
+// closed. Empty where the mesh has no more than `triangles`.
+std::vector<std::uint32_t> coarse_indices(const Mesh& mesh, std::size_t triangles);
 
 }  // namespace burnish

@@ -18,6 +18,7 @@
 // environment is kept, meshes are on the device alone, a prepared environment is shared.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -90,6 +91,10 @@ class Renderer {
 
     int add_mesh(const Mesh& mesh);
     void update_mesh(int id, const Mesh& mesh);
+    // Triangles that stand for those of the mesh in pictures with RenderSettings::coarse: indices of
+    // its vertices, three each, as coarse_indices gives them. Empty: its own. They stay with the mesh
+    // on the device: set_scene keeps them for equal meshes. Ends series that are coarse.
+    void set_coarse_mesh(int id, std::span<const std::uint32_t> indices);
 
     int add_instance(const Instance& instance);
     void update_instance(int id, const Instance& instance);  // one that was removed is there again

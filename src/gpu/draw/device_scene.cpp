@@ -16,7 +16,6 @@ namespace burnish::gpu {
 struct DeviceScene::Placement {
     std::vector<DrawItem> items;
     Bounds bounds;
-    std::size_t triangles = 0;
     ShadowMaps shadows;
     Ground ground;
 };
@@ -72,10 +71,16 @@ MeshSlot DeviceScene::make_mesh(const Mesh& mesh) {
     for (const MeshSlot& other : meshes_)
         if (other.buffers->content() == content) slot.buffers = other.buffers;
     if (!slot.buffers) {
-        slot.buffers = std::make_shared<const MeshBuffers>(mesh);
+        slot.buffers = std::make_shared<MeshBuffers>(mesh);
         ++uploads_.meshes;
     }
     return slot;
+}
+
+std::size_t DeviceScene::triangles(bool coarse) const {
+    std::size_t sum = 0;
+    for (const DrawItem& item : items_) sum += mesh(item.mesh).triangles(coarse);
+    return sum;
 }
 
 DeviceScene::Placement DeviceScene::placement(const Instances& instances,
@@ -88,15 +93,14 @@ DeviceScene::Placement DeviceScene::placement(const Instances& instances,
     const Bounds bounds = gpu::bounds_of(items);
     std::size_t triangles = 0;
     for (const DrawItem& item : items)
-        triangles += meshes[static_cast<std::size_t>(item.mesh)].buffers->triangles();
-    return {std::move(items), bounds, triangles, ShadowMaps(light_list_, bounds),
+        triangles += meshes[static_cast<std::size_t>(item.mesh)].buffers->triangles(false);
+    return {std::move(items), bounds, ShadowMaps(light_list_, bounds),
             Ground(bounds, triangles, environment_source_)};
 }
 
 void DeviceScene::place(Placement placement) noexcept {
     items_ = std::move(placement.items);
     bounds_ = placement.bounds;
-    triangles_ = placement.triangles;
     placement.shadows.take_device(shadows_);
     shadows_ = std::move(placement.shadows);
     ground_ = std::move(placement.ground);
@@ -161,7 +165,7 @@ void DeviceScene::set_environment(const std::shared_ptr<const PreparedEnvironmen
         source = {prepared, &prepared->environment};
         ++uploads_.environments;
     }
-    ground_ = Ground(bounds_, triangles_, source);
+    ground_ = Ground(bounds_, triangles(), source);
     environment_source_ = std::move(source);
     environment_ = std::move(maps);
 }
@@ -257,6 +261,11 @@ void DeviceScene::update_mesh(int id, const Mesh& mesh) {
     meshes[checked(id, meshes.size(), "mesh")] = make_mesh(mesh);
     place(placement(instances_, meshes, materials_.size()));
     meshes_ = std::move(meshes);
+}
+
+void DeviceScene::set_coarse_mesh(int id, std::span<const std::uint32_t> indices) {
+    meshes_[checked(id, meshes_.size(), "mesh")].buffers->set_coarse(indices);
+    shadows_.invalidate();
 }
 
 int DeviceScene::add_instance(const Instance& instance) {

@@ -50,7 +50,7 @@ struct MaterialSlot {
 };
 
 struct MeshSlot {
-    std::shared_ptr<const MeshBuffers> buffers;
+    std::shared_ptr<MeshBuffers> buffers;
     Bounds bounds;
 };
 
@@ -69,6 +69,7 @@ class DeviceScene {
     void update_texture(int id, Texture texture, const Progress& progress);
     int add_mesh(const Mesh& mesh);
     void update_mesh(int id, const Mesh& mesh);
+    void set_coarse_mesh(int id, std::span<const std::uint32_t> indices);
     int add_instance(const Instance& instance);
     void update_instance(int id, const Instance& instance);
     void remove_instance(int id);
@@ -83,7 +84,7 @@ class DeviceScene {
     const MeshBuffers& mesh(int id) const { return *meshes_[static_cast<std::size_t>(id)].buffers; }
     const std::vector<DrawItem>& items() const { return items_; }
     const Bounds& bounds() const { return bounds_; }
-    std::size_t triangles() const { return triangles_; }
+    std::size_t triangles(bool coarse = false) const;  // of all instances
     bool any_tabulated() const;
     TextureStore& textures() { return textures_; }
     const LightUniforms& lights() const { return lights_; }
@@ -120,7 +121,6 @@ class DeviceScene {
 
     std::vector<DrawItem> items_;  // of the instances that exist
     Bounds bounds_;
-    std::size_t triangles_ = 0;
     LightUniforms lights_;
     ShadowMaps shadows_;
     Ground ground_;

@@ -29,6 +29,8 @@ int sky_light_count(std::size_t triangles) {
 
 // Drawings per lamp, shifted within a texel: the anti-aliasing of its shadow's edge.
 constexpr int kLampDraws = 16;
+// Number of the sky's lights for a coarse shadow: the shadow of a frame in motion.
+constexpr int kFewSkyLights = 6;
 // Half the square's side is half the model's diagonal and kHeights of its heights, room for long
 // shadows.
 constexpr float kHeights = 1.5f;
@@ -109,6 +111,7 @@ Ground::Ground(const Bounds& model, std::size_t triangles,
 void Ground::find_sky_lights() {
     if (environment_ == nullptr) return;
     sky_lights_ = sky_lights(*environment_, sky_light_count(triangles_));
+    few_sky_lights_ = sky_lights(*environment_, kFewSkyLights);
     for (const SkyLight& light : sky_lights_) sky_irradiance_ += light.irradiance;
     environment_.reset();
 }
@@ -157,6 +160,13 @@ void Ground::set_place(Program& program, const LightUniforms& lights, float scal
     program.set("u_ground_scale", scale);
 }
 
+bool Ground::is_made_for(const Sky& sky) const {
+    if (!made_ || (made_->sky.coarse && !sky.coarse)) return false;
+    Sky made = made_->sky;
+    made.coarse = sky.coarse;
+    return made == sky;
+}
+
 void Ground::require_programs(ProgramCache& programs, const LightUniforms& lights) {
     programs.get("fullscreen.vert", "ground_add.frag", light_defines(lights));
     programs.get("ground.vert", "ground.frag", light_defines(lights));
@@ -184,14 +194,14 @@ void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const Li
         add(tools, *shadow, i, {});
     }
     if (sky.intensity > 0.0f) {
-        for (std::size_t i = 0; i < sky_lights_.size(); ++i) {
+        const std::vector<SkyLight>& all = sky.coarse ? few_sky_lights_ : sky_lights_;
+        for (std::size_t i = 0; i < all.size(); ++i) {
             // Progress at every fourth light: cancellation is prompt, and the device rarely waits.
             if (i % 4 == 0) {
                 glFinish();
-                progress.step(kStage,
-                              static_cast<double>(i) / static_cast<double>(sky_lights_.size()));
+                progress.step(kStage, static_cast<double>(i) / static_cast<double>(all.size()));
             }
-            const SkyLight& light = sky_lights_[i];
+            const SkyLight& light = all[i];
             add(tools, *shadow, -1,
                 {turned(light.direction, sky.rotation), light.irradiance * sky.intensity});
         }
@@ -213,7 +223,7 @@ void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& 
     const glm::mat4 flat = square * flattened(place, center_.y);
     Program& program =
         tools.programs.get("fullscreen.vert", "ground_add.frag", light_defines(tools.lights));
-    const int draws = light < 0 ? 1 : kLampDraws;
+    const int draws = light < 0 || shadow.sky.coarse ? 1 : kLampDraws;
     const Tile reach = reach_of(model_, flat);
     const Rectangle part{reach.x, reach.y, reach.width, reach.height};
     for (int i = 0; i < draws; ++i) {

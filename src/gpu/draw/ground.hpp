@@ -42,6 +42,7 @@ class Ground {
     struct Sky {
         float intensity = 1.0f;
         float rotation = 0.0f;  // radians about +y
+        bool coarse = false;    // by few lights and one drawing a lamp
         bool operator==(const Sky&) const = default;
     };
     // Draws all shadow casters by shadow.frag with this clip_from_world.
@@ -54,7 +55,8 @@ class Ground {
                  const Sky& sky, const DrawCasters& draw_casters, const Progress& progress);
     // Call after a change of lights or casters: the next require makes the shadow again.
     void invalidate() { made_.reset(); }
-    bool is_made_for(const Sky& sky) const { return made_ && made_->sky == sky; }
+    // A shadow that is not coarse serves where a coarse one would.
+    bool is_made_for(const Sky& sky) const;
     // Multiplies the picture by the shadow; `transparent`: writes the shadow's coverage to alpha.
     // Depth is tested. `clip_from_world` is that of the view.
     void paint(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
@@ -80,8 +82,8 @@ class Ground {
     glm::vec3 center_{0.0f};  // on the plane
     float half_ = 1.0f;       // half the square's side
     std::size_t triangles_ = 0;
-    std::shared_ptr<const Environment> environment_;  // kept until its lights are found
-    std::vector<SkyLight> sky_lights_;
+    std::shared_ptr<const Environment> environment_;     // kept until its lights are found
+    std::vector<SkyLight> sky_lights_, few_sky_lights_;  // few: for coarse shadows
     glm::vec3 sky_irradiance_{0.0f};
     std::unique_ptr<Shadow> made_;
 };

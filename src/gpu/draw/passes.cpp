@@ -87,14 +87,14 @@ void Painter::draw_fullscreen(Program& program, float depth) {
 }
 
 // Masked surfaces cast the shadow of all their triangles, blended ones none.
-void Painter::draw_casters(const glm::mat4& clip_from_world) {
+void Painter::draw_casters(const glm::mat4& clip_from_world, bool coarse) {
     Program& program = plain_program("surface.vert", "shadow.frag", true);
     program.use();
     program.set("u_clip_from_world", clip_from_world);
     for (const DrawItem& item : scene_.items()) {
         if (scene_.material(item.material).blended()) continue;
         program.set("u_world_from_local", item.world_from_local);
-        scene_.mesh(item.mesh).draw();
+        scene_.mesh(item.mesh).draw(coarse);
     }
 }
 
@@ -104,9 +104,11 @@ void Painter::draw_shadows(const Frame& frame) {
     casters.reserve(scene_.items().size());
     for (const DrawItem& item : scene_.items())
         casters.push_back(!scene_.material(item.material).blended());
-    shadows.set_casters(std::move(casters));
+    const bool coarse = frame.options->coarse;
+    shadows.set_casters(std::move(casters), coarse);
     for (int map = 0; map < shadows.count(); ++map)
-        if (!shadows.holds(map, frame.sample)) draw_casters(shadows.begin(map, frame.sample));
+        if (!shadows.holds(map, frame.sample))
+            draw_casters(shadows.begin(map, frame.sample), coarse);
 }
 
 void Painter::clear(const Frame& frame, Targets& targets) {
@@ -179,7 +181,7 @@ void Painter::write_gbuffer(const Frame& frame, const DrawItem& item) {
     program.use();
     program.set("u_clip_from_world", frame.view.clip_from_world);
     set_shared_uv(program, slot.material);
-    draw_item(program, item);
+    draw_item(program, item, frame.options->coarse);
 }
 
 void Painter::resolve_material(const Frame& frame, Targets& targets, int material,
@@ -194,12 +196,12 @@ void Painter::resolve_material(const Frame& frame, Targets& targets, int materia
 }
 
 // Sets the transform of an item and draws it.
-void Painter::draw_item(Program& program, const DrawItem& item) {
+void Painter::draw_item(Program& program, const DrawItem& item, bool coarse) {
     program.set("u_world_from_local", item.world_from_local);
     program.set("u_normal_from_local", item.normal_from_local);
     program.set("u_mirror", item.mirrored ? -1.0f : 1.0f);
     apply_culling(!scene_.material(item.material).material.double_sided, item.mirrored);
-    scene_.mesh(item.mesh).draw();
+    scene_.mesh(item.mesh).draw(coarse);
 }
 
 void Painter::paint_item(const Frame& frame, const DrawItem& item) {
@@ -208,7 +210,7 @@ void Painter::paint_item(const Frame& frame, const DrawItem& item) {
     Program& program = surface_program(slot, variant, false, true);
     program.use();
     set_surface(program, frame, item.material);
-    draw_item(program, item);
+    draw_item(program, item, frame.options->coarse);
 }
 
 void Painter::paint_gouraud(const Frame& frame, const DrawItem& item) {
@@ -216,7 +218,7 @@ void Painter::paint_gouraud(const Frame& frame, const DrawItem& item) {
     program.use();
     set_frame(program, frame);
     set_material(program, scene_.material(item.material).material, scene_.textures(), 0.0f);
-    draw_item(program, item);
+    draw_item(program, item, frame.options->coarse);
 }
 
 void Painter::paint_background(const Frame& frame) {

@@ -76,7 +76,7 @@ class Painter {
     bool defers(const Frame& frame, bool shape) const;
     bool shows_environment(const Frame& frame) const;
 
-    void draw_casters(const glm::mat4& clip_from_world);
+    void draw_casters(const glm::mat4& clip_from_world, bool coarse);
     void draw_shadows(const Frame& frame);
     void clear(const Frame& frame, Targets& targets);
     // Items that deferred shading has drawn are removed from `forward`.
@@ -84,7 +84,7 @@ class Painter {
     void write_gbuffer(const Frame& frame, const DrawItem& item);
     void resolve_material(const Frame& frame, Targets& targets, int material,
                           const DrawState& state);
-    void draw_item(Program& program, const DrawItem& item);
+    void draw_item(Program& program, const DrawItem& item, bool coarse);
     void paint_item(const Frame& frame, const DrawItem& item);
     void paint_gouraud(const Frame& frame, const DrawItem& item);
     void paint_background(const Frame& frame);

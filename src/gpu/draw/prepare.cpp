@@ -50,7 +50,7 @@ bool Painter::defers(const Frame& frame, bool shape) const {
     const double per_triangle = !context_.is_software() ? kHardwarePixels
                                 : shape                 ? kSoftwareTabulatedPixels
                                                         : kSoftwarePixels;
-    return static_cast<double>(scene_.triangles()) * per_triangle > pixels;
+    return static_cast<double>(scene_.triangles(frame.options->coarse)) * per_triangle > pixels;
 }
 
 Painter::Needs Painter::needs_of(const Frame& frame) {
@@ -198,8 +198,8 @@ void Painter::prepare_ground(const Frame& frame, const Progress& progress) {
     const bool lit = o.image_light != ImageLight::off;
     scene_.ground().require(
         context_.programs(), empty_.get(), scene_.lights(),
-        {lit ? o.environment_intensity : 0.0f, o.environment_rotation},
-        [&](const glm::mat4& clip) { draw_casters(clip); }, progress);
+        {lit ? o.environment_intensity : 0.0f, o.environment_rotation, o.coarse},
+        [&](const glm::mat4& clip) { draw_casters(clip, o.coarse); }, progress);
 }
 
 void Painter::prepare(const Frame& frame, bool ground, const Progress& progress) {

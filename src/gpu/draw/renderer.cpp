@@ -274,6 +274,13 @@ void Renderer::update_mesh(int id, const Mesh& mesh) {
     impl_->edit([&](DeviceScene& s) { s.update_mesh(id, mesh); });
 }
 
+void Renderer::set_coarse_mesh(int id, std::span<const std::uint32_t> indices) {
+    const Impl::Use use(*impl_);
+    impl_->scene.set_coarse_mesh(id, indices);
+    for (Impl::Slot& slot : impl_->slots)
+        if (slot.series && slot.series->settings.coarse) slot.series->stale = true;
+}
+
 int Renderer::add_instance(const Instance& instance) {
     return impl_->edit([&](DeviceScene& s) { return s.add_instance(instance); });
 }

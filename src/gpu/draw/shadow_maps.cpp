@@ -139,9 +139,14 @@ void ShadowMaps::make_images() {
     device_->layers = count();
 }
 
-void ShadowMaps::set_casters(std::vector<bool> casters) {
-    if (casters == casters_) return;
+void ShadowMaps::set_casters(std::vector<bool> casters, bool coarse) {
+    if (casters == casters_ && coarse == coarse_) return;
     casters_ = std::move(casters);
+    coarse_ = coarse;
+    invalidate();
+}
+
+void ShadowMaps::invalidate() {
     std::ranges::fill(drawn_, -1);
 }
 

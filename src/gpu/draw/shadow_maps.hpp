@@ -29,8 +29,10 @@ class ShadowMaps {
 
     int count() const { return static_cast<int>(maps_.size()); }
 
-    // Which of the drawn instances cast shadows. Others than before: every map has to be drawn again.
-    void set_casters(std::vector<bool> casters);
+    // Which of the drawn instances cast shadows, and whether by their coarse triangles. Others than
+    // before: every map has to be drawn again.
+    void set_casters(std::vector<bool> casters, bool coarse);
+    void invalidate();  // every map has to be drawn again
     // Whether the map is as begin() and the drawing after it have left it for this sample, so that it
     // need not be drawn: a map depends on the lights and the scene, with which the object is made anew,
     // and not on the camera.
@@ -64,6 +66,7 @@ class ShadowMaps {
     std::vector<glm::mat4> current_;   // as last drawn, with the shift
     std::vector<int> drawn_;           // sample of each map's last drawing; -1: none
     std::vector<bool> casters_;
+    bool coarse_ = false;
     int side_ = 0;
     std::optional<Device> device_;
 };

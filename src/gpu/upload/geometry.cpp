@@ -85,6 +85,26 @@ bool finite(const glm::mat4& m) {
     return true;
 }
 
+// `n`: the number of vertices.
+void require_triangles(const std::string& name, std::span<const std::uint32_t> indices,
+                       std::size_t n) {
+    if (indices.size() % 3 != 0 ||
+        indices.size() > static_cast<std::size_t>(std::numeric_limits<GLsizei>::max())) {
+        throw Error(name, "indices", "three a triangle, below 2^31",
+                    std::to_string(indices.size()));
+    }
+    const auto highest = std::ranges::max_element(indices);
+    if (highest != indices.end() && *highest >= n) {
+        throw Error(name, "indices", "below " + std::to_string(n), std::to_string(*highest));
+    }
+}
+
+void upload_indices(std::span<const std::uint32_t> indices) {
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
+                 GL_STATIC_DRAW);
+}
+
 }  // namespace
 
 void require_sound(const Mesh& mesh) {
@@ -98,16 +118,7 @@ void require_sound(const Mesh& mesh) {
     if (mesh.normals.empty() && n > 0) {
         throw Error(name_of_mesh(mesh), "normals", "one a vertex", "none");
     }
-    if (mesh.indices.size() % 3 != 0 ||
-        mesh.indices.size() > static_cast<std::size_t>(std::numeric_limits<GLsizei>::max())) {
-        throw Error(name_of_mesh(mesh), "indices", "three a triangle, below 2^31",
-                    std::to_string(mesh.indices.size()));
-    }
-    const auto highest = std::ranges::max_element(mesh.indices);
-    if (highest != mesh.indices.end() && *highest >= n) {
-        throw Error(name_of_mesh(mesh), "indices", "below " + std::to_string(n),
-                    std::to_string(*highest));
-    }
+    require_triangles(name_of_mesh(mesh), mesh.indices, n);
 }
 
 std::uint64_t content_of(const Mesh& mesh) {
@@ -133,6 +144,7 @@ MeshBuffers::MeshBuffers(const Mesh& mesh) : content_(content_of(mesh)) {
     index_count_ = static_cast<GLsizei>(mesh.indices.size());
     has_color_ = !mesh.colors.empty();
     if (mesh.positions.empty()) index_count_ = 0;
+    vertex_count_ = static_cast<GLsizei>(mesh.positions.size());
     glBindVertexArray(array_.get());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
     Interleaver interleaver;
@@ -144,22 +156,38 @@ MeshBuffers::MeshBuffers(const Mesh& mesh) : content_(content_of(mesh)) {
     interleaver.add(Location::color, mesh.colors);
     interleaver.upload();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
-                 mesh.indices.data(), GL_STATIC_DRAW);
+    upload_indices(mesh.indices);
     glBindVertexArray(0);
     check_gl(("uploading " + name_of_mesh(mesh)).c_str());
 }
 
-void MeshBuffers::draw() const {
-    if (index_count_ == 0) return;
+void MeshBuffers::set_coarse(std::span<const std::uint32_t> indices) {
+    require_triangles("coarse mesh", indices, static_cast<std::size_t>(vertex_count_));
+    coarse_count_ = static_cast<GLsizei>(indices.size());
+    coarse_.reset();
+    if (indices.empty()) return;
+    coarse_.emplace();
+    // The binding of indices is part of the vertex array.
+    glBindVertexArray(array_.get());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, coarse_->get());
+    upload_indices(indices);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
+    glBindVertexArray(0);
+    check_gl("uploading a coarse mesh");
+}
+
+void MeshBuffers::draw(bool coarse) const {
+    if (count(coarse) == 0) return;
     // Constants for the attributes that a mesh lacks.
     glVertexAttrib4f(Location::tangent, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::texcoord0, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::texcoord1, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::color, 1.0f, 1.0f, 1.0f, 1.0f);
     glBindVertexArray(array_.get());
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    const bool by_coarse = coarse && coarse_count_ > 0;
+    if (by_coarse) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, coarse_->get());
+    glDrawElements(GL_TRIANGLES, count(coarse), GL_UNSIGNED_INT, nullptr);
+    if (by_coarse) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
     glBindVertexArray(0);
 }
 

@@ -24,17 +24,25 @@ class MeshBuffers {
   public:
     explicit MeshBuffers(const Mesh& mesh);
 
-    void draw() const;
+    // Triangles that draw(true) draws in place of the mesh's: three indices of its vertices each.
+    // Empty: the mesh's. Throws Error for an index out of range.
+    void set_coarse(std::span<const std::uint32_t> indices);
+    void draw(bool coarse) const;
     // A hash: equal for equal meshes, and different for others except in one case in 2^64.
     std::uint64_t content() const { return content_; }
     bool has_color() const { return has_color_; }
-    std::size_t triangles() const { return static_cast<std::size_t>(index_count_) / 3; }
+    std::size_t triangles(bool coarse) const { return static_cast<std::size_t>(count(coarse)) / 3; }
 
   private:
+    GLsizei count(bool coarse) const {
+        return coarse && coarse_count_ > 0 ? coarse_count_ : index_count_;
+    }
+
     VertexArray array_;
     Buffer vertices_;
     Buffer indices_;
-    GLsizei index_count_ = 0;
+    std::optional<Buffer> coarse_;
+    GLsizei vertex_count_ = 0, index_count_ = 0, coarse_count_ = 0;
     bool has_color_ = false;
     std::uint64_t content_ = 0;
 };

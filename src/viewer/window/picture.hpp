@@ -16,7 +16,7 @@
 #include "burnish/renderer.hpp"
 #include "viewer/document/editor.hpp"
 #include "viewer/generate/scratches.hpp"
-#include "viewer/window/motion_tables.hpp"
+#include "viewer/window/motion_data.hpp"
 
 namespace burnish::viewer {
 
@@ -78,6 +78,7 @@ class Picture {
     using Clock = std::chrono::steady_clock;
 
     RenderSettings pane_settings(const Pane& pane) const;
+    RenderSettings settings_in_motion(RenderSettings settings, bool prepared) const;
     gpu::PixelRegion region_of(const Pane& pane, int width, int height) const;
     void begin_panes();
     void present_panes();
@@ -96,6 +97,7 @@ class Picture {
     ToneMap tone_map_ = ToneMap::khronos_neutral;
     bool any_tabulated_ = false, lit_ = false;
     MotionTables tables_;
+    MotionMeshes meshes_;
     std::vector<std::pair<Brdf, Mdf>> models_;  // of the materials
     bool motion_prepared_ = false;
     std::vector<Pane> panes_{Pane{}};
