@@ -97,7 +97,7 @@ log change_s' builtin:torus
 rest() {
     run idle 'set samples 4
 wait rest
-wait seconds 8
+wait seconds 30
 wait seconds 10
 log idle_cpu' builtin:torus
     {

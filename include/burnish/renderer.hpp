@@ -121,6 +121,8 @@ class Renderer {
     // for a region that is empty or leaves the picture.
     void begin(const Camera& camera, const RenderSettings& settings,
                const std::optional<PixelRegion>& region = {});
+    // The pass that SurfacePass::automatic takes for a picture with these settings.
+    SurfacePass pass_of(const RenderSettings& settings) const;
     void add_sample();  // Error when nothing was begun
     int samples_done() const;
     // The mean so far as a display shows it, sRGB-encoded RGBA, into the lower left width x height

@@ -46,6 +46,8 @@ class Painter {
     void accumulate(Targets& targets);
 
     bool sees_ground(const Frame& frame);
+    // Whether opaque surfaces are drawn deferred; `shape`: some of them are tabulated.
+    bool defers(const Frame& frame, bool shape) const;
     GLuint empty_vertex_array() const { return empty_.get(); }
 
   private:
@@ -73,7 +75,6 @@ class Painter {
     Program& gouraud_program(bool wait);
     Program& plain_program(const char* vertex, const char* fragment, bool wait);
     bool can_defer(const Frame& frame, const DrawItem& item);
-    bool defers(const Frame& frame, bool shape) const;
     bool shows_environment(const Frame& frame) const;
 
     void draw_casters(const glm::mat4& clip_from_world, bool coarse);

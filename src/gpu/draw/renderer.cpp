@@ -329,6 +329,13 @@ void Renderer::begin(const Camera& camera, const RenderSettings& settings,
     impl_->start({});
 }
 
+SurfacePass Renderer::pass_of(const RenderSettings& settings) const {
+    Frame frame;
+    frame.options = &settings;
+    const bool deferred = impl_->painter.defers(frame, impl_->scene.any_tabulated());
+    return deferred ? SurfacePass::deferred : SurfacePass::forward;
+}
+
 void Renderer::add_sample() {
     std::optional<Impl::Series>& series = impl_->slot().series;
     if (!series) throw Error("add_sample", "", "begin before it", "none");

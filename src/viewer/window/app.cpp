@@ -183,7 +183,7 @@ bool App::needs_frames() const {
 }
 
 bool App::needs_slow_frames() const {
-    return loader_.running() || picture.prepares_motion() ||
+    return loader_.running() || picture.prepares() ||
            document().compare.mode == CompareMode::blink || has_fresh_message() != message_shown_;
 }
 

@@ -16,7 +16,8 @@ constexpr int kSeriesOfPreparation = 15;  // no pane's
 // Triangles of a picture in motion. llvmpipe takes 0.2 s of processor time for a million on 2026's
 // processors: these take 5 ms of a frame. Hardware draws two million in about as long; not measured.
 constexpr std::size_t kSoftwareTriangles = 25'000, kHardwareTriangles = 2'000'000;
-constexpr double kRate = 30.0;  // frames a second that a moving picture holds
+constexpr double kQuiet_s = 0.5;  // at rest, before programs for changes are compiled
+constexpr double kRate = 30.0;    // frames a second that a moving picture holds
 // Shares of the resolution between which a moving picture chooses.
 constexpr std::array<double, 6> kScales = {1.0, 0.75, 0.55, 0.4, 0.3, 0.2};
 
@@ -59,7 +60,7 @@ struct Picture::Shown {
 };
 
 Picture::Picture(gpu::Context& context)
-    : context_(context), renderer_(std::make_unique<gpu::Renderer>(context)) {}
+    : context_(context), renderer_(std::make_unique<gpu::Renderer>(context)), warm_up_(context) {}
 
 Picture::~Picture() = default;
 
@@ -105,6 +106,11 @@ void Picture::follow(const Editor& editor) {
     tone_map_ = stage.tone_map;
     display_changed_ = true;
     if (!display_only) begun_ = false;
+    const auto same = [&](std::uint64_t Revisions::*part) { return now.*part == before.*part; };
+    if (first || !same(&Revisions::scene) || !same(&Revisions::materials) ||
+        !same(&Revisions::textures) || !same(&Revisions::lights) ||
+        !same(&Revisions::environment) || !same(&Revisions::settings))
+        warm_up_.follow(stage, renderer_->pass_of(settings_));
     followed_ = now;
 }
 
@@ -249,8 +255,9 @@ void Picture::adapt_scale() {
     last_moving_frame_ = now;
 }
 
-bool Picture::prepares_motion() const {
-    return followed_ && ((!motion_prepared_ && !any_tabulated_) || meshes_.working());
+bool Picture::prepares() const {
+    return followed_ &&
+           ((!motion_prepared_ && !any_tabulated_) || meshes_.working() || !warm_up_.done());
 }
 
 // At rest: the first frame of a motion then compiles and blurs nothing. Programs are compiled whole
@@ -279,9 +286,12 @@ bool Picture::refine(double budget_s) {
         begun_ = false;  // every frame of a motion is a picture of its own
     }
     if (at_rest()) {
+        if (!rest_since_) rest_since_ = Clock::now();
         prepare_motion();
+        if (seconds_since(*rest_since_) > kQuiet_s) warm_up_.step();
         return false;
     }
+    rest_since_.reset();
     if (!begun_) begin_panes();
     const auto start = Clock::now();
     bool added = true;

@@ -17,6 +17,7 @@
 #include "viewer/document/editor.hpp"
 #include "viewer/generate/scratches.hpp"
 #include "viewer/window/motion_data.hpp"
+#include "viewer/window/warm_up.hpp"
 
 namespace burnish::viewer {
 
@@ -55,8 +56,8 @@ class Picture {
     // Returns false when every pane was at rest.
     bool refine(double budget_s);
     bool at_rest() const;
-    // At rest, refine() still prepares what the first frame of a motion needs.
-    bool prepares_motion() const;
+    // At rest, refine() still prepares what a motion or a change of the model needs.
+    bool prepares() const;
     int samples() const;  // of the pane that has fewest
     int wanted_samples() const { return settings_.samples; }
     double scale() const { return shown_scale_; }  // of the resolution shown
@@ -98,8 +99,10 @@ class Picture {
     bool any_tabulated_ = false, lit_ = false;
     MotionTables tables_;
     MotionMeshes meshes_;
+    WarmUp warm_up_;
     std::vector<std::pair<Brdf, Mdf>> models_;  // of the materials
     bool motion_prepared_ = false;
+    std::optional<Clock::time_point> rest_since_;
     std::vector<Pane> panes_{Pane{}};
     std::vector<std::unique_ptr<Shown>> shown_;
     std::vector<int> samples_;
