@@ -64,6 +64,15 @@ TEST_F(Edit, OfAMethodAndALobeUploadsNothing) {
               UploadCounts{});
 }
 
+// Blended surfaces cast no shadow: maps that were drawn for the scene before are drawn again.
+TEST_F(Edit, OfCoverageUploadsNothingAndChangesTheShadows) {
+    EXPECT_EQ(expect_as_new([](Renderer& renderer, Scene& scene) {
+                  scene.materials[1].alpha_mode = AlphaMode::blend;
+                  renderer.update_material(1, scene.materials[1]);
+              }),
+              UploadCounts{});
+}
+
 TEST_F(Edit, OfTheFilterOfANormalMapUploadsItsOtherForm) {
     EXPECT_EQ(expect_as_new([](Renderer& renderer, Scene& scene) {
                   scene.materials[0].normal_filter = NormalFilter::mips;
