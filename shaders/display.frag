@@ -9,6 +9,7 @@ uniform ivec2 u_size;         // of the picture, in the lower left of u_sum
 uniform float u_share;        // 1 / samples
 uniform float u_gain;         // 2^EV
 uniform int u_tone_map;       // kToneMap...
+uniform int u_albedo;         // 1: the sum is of albedos, which are shown by their scale
 uniform float u_transparent;  // 1: alpha is coverage, and the sum's color is premultiplied by it
 
 layout(location = 0) out vec4 o_color;
@@ -26,5 +27,6 @@ void main() {
     // An alpha below 1e-6 is rounding error and must not divide.
     float each = !transparent ? u_share : alpha > 1e-6 ? u_share / alpha : 0.0;
     vec3 radiance = vec3(writable(sum.r * each), writable(sum.g * each), writable(sum.b * each));
+    if (u_albedo > 0) { radiance = color_of_albedo(radiance); }
     o_color = vec4(display_color(u_tone_map, radiance * u_gain), alpha);
 }

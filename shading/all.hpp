@@ -20,6 +20,7 @@
 #include "shading/brdf/cosine_lobe.glsl"
 #include "shading/display/color.glsl"
 #include "shading/display/tone_map.glsl"
+#include "shading/display/scale.glsl"
 #include "shading/surface/normal.glsl"
 #include "shading/surface/roughness.glsl"
 #include "shading/surface/tangent.glsl"

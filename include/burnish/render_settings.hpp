@@ -40,7 +40,8 @@ enum class SurfacePass {
 // What a picture shows of every surface: the radiance towards the eye, or a quantity behind it, for
 // looking for the cause of a picture. A quantity is shown as a color that tone map `linear`
 // and exposure 0 display: vectors v as (v + 1) / 2, numbers from dark blue (0) to light yellow (the
-// highest value named below). Blended surfaces are drawn as opaque ones, and there is no background.
+// highest value named below). Blended surfaces are drawn as opaque ones, and there is no background. The
+// albedo needs no light and sees neither shadow nor occlusion; its color is that of the mean of all samples.
 enum class SurfaceView {
     radiance,
     normal,            // geometric, of the world
@@ -52,7 +53,11 @@ enum class SurfaceView {
     tilt,     // |d|, the sine of the angle between n and n~: 0 to 1
     texture_coordinates,  // (u, v) modulo 1 in red and green, a checker of whole units
     slope_variance,       // that the normal map adds, square root along the larger axis: 0 to 1
-    not_finite,           // magenta where the radiance is infinite or no number, else gray
+    moments,         // of the slopes under the mip of the normal map, as square roots: deviations
+                     // along tangent (red) and bitangent (green); blue: signed root of covariance
+    albedo,          // of the whole surface towards the eye, sampled in a white furnace: gray 0 to
+                     // 1; red where the lobe gains energy, darker up to 2
+    not_finite,      // magenta where the radiance is infinite or no number, else gray
     highlight_error  // angle from the peak of the lobe to that of follow-grain: 0 to 45 degrees
 };
 std::span<const std::string_view> surface_view_names();  // in the order of the enumeration

@@ -18,10 +18,13 @@
 // environment is kept, meshes are on the device alone, a prepared environment is shared.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "burnish/api.hpp"
@@ -45,6 +48,30 @@ struct FrameTimes {
     double wall_s = 0;
     double cpu_s = 0;                // processor time of all threads of the program
     std::optional<double> device_s;  // as the device's timer says, true or not (device_timer.hpp)
+};
+
+// What a sample is drawn by, in this order. `display` is no part of a sample: it is what present does.
+enum class Pass {
+    shadow_maps,
+    surface_data,  // normals, tangents and texture coordinates, for deferred shading
+    shading,       // of opaque surfaces, lights and image light together
+    background,
+    ground,   // the shadow on it
+    blended,  // surfaces
+    sum,      // of samples
+    display   // exposure, tone map, encoding
+};
+inline constexpr std::size_t kPassCount = 8;
+std::span<const std::string_view> pass_names();  // in the order of the enumeration
+
+// Seconds by Pass, of a number of samples and of calls of present together.
+struct PassTimes {
+    std::array<double, kPassCount> seconds{};
+    int samples = 0;
+    int presents = 0;
+    // True: by queries of the device, which change nothing. False, on software renderers: by the clock,
+    // every pass waiting for the one before, which makes frames longer than they are otherwise.
+    bool by_device = false;
 };
 
 // Pixels of a picture; (0, 0) is the lower left one.
@@ -147,6 +174,13 @@ class Renderer {
     // Their wall seconds, after one frame that warms up.
     double time_frames(const Camera& camera, const RenderSettings& settings, int frames,
                        ShadingVariant variant = ShadingVariant::full);
+
+    // From now on the passes of add_sample and present are timed, or no longer, as at first. While off,
+    // it costs nothing. Not during measure_frames.
+    void measure_passes(bool on);
+    // What was measured since the last call. It waits for the device where that is not done: best asked
+    // for in the next frame.
+    PassTimes take_pass_times();
 
     // For tests and benchmarks: uploads since the renderer was made.
     UploadCounts uploads() const;

@@ -1,5 +1,5 @@
 // Light of the environment: cube maps of radiance with mips, of radiance blurred by lobes, and of
-// irradiance.
+// irradiance. FURNACE: a uniform white one in its place.
 
 uniform samplerCube u_environment;
 uniform samplerCube u_lobes;           // level l: blurred by GGX of alpha 2^(u_lobe_log2_alpha + l); 0 sharp
@@ -16,6 +16,11 @@ vec3 environment_direction(vec3 w) {
     return vec3(r.x * w.x - r.y * w.z, w.y, r.y * w.x + r.x * w.z);
 }
 
+#ifdef FURNACE
+// A white furnace: radiance 1 from everywhere, so that what a surface reflects is its albedo.
+vec3 environment_radiance(vec3 w, float lod) { return vec3(1.0); }
+vec3 environment_irradiance(vec3 n) { return vec3(1.0); }
+#else
 vec3 environment_radiance(vec3 w, float lod) {
     return textureLod(u_environment, environment_direction(w), lod).rgb * u_environment_scale;
 }
@@ -23,6 +28,7 @@ vec3 environment_radiance(vec3 w, float lod) {
 vec3 environment_irradiance(vec3 n) {
     return textureLod(u_irradiance, environment_direction(n), 0.0).rgb * u_environment_scale;
 }
+#endif
 
 // The mip level whose texels cover `solid_angle`; a texel of the finest covers 4 pi / (6 face^2) on
 // average.

@@ -92,6 +92,17 @@ vec3 reflected_by_cloth(Surface s, Shading m, Frame a) {
 #include "shaders/lib/tabulated_texels.glsl"
 #endif
 
+// Reflected radiance, of every kind of surface.
+vec3 reflected_by_surface(Surface s, Shading m, Frame a) {
+#ifdef CLOTH
+    return reflected_by_cloth(s, m, a);
+#elif defined(TABULATED)
+    return reflected_by_texels(s, m, a);
+#else
+    return reflected(s, m, a);
+#endif
+}
+
 // Radiance and alpha, premultiplied when BLEND.
 vec4 shade(Surface s) {
     Shading m = shading_at(s);
@@ -99,13 +110,7 @@ vec4 shade(Surface s) {
     if (m.alpha < u_alpha_cutoff) { discard; }
 #endif
     Frame a = surface_frame(s.normal, s.tangent.xyz, s.tangent.w, s.front ? 1.0 : -1.0, s.to_eye);
-#ifdef CLOTH
-    vec3 radiance = emission_at(s) + reflected_by_cloth(s, m, a);
-#elif defined(TABULATED)
-    vec3 radiance = emission_at(s) + reflected_by_texels(s, m, a);
-#else
-    vec3 radiance = emission_at(s) + reflected(s, m, a);
-#endif
+    vec3 radiance = emission_at(s) + reflected_by_surface(s, m, a);
 #ifdef BLEND
     float coverage = finite_coverage(m.alpha);
     return vec4(finite_radiance(radiance) * coverage, coverage);

@@ -1,5 +1,19 @@
 // A quantity behind the picture as a color (SurfaceView of burnish/render_settings.hpp). Included after
-// shade.glsl.
+// shade.glsl. FURNACE: the albedo, which display.frag shows as a color, because a mean of colors of noisy
+// albedos is not the color of their mean.
+
+#ifdef FURNACE
+
+vec3 surface_view(Surface s) {
+    Shading m = shading_at(s);
+#ifdef MASK
+    if (m.alpha < u_alpha_cutoff) { discard; }
+#endif
+    Frame a = surface_frame(s.normal, s.tangent.xyz, s.tangent.w, s.front ? 1.0 : -1.0, s.to_eye);
+    return finite_radiance(reflected_by_surface(s, m, a));
+}
+
+#else
 
 uniform int u_view;  // kView... below
 
@@ -12,26 +26,12 @@ const int kViewAlphaY = 6;
 const int kViewTilt = 7;
 const int kViewTextureCoordinates = 8;
 const int kViewSlopeVariance = 9;
-const int kViewNotFinite = 10;
-const int kViewHighlightError = 11;
+const int kViewMoments = 10;
+const int kViewNotFinite = 12;
+const int kViewHighlightError = 13;
 
 // The largest angle that the view of the highlight error tells apart.
 const float kMostHighlightError = 0.78539816;  // 45 degrees
-
-// Linear color that a display encodes to `encoded`.
-vec3 shown_as(vec3 encoded) {
-    vec3 c = clamp(encoded, 0.0, 1.0);
-    return vec3(linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b));
-}
-
-// From dark blue (0) by blue-green to light yellow (1): lightness rises all the way, so that the
-// scale reads in gray and to color-blind eyes.
-vec3 color_of_number(float number) {
-    float x = clamp(number, 0.0, 1.0) * 3.0;
-    vec3 low = mix(vec3(0.10, 0.07, 0.28), vec3(0.13, 0.36, 0.55), clamp(x, 0.0, 1.0));
-    vec3 high = mix(vec3(0.24, 0.66, 0.53), vec3(0.98, 0.95, 0.60), clamp(x - 2.0, 0.0, 1.0));
-    return shown_as(mix(low, high, clamp(x - 1.0, 0.0, 1.0)));
-}
 
 vec3 color_of_vector(vec3 v) { return shown_as(0.5 + 0.5 * v); }
 
@@ -65,14 +65,21 @@ float slope_deviation(Surface s, Shading m) {
 #endif
 }
 
-vec3 radiance_of(Surface s, Shading m, Frame a) {
-#ifdef CLOTH
-    return emission_at(s) + reflected_by_cloth(s, m, a);
-#elif defined(TABULATED)
-    return emission_at(s) + reflected_by_texels(s, m, a);
-#else
-    return emission_at(s) + reflected(s, m, a);
+#if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
+uniform sampler2D u_slope_covariance;  // its mips lie over those of u_normal_map
 #endif
+
+// Moments of the slopes that the mip of the normal map covers. Red and green: the standard deviations
+// along the tangent and the bitangent; blue: the root of the covariance, with its sign, from -1 to 1.
+// All on a scale of square roots, on which a deviation of 0.01 is still seen.
+vec3 color_of_moments(Surface s) {
+    vec3 moments = vec3(0.0);
+#if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
+    moments.xy = MAP_AT(u_normal_map, 2).zw * u_normal_scale * u_normal_scale;
+    moments.z = MAP_AT(u_slope_covariance, 2).r * u_normal_scale.x * u_normal_scale.y;
+#endif
+    vec3 shown = sqrt(sqrt(abs(moments)));
+    return shown_as(vec3(shown.xy, 0.5 + 0.5 * sign(moments.z) * shown.z));
 }
 
 vec3 color_of_finiteness(vec3 radiance) {
@@ -87,7 +94,7 @@ vec3 surface_view(Surface s) {
     if (m.alpha < u_alpha_cutoff) { discard; }
 #endif
     Frame a = surface_frame(s.normal, s.tangent.xyz, s.tangent.w, s.front ? 1.0 : -1.0, s.to_eye);
-    if (u_view == kViewNotFinite) { return color_of_finiteness(radiance_of(s, m, a)); }
+    if (u_view == kViewNotFinite) { return color_of_finiteness(emission_at(s) + reflected_by_surface(s, m, a)); }
     vec2 place = s.uv.xy;
 #ifdef CLOTH
     put_yarn(m, cloth_place(s).at);
@@ -102,6 +109,7 @@ vec3 surface_view(Surface s) {
     if (u_view == kViewTilt) { return color_of_number(length(p.n.xy)); }
     if (u_view == kViewTextureCoordinates) { return color_of_place(place); }
     if (u_view == kViewSlopeVariance) { return color_of_number(slope_deviation(s, m)); }
+    if (u_view == kViewMoments) { return color_of_moments(s); }
     if (u_view == kViewHighlightError) {
         float angle = acos(clamp(dot(lobe_peak(p), p.n), -1.0, 1.0));
         return color_of_number(angle / kMostHighlightError);
@@ -114,3 +122,5 @@ vec3 surface_view(Surface s) {
                                                  : lobe_alpha_y(m.surface.lobe));
 #endif
 }
+
+#endif

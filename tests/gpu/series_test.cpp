@@ -1,5 +1,6 @@
 // Series of samples for a window: begin, add_sample, present, picture.
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -95,6 +96,75 @@ TEST_F(Series, IsShownAsToDisplayHasIt) {
             }
         }
     }
+}
+
+// The color of the albedo is made on the device here and on the processor there.
+TEST_F(Series, ShowsTheAlbedoAsItsPictureIs) {
+    scene_.materials[0].method = Method::normal_map;  // gains energy: red as well as gray
+    scene_.materials[0].lobe = AlphaLobe{{0.1f, 0.4f}};
+    scene_.textures[0] = bump_texture(32, 4, 1.0f);
+    Renderer renderer(*context, scene_, nullptr);
+    for (const BackgroundKind background : {BackgroundKind::color, BackgroundKind::transparent}) {
+        RenderSettings o = settings();
+        o.view = SurfaceView::albedo;
+        o.background = background;
+        renderer.begin(camera(), o);
+        renderer.add_sample();
+        renderer.add_sample();
+        const Window window(o.width, o.height);
+        renderer.present(window.framebuffer(), o.width, o.height, 0.0, ToneMap::linear);
+        const Image picture = renderer.picture();
+        EXPECT_TRUE(
+            equal_pictures(window.shown(), to_display(picture, 0.0, ToneMap::linear), 1.0 / 255));
+        int red = 0;
+        for (int y = 0; y < o.height; ++y)
+            for (int x = 0; x < o.width; ++x)
+                red += picture.at(x, y)[0] > 2 * picture.at(x, y)[1] + 0.01f ? 1 : 0;
+        EXPECT_GT(red, 0);
+    }
+}
+
+TEST_F(Series, TimesThePassesThatItDraws) {
+    Renderer renderer(*context, scene_, &sky_);
+    const auto milliseconds = [](const gpu::PassTimes& times, gpu::Pass pass) {
+        return 1000 * times.seconds[static_cast<std::size_t>(pass)];
+    };
+    for (const SurfacePass surfaces : {SurfacePass::forward, SurfacePass::deferred}) {
+        RenderSettings o = settings();
+        o.shadows = true;
+        o.background = BackgroundKind::environment;
+        o.surface_pass = surfaces;
+        renderer.measure_passes(true);
+        renderer.begin(camera(), o);
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < 3; ++i) renderer.add_sample();
+        const Window window(o.width, o.height);
+        renderer.present(window.framebuffer(), o.width, o.height, 0.0, ToneMap::linear);
+        const gpu::PassTimes times = renderer.take_pass_times();
+        const double passed_ms =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                .count();
+        EXPECT_EQ(times.samples, 3);
+        EXPECT_EQ(times.presents, 1);
+        for (const gpu::Pass pass : {gpu::Pass::shadow_maps, gpu::Pass::shading,
+                                     gpu::Pass::background, gpu::Pass::sum, gpu::Pass::display})
+            EXPECT_GT(milliseconds(times, pass), 0)
+                << gpu::pass_names()[static_cast<std::size_t>(pass)];
+        EXPECT_EQ(milliseconds(times, gpu::Pass::surface_data) > 0,
+                  surfaces == SurfacePass::deferred);
+        EXPECT_EQ(milliseconds(times, gpu::Pass::ground), 0);
+        EXPECT_EQ(milliseconds(times, gpu::Pass::blended), 0);
+        double sum_ms = 0;
+        for (const double s : times.seconds) sum_ms += 1000 * s;
+        EXPECT_LE(sum_ms, passed_ms);
+        // By the clock, what lies between the passes is the work of the processor alone.
+        if (!times.by_device) {
+            EXPECT_GT(sum_ms, 0.3 * passed_ms);
+        }
+    }
+    renderer.measure_passes(false);
+    renderer.add_sample();
+    for (const double s : renderer.take_pass_times().seconds) EXPECT_EQ(s, 0);
 }
 
 TEST_F(Series, ShowsTheNearestPixelsInAWindowOfAnotherSize) {

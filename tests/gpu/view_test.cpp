@@ -1,12 +1,17 @@
 // Views of what is behind the picture, and series of samples side by side.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <regex>
+#include <string>
 #include <utility>
 
 #include "burnish/f64.hpp"
 #include "edited_scenes.hpp"
+#include "gpu/device/shader_source.hpp"
 #include "gpu_fixture.hpp"
 
 namespace burnish::test {
@@ -83,6 +88,109 @@ TEST_F(View, ErrorOfTheHighlightIsTheTiltWhereTheLobeDoesNotFollow) {
         const glm::vec3 zero = middle(tilted_plane(0.0, method), SurfaceView::tilt);
         EXPECT_LT(glm::distance(none, zero), kNear) << name_of(method);
     }
+}
+
+// "PerturbedNormal" as "perturbed-normal".
+std::string with_dashes(const std::string& words) {
+    std::string name;
+    for (const char c : words) {
+        if (std::isupper(static_cast<unsigned char>(c)) != 0 && !name.empty()) name += '-';
+        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return name;
+}
+
+// The shader has a number for every view but the radiance and the albedo, which are programs of their
+// own.
+TEST(ViewNumbers, AreThoseOfTheShader) {
+    const auto texts = gpu::shader_texts();
+    const auto found = std::ranges::find(texts, "shaders/lib/view.glsl", &gpu::ShaderText::name);
+    ASSERT_NE(found, texts.end());
+    const std::string text(found->text);
+    const std::regex constant("const int kView(\\w+) = (\\d+);");
+    std::map<std::string, std::size_t> in_shader;
+    for (std::sregex_iterator it(text.begin(), text.end(), constant), end; it != end; ++it)
+        in_shader[with_dashes((*it)[1])] = std::stoul((*it)[2]);
+    std::map<std::string, std::size_t> wanted;
+    for (std::size_t i = 0; i < surface_view_names().size(); ++i)
+        wanted[std::string(surface_view_names()[i])] = i;
+    EXPECT_EQ(wanted.at("radiance"), static_cast<std::size_t>(SurfaceView::radiance));
+    EXPECT_EQ(wanted.at("albedo"), static_cast<std::size_t>(SurfaceView::albedo));
+    EXPECT_EQ(wanted.at("highlight-error"), static_cast<std::size_t>(SurfaceView::highlight_error));
+    wanted.erase("radiance");
+    wanted.erase("albedo");
+    EXPECT_EQ(in_shader, wanted);
+}
+
+// Slopes of a map of 64 texels a side that vary together, differently in every block of 4 x 4.
+glm::dvec2 slope_at(int x, int y) {
+    const double along = std::sin(1.3 * x + 0.8 * y + 0.05 * x * y);
+    const double across = std::cos(0.7 * x - 1.9 * y);
+    return {0.5 * along + 0.15 * across, 0.35 * along * std::cos(0.2 * x) - 0.2 * across};
+}
+
+// A picture of 16 pixels a side, so that each covers the texel of mip 2 that lies under it. Moments are
+// computed over its 16 slopes as means of squares and products.
+TEST_F(View, MomentsAreThoseOfTheSlopesUnderAPixel) {
+    constexpr int kTexels = 64, kPixels = 16, kBlock = kTexels / kPixels;
+    std::vector<glm::vec3> texels;
+    for (int y = 0; y < kTexels; ++y)
+        for (int x = 0; x < kTexels; ++x) {
+            const glm::dvec2 s = slope_at(x, y);
+            texels.emplace_back(0.5 + 0.5 * glm::normalize(glm::dvec3(s, 1.0)));
+        }
+    Material material;
+    material.normal_texture.texture = 0;
+    for (const bool flip : {false, true}) {
+        material.normal_scale = flip ? 0.6f : 1.0f;
+        material.flip_green = flip;
+        Scene scene = one_object(unit_plane(), material);
+        scene.textures = {float_texture(kTexels, kTexels, texels)};
+        Renderer renderer(*context, scene, nullptr);
+        RenderSettings settings = small_picture(kPixels, kPixels);
+        settings.view = SurfaceView::moments;
+        settings.surface_pass = SurfacePass::forward;
+        const Image picture = renderer.render(camera_on_z(), settings);
+        const glm::dvec2 scale(flip ? 0.6 : 1.0, flip ? -0.6 : 1.0);
+        int below = 0, above = 0;
+        for (int y = 0; y < kPixels; ++y)
+            for (int x = 0; x < kPixels; ++x) {
+                glm::dvec2 sum(0.0), squares(0.0);
+                double products = 0;
+                for (int j = 0; j < kBlock; ++j)
+                    for (int i = 0; i < kBlock; ++i) {
+                        const glm::dvec2 s = slope_at(kBlock * x + i, kBlock * y + j) * scale;
+                        sum += s / 16.0;
+                        squares += s * s / 16.0;
+                        products += s.x * s.y / 16.0;
+                    }
+                const glm::dvec2 deviation = glm::sqrt(squares - sum * sum);
+                const double c = products - sum.x * sum.y;
+                below += c < -0.01 ? 1 : 0;
+                above += c > 0.01 ? 1 : 0;
+                const auto shown = [&](int k) {
+                    return f64::srgb_from_linear(static_cast<double>(picture.at(x, y)[k]));
+                };
+                // Back from the scale, whose roots would make a rounding error at 0 a large one.
+                // Measured on llvmpipe: 4e-5, by the fractions of its look-ups; half floats for
+                // pictures would make it 1e-3 of a deviation of 1.
+                const double root = 2 * shown(2) - 1;
+                const double covariance = std::copysign(std::pow(root, 4.0), root);
+                EXPECT_NEAR(shown(0) * shown(0), deviation.x, 1e-3) << x << ", " << y;
+                EXPECT_NEAR(shown(1) * shown(1), deviation.y, 1e-3) << x << ", " << y;
+                EXPECT_NEAR(covariance, c, 1e-3) << x << ", " << y;
+            }
+        EXPECT_GT(below, 20);
+        EXPECT_GT(above, 20);
+    }
+}
+
+// Without moments there is nothing to show: black, and the blue of a covariance of 0.
+TEST_F(View, MomentsAreZeroWhereTheNormalMapHasNone) {
+    const glm::vec3 none = middle(tilted_plane(0.3, Method::follow_grain), SurfaceView::moments);
+    EXPECT_NEAR(none.r, 0.0f, kNear);
+    EXPECT_NEAR(none.g, 0.0f, kNear);
+    EXPECT_NEAR(f64::srgb_from_linear(static_cast<double>(none.b)), 0.5, kNear);
 }
 
 TEST_F(View, EverySurfaceKindHasEveryView) {

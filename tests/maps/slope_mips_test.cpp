@@ -97,6 +97,50 @@ TEST(SlopeMips, EveryTexelHasTheMomentsOfWhatItCovers) {
     }
 }
 
+// E[s t] - E[s] E[t] over the texels below, in double: blocks of 2^level texels a side.
+TEST(SlopeMips, CovariancesAreThoseOfWhatATexelCovers) {
+    constexpr int kSize = 16;
+    const std::vector<SlopeLevel> levels = slope_mips(float_map(kSize, kSize, [](int x, int y) {
+        const double along = std::sin(0.9 * x + 0.7 * y);
+        return encoded(0.6 * along + 0.1 * std::cos(2.1 * y), -0.4 * along + 0.2 * x / kSize);
+    }));
+    const std::vector<std::vector<float>> covariances = slope_covariances(levels);
+    ASSERT_EQ(covariances.size(), levels.size());
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        const int side = levels[l].width, block = kSize / side;
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                double s = 0, t = 0, st = 0;
+                for (int j = 0; j < block; ++j) {
+                    for (int i = 0; i < block; ++i) {
+                        const SlopeTexel& f = at(levels[0], x * block + i, y * block + j);
+                        s += static_cast<double>(f.x);
+                        t += static_cast<double>(f.y);
+                        st += static_cast<double>(f.x) * static_cast<double>(f.y);
+                    }
+                }
+                const double n = block * block;
+                // Texels are floats near 1: 6e-8 each.
+                EXPECT_NEAR(covariances[l][static_cast<std::size_t>(y * side + x)],
+                            st / n - s / n * t / n, 1e-6)
+                    << "level " << l;
+            }
+        }
+    }
+    EXPECT_LT(covariances.back()[0], -0.1f);  // the slopes run against each other
+}
+
+TEST(SlopeMips, CovariancesOfOddSidesAreThoseOfTheWhole) {
+    const std::vector<SlopeLevel> levels = slope_mips(bumps(13, 7));
+    double s = 0, t = 0, st = 0;
+    for (const SlopeTexel& f : levels[0].texels) {
+        s += static_cast<double>(f.x) / (13 * 7);
+        t += static_cast<double>(f.y) / (13 * 7);
+        st += static_cast<double>(f.x) * static_cast<double>(f.y) / (13 * 7);
+    }
+    EXPECT_NEAR(slope_covariances(levels).back()[0], st - s * t, 1e-6);
+}
+
 // Over whole waves, a sine of slope amplitude A has mean 0 and variance A^2/2.
 TEST(SlopeMips, ASineHasHalfItsSquare) {
     const Texture map = float_map(64, 64, [](int x, int) {

@@ -108,6 +108,17 @@ TEST_F(ViewerWindow, EveryViewIsShown) {
     expect_parts(outcome.complaint, {"line 2", "expected a view (radiance"});
 }
 
+TEST_F(ViewerWindow, ThePassesAreTimedWhileTheirPanelIsOpen) {
+    play(
+        "set samples 4\nlight 20,40,2\nwait rest\nexpect cost.frame > 0\n"
+        "expect error = \"expected the panel costs open\"\npanel costs on\nwait rest\nwait 3\n"
+        "expect cost.shadow-maps > 0\nexpect cost.shading > 0\nexpect cost.sum > 0\n"
+        "expect cost.display > 0\nexpect cost.interface > 0\nexpect cost.frame > 0\n"
+        "expect cost.nothing > 0\nexpect error = \"expected a measurement\"\n"
+        "panel costs off\nlog cost.sum\nexpect error = \"expected the panel costs open\"\n",
+        {"builtin:torus"});
+}
+
 TEST_F(ViewerWindow, EveryPanelOpensAndEveryKeyDoesSomething) {
     std::string script = "set samples 1\nset image_light prefiltered\nwait 3\npick 320 240\n";
     for (const char* panel :

@@ -1,7 +1,8 @@
 // Device time of OpenGL commands: GL_TIME_ELAPSED, and GL_EXT_disjoint_timer_query on ES.
 //
 // The answer of a driver may be wrong: llvmpipe offers 64 bits of nanoseconds and counts almost
-// nothing. Callers that report the numbers check them first (bench/frame/timer_check.hpp).
+// nothing. Callers that report the numbers check them first (bench/frame/timer_check.hpp) or do not
+// ask on a software renderer (section_timer.hpp).
 #pragma once
 
 #include <optional>

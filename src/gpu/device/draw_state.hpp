@@ -74,6 +74,6 @@ class HostState {
 };
 
 // Texture units that the renderer binds; their sampler objects are unbound at the end of a call.
-inline constexpr GLuint kUsedUnits = 26;
+inline constexpr GLuint kUsedUnits = 27;
 
 }  // namespace burnish::gpu

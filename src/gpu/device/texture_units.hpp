@@ -26,5 +26,6 @@ inline constexpr GLuint kWeaveLobesUnit = 19;
 // Tabulated materials.
 inline constexpr GLuint kTabulatedUnits = 20;  // and the next four
 inline constexpr GLuint kShapeUnit = 25;       // also an image of gbuffer.frag
+inline constexpr GLuint kSlopeCovarianceUnit = 26;
 
 }  // namespace burnish::gpu

@@ -63,6 +63,9 @@ std::vector<SurfaceVariant> variants() {
             v.image_light = image_light;
             v.view = image_light == 3;
             list.push_back(v);
+            if (image_light != 1) continue;
+            v.view = v.furnace = true;
+            list.push_back(v);
         }
     }
     for (int method = 0; method < static_cast<int>(method_names().size()); ++method) {
@@ -75,6 +78,7 @@ std::vector<SurfaceVariant> variants() {
         v.lights = method;
         v.uv_per_texture = method == 4;
         v.view = method == 6;
+        v.furnace = v.view && v.image_light == 1;
         list.push_back(v);
     }
     SurfaceVariant v = with_everything();
@@ -86,7 +90,9 @@ std::vector<SurfaceVariant> variants() {
     }
     v.view = true;
     list.push_back(v);
-    v.view = false;
+    v.furnace = true;
+    list.push_back(v);
+    v.view = v.furnace = false;
     v.normal_moments = false;
     v.uv_per_texture = v.vertex_color = v.normal_map_xy = true;
     v.alpha_mode = AlphaMode::mask;

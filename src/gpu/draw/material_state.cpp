@@ -71,6 +71,8 @@ void set_textures(Program& program, const Material& material, const TextureStore
         lod[i] = textures.log2_side(*uses[i]) + lod_bias;
         program.set(kSamplers[i], static_cast<int>(kMaterialUnits) + static_cast<int>(i));
     }
+    if (wants_slopes(material))
+        program.set("u_slope_covariance", static_cast<int>(kSlopeCovarianceUnit));
     program.set("u_uv_s", std::span<const glm::vec3>(s));
     program.set("u_uv_t", std::span<const glm::vec3>(t));
     program.set("u_uv_set", std::span<const float>(set));

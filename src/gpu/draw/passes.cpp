@@ -23,7 +23,8 @@ float lod_bias(int samples) {
 
 }  // namespace
 
-Painter::Painter(Context& context, DeviceScene& scene) : context_(context), scene_(scene) {}
+Painter::Painter(Context& context, DeviceScene& scene)
+    : context_(context), scene_(scene), timer_(context, kPassCount) {}
 
 void Painter::set_frame(Program& program, const Frame& frame) {
     if (!program.take(UniformGroup::frame, needs_.frame)) return;
@@ -60,6 +61,9 @@ void Painter::set_surface(Program& program, const Frame& frame, int material) {
     set_frame(program, frame);
     const bool bound = std::exchange(bound_material_, material) == material;
     if (!bound) bind_textures(m, scene_.textures());
+    if (!bound && o.view == SurfaceView::moments && wants_slopes(m))
+        scene_.textures().bind(kSlopeCovarianceUnit, m.normal_texture,
+                               TextureForm::slope_covariance);
     // Versions stay below 2^32: a million edits a second for over an hour.
     const bool set = program.take(UniformGroup::material, slot.version + (needs_.settings << 32));
     if (set) set_material(program, m, scene_.textures(), lod_bias(o.samples));
@@ -106,12 +110,14 @@ void Painter::draw_shadows(const Frame& frame) {
         casters.push_back(!scene_.material(item.material).blended());
     const bool coarse = frame.options->coarse;
     shadows.set_casters(std::move(casters), coarse);
+    const auto time = timed(Pass::shadow_maps);
     for (int map = 0; map < shadows.count(); ++map)
         if (!shadows.holds(map, frame.sample))
             draw_casters(shadows.begin(map, frame.sample), coarse);
 }
 
 void Painter::clear(const Frame& frame, Targets& targets) {
+    const auto time = timed(Pass::shading);
     targets.bind_frame();
     glViewport(0, 0, frame.tile.width, frame.tile.height);
     apply(DrawState{});
@@ -126,27 +132,33 @@ void Painter::paint(const Frame& frame, Targets& targets) {
     needs_ = needs_of(frame);
     bound_material_ = -1;
     if (needs_.shadows) draw_shadows(frame);
-    clear(frame, targets);
     std::vector<std::size_t> forward(scene_.items().size());
     std::iota(forward.begin(), forward.end(), std::size_t{0});
+    clear(frame, targets);
     if (needs_.defers) paint_deferred(frame, targets, forward);
+    paint_forward(frame, forward);
+    if (shows_environment(frame)) paint_background(frame);
+    if (needs_.ground) {
+        const auto time = timed(Pass::ground);
+        scene_.ground().paint(context_.programs(), empty_.get(), scene_.lights(),
+                              frame.view.clip_from_world,
+                              frame.options->background == BackgroundKind::transparent);
+    }
+    if (frame.variant != ShadingVariant::gouraud) paint_blended(frame);
+}
+
+// The items of these numbers that are not blended, shaded as they are rasterized.
+void Painter::paint_forward(const Frame& frame, const std::vector<std::size_t>& items) {
+    const auto time = timed(Pass::shading);
     apply(DrawState{});
-    const bool gouraud = frame.variant == ShadingVariant::gouraud;
-    for (const std::size_t i : forward) {
+    for (const std::size_t i : items) {
         const DrawItem& item = scene_.items()[i];
-        if (gouraud) {
+        if (frame.variant == ShadingVariant::gouraud) {
             paint_gouraud(frame, item);
         } else if (!scene_.material(item.material).blended()) {
             paint_item(frame, item);
         }
     }
-    if (shows_environment(frame)) paint_background(frame);
-    if (needs_.ground) {
-        scene_.ground().paint(context_.programs(), empty_.get(), scene_.lights(),
-                              frame.view.clip_from_world,
-                              frame.options->background == BackgroundKind::transparent);
-    }
-    if (!gouraud) paint_blended(frame);
 }
 
 // Draws the surfaces into the images of gbuffer.frag, then shades each material. The stencil holds
@@ -154,17 +166,21 @@ void Painter::paint(const Frame& frame, Targets& targets) {
 // nearer.
 void Painter::paint_deferred(const Frame& frame, Targets& targets,
                              std::vector<std::size_t>& forward) {
-    targets.bind_gbuffer(needs_.position, needs_.shape);
     std::map<int, Bounds> seen;  // by material
-    std::erase_if(forward, [&](std::size_t i) {
-        const DrawItem& item = scene_.items()[i];
-        if (!can_defer(frame, item)) return false;
-        apply(DrawState{.stencil = Stencil{true, item.material + 1}});
-        write_gbuffer(frame, item);
-        Bounds& box = seen.try_emplace(item.material, item.bounds).first->second;
-        box = {glm::min(box.low, item.bounds.low), glm::max(box.high, item.bounds.high)};
-        return true;
-    });
+    {
+        const auto time = timed(Pass::surface_data);
+        targets.bind_gbuffer(needs_.position, needs_.shape);
+        std::erase_if(forward, [&](std::size_t i) {
+            const DrawItem& item = scene_.items()[i];
+            if (!can_defer(frame, item)) return false;
+            apply(DrawState{.stencil = Stencil{true, item.material + 1}});
+            write_gbuffer(frame, item);
+            Bounds& box = seen.try_emplace(item.material, item.bounds).first->second;
+            box = {glm::min(box.low, item.bounds.low), glm::max(box.high, item.bounds.high)};
+            return true;
+        });
+    }
+    const auto time = timed(Pass::shading);
     targets.bind_frame();
     for (const auto& [material, box] : seen) {
         const Tile part = screen_bounds(frame.view, box, frame.tile);
@@ -222,6 +238,7 @@ void Painter::paint_gouraud(const Frame& frame, const DrawItem& item) {
 }
 
 void Painter::paint_background(const Frame& frame) {
+    const auto time = timed(Pass::background);
     Program& program = plain_program("fullscreen.vert", "background.frag", true);
     program.use();
     set_frame(program, frame);
@@ -242,12 +259,14 @@ void Painter::paint_blended(const Frame& frame) {
         order.emplace_back(-(frame.view.eye.w > 0.0f ? clip.w : clip.z), i);
     }
     if (order.empty()) return;
+    const auto time = timed(Pass::blended);
     std::ranges::stable_sort(order, {}, &std::pair<float, std::size_t>::first);
     apply(DrawState{.depth_write = false, .blend = Blend::premultiplied});
     for (const auto& [depth, index] : order) paint_item(frame, scene_.items()[index]);
 }
 
 void Painter::accumulate(Targets& targets) {
+    const auto time = timed(Pass::sum);
     targets.accumulate(plain_program("fullscreen.vert", "accumulate.frag", true), empty_.get());
 }
 

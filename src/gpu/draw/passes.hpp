@@ -11,6 +11,7 @@
 #include "burnish/render_settings.hpp"
 #include "burnish/renderer.hpp"
 #include "gpu/device/draw_state.hpp"
+#include "gpu/device/section_timer.hpp"
 #include "gpu/device/targets.hpp"
 #include "gpu/draw/device_scene.hpp"
 #include "scene/camera/view.hpp"
@@ -48,6 +49,8 @@ class Painter {
     bool sees_ground(const Frame& frame);
     // Whether opaque surfaces are drawn deferred; `shape`: some of them are tabulated.
     bool defers(const Frame& frame, bool shape) const;
+    SectionTimer& timer() { return timer_; }  // its sections are those of Pass
+    SectionTimer::Scope timed(Pass pass) { return {timer_, static_cast<std::size_t>(pass)}; }
     GLuint empty_vertex_array() const { return empty_.get(); }
 
   private:
@@ -76,12 +79,14 @@ class Painter {
     Program& plain_program(const char* vertex, const char* fragment, bool wait);
     bool can_defer(const Frame& frame, const DrawItem& item);
     bool shows_environment(const Frame& frame) const;
+    static bool is_furnace(const Frame& frame);
 
     void draw_casters(const glm::mat4& clip_from_world, bool coarse);
     void draw_shadows(const Frame& frame);
     void clear(const Frame& frame, Targets& targets);
     // Items that deferred shading has drawn are removed from `forward`.
     void paint_deferred(const Frame& frame, Targets& targets, std::vector<std::size_t>& forward);
+    void paint_forward(const Frame& frame, const std::vector<std::size_t>& items);
     void write_gbuffer(const Frame& frame, const DrawItem& item);
     void resolve_material(const Frame& frame, Targets& targets, int material,
                           const DrawState& state);
@@ -97,6 +102,7 @@ class Painter {
     Context& context_;
     DeviceScene& scene_;
     VertexArray empty_;
+    SectionTimer timer_;
     Needs needs_;              // needs of the frame in progress
     int bound_material_ = -1;  // material whose textures are bound
     std::pair<int, bool> material_settings_{0, false};

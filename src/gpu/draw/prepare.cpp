@@ -30,6 +30,11 @@ MaterialSlot& Painter::slot_of(const Frame& frame, int material) {
     return scene_.material(material, frame.options->method);
 }
 
+// Whether the picture is of the albedo, which a white environment shows.
+bool Painter::is_furnace(const Frame& frame) {
+    return frame.options->view == SurfaceView::albedo;
+}
+
 bool Painter::shows_environment(const Frame& frame) const {
     return scene_.environment() != nullptr && frame.options->view == SurfaceView::radiance &&
            frame.options->background == BackgroundKind::environment;
@@ -57,7 +62,7 @@ Painter::Needs Painter::needs_of(const Frame& frame) {
     Needs needs;
     needs.shape = scene_.any_tabulated();
     needs.defers = defers(frame, needs.shape);
-    needs.shadows = frame.options->shadows && scene_.shadows().count() > 0 &&
+    needs.shadows = frame.options->shadows && !is_furnace(frame) && scene_.shadows().count() > 0 &&
                     frame.variant != ShadingVariant::gouraud;
     needs.position = scene_.lights().any_positional() || needs.shadows;
     needs.ground = sees_ground(frame);
@@ -74,7 +79,7 @@ Painter::Needs Painter::needs_of(const Frame& frame) {
 SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot, bool color) const {
     SurfaceVariant v = frame.variant == ShadingVariant::full ? slot.full : slot.flat;
     v.vertex_color = color;
-    v.lights = scene_.lights().count();
+    v.lights = is_furnace(frame) ? 0 : scene_.lights().count();
     v.position = needs_.position;
     v.shadow_maps = needs_.shadows ? scene_.shadows().count() : 0;
     if (frame.light_count == LightCount::at_run_time && v.lights > 0) {
@@ -85,6 +90,11 @@ SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot,
     const bool lit = scene_.environment() != nullptr && frame.options->environment_intensity > 0.0f;
     v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
     v.view = frame.options->view != SurfaceView::radiance;
+    if (is_furnace(frame)) {
+        v.furnace = true;
+        v.image_light = static_cast<int>(ImageLight::importance);
+        v.occlusion_map = false;
+    }
     if (v.view && v.alpha_mode == AlphaMode::blend) v.alpha_mode = AlphaMode::opaque;
     return v;
 }
@@ -180,9 +190,10 @@ void Painter::prepare_tables(const Frame& frame, const Progress& progress) {
     }
     for (const MaterialSlot& slot : scene_.materials()) {
         const Material& m = slot.material;
-        if (slot.tabulated && environment != nullptr && light == ImageLight::importance) {
-            slot.tabulated->require_draws();
-        }
+        const bool sampled = environment != nullptr && light == ImageLight::importance;
+        if (slot.tabulated && (sampled || is_furnace(frame))) slot.tabulated->require_draws();
+        if (frame.options->view == SurfaceView::moments && wants_slopes(m))
+            scene_.textures().require_covariances(m, progress);
         if (slot.tabulated || light != ImageLight::prefiltered || !has_half_vectors(m.brdf))
             continue;
         if (context_.albedos().has(m.brdf, m.mdf)) continue;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
 #include "burnish/render_settings.hpp"
 #include "core/machine.hpp"
 #include "gpu/device/device_timer.hpp"
@@ -40,8 +41,8 @@ void require_sound(const RenderSettings& o) {
 
 // Throws Error when image light would be an approximation, which tabulated lobes do not have.
 void require_drawable(const DeviceScene& scene, const RenderSettings& o) {
-    const bool sampled =
-        o.image_light == ImageLight::importance || o.image_light == ImageLight::off;
+    const bool sampled = o.image_light == ImageLight::importance ||
+                         o.image_light == ImageLight::off || o.view == SurfaceView::albedo;
     if (!scene.any_tabulated() || sampled || scene.environment() == nullptr ||
         !(o.environment_intensity > 0.0f))
         return;
@@ -69,9 +70,17 @@ float writable(float v) {
     return std::isfinite(v) ? std::clamp(v, 0.0f, 65504.0f) : 0.0f;
 }
 
+void show_albedo(float* rgb) {
+    const f32::vec3 shown = f32::color_of_albedo({rgb[0], rgb[1], rgb[2]});
+    rgb[0] = shown.x;
+    rgb[1] = shown.y;
+    rgb[2] = shown.z;
+}
+
 // Writes the mean of `samples` frames of a tile to its place in the picture, with row 0 at the top.
-void store(const std::vector<float>& sum, const Tile& tile, int samples, bool transparent,
+void store(const std::vector<float>& sum, const Tile& tile, int samples, const RenderSettings& o,
            Image& image) {
+    const bool transparent = o.background == BackgroundKind::transparent;
     const float scale = 1.0f / static_cast<float>(samples);
     for (int y = 0; y < tile.height; ++y) {
         const float* from =
@@ -82,6 +91,7 @@ void store(const std::vector<float>& sum, const Tile& tile, int samples, bool tr
             // Sums are premultiplied. An alpha below 1e-6 is rounding error and must not divide.
             const float each = !transparent ? scale : alpha > 1e-6f ? scale / alpha : 0.0f;
             for (int c = 0; c < 3; ++c) to[c] = writable(from[c] * each);
+            if (o.view == SurfaceView::albedo) show_albedo(to);
             to[3] = alpha;
         }
     }
@@ -165,13 +175,14 @@ struct Renderer::Impl {
         painter.paint(frame_of(series), *slot().targets);
         painter.accumulate(*slot().targets);
         ++series.samples;
+        ++timed_samples;
     }
 
     // Writes the mean of the tile to `place` of a picture.
     void store_into(Image& image, const Tile& place) {
         const Series& series = *slot().series;
         store(slot().targets->read_sum(place.width, place.height), place, series.samples,
-              series.settings.background == BackgroundKind::transparent, image);
+              series.settings, image);
     }
 
     void make_stale() {
@@ -205,6 +216,7 @@ struct Renderer::Impl {
     Context& context;
     DeviceScene scene;
     Painter painter;
+    int timed_samples = 0, timed_presents = 0;  // since the times of passes were taken
     std::array<Slot, 16> slots;
     std::size_t selected = 0;
 };
@@ -356,6 +368,8 @@ void Renderer::present(unsigned framebuffer, int width, int height, double expos
     const Impl::Use use(*impl_);
     const Impl::Series& series = *impl_->slot().series;
     Program& program = impl_->context.programs().get("fullscreen.vert", "display.frag", "");
+    const auto time = impl_->painter.timed(Pass::display);
+    ++impl_->timed_presents;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width, height);
     program.use();
@@ -363,6 +377,7 @@ void Renderer::present(unsigned framebuffer, int width, int height, double expos
     program.set("u_share", 1.0f / static_cast<float>(series.samples));
     program.set("u_gain", static_cast<float>(std::exp2(exposure_ev)));
     program.set("u_tone_map", static_cast<int>(tone_map));
+    program.set("u_albedo", series.settings.view == SurfaceView::albedo ? 1 : 0);
     program.set("u_transparent",
                 series.settings.background == BackgroundKind::transparent ? 1.0f : 0.0f);
     impl_->slot().targets->show_sum(program, impl_->painter.empty_vertex_array());
@@ -451,6 +466,29 @@ FrameTimes Renderer::measure_frames(const Camera& camera, const RenderSettings& 
 double Renderer::time_frames(const Camera& camera, const RenderSettings& settings, int frames,
                              ShadingVariant variant) {
     return measure_frames(camera, settings, frames, 1, variant).wall_s;
+}
+
+std::span<const std::string_view> pass_names() {
+    static constexpr std::array<std::string_view, kPassCount> kNames = {
+        "shadow-maps", "surface-data", "shading", "background",
+        "ground",      "blended",      "sum",     "display"};
+    return kNames;
+}
+
+void Renderer::measure_passes(bool on) {
+    const Impl::Use use(*impl_);
+    impl_->painter.timer().measure(on);
+    impl_->timed_samples = impl_->timed_presents = 0;
+}
+
+PassTimes Renderer::take_pass_times() {
+    const Impl::Use use(*impl_);
+    PassTimes times;
+    std::ranges::copy(impl_->painter.timer().take(), times.seconds.begin());
+    times.samples = std::exchange(impl_->timed_samples, 0);
+    times.presents = std::exchange(impl_->timed_presents, 0);
+    times.by_device = impl_->painter.timer().by_device();
+    return times;
 }
 
 UploadCounts Renderer::uploads() const {

@@ -45,6 +45,7 @@ std::string SurfaceVariant::defines() const {
         {light_count_at_run_time, "LIGHT_COUNT_AT_RUN_TIME"},
         {position, "POSITION"},
         {view, "VIEW"},
+        {furnace, "FURNACE"},
         {alpha_mode == AlphaMode::mask, "MASK"},
         {alpha_mode == AlphaMode::blend, "BLEND"},
     };

@@ -168,6 +168,23 @@ GlTexture upload_slopes(const Texture& texture, bool es) {
     return made;
 }
 
+GlTexture upload_covariances(const Texture& texture, bool es) {
+    GlTexture made;
+    glActiveTexture(GL_TEXTURE0 + kScratchUnit);
+    glBindTexture(GL_TEXTURE_2D, made.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    const std::vector<SlopeLevel> levels = slope_mips(texture);
+    GLint level = 0;
+    for (const std::vector<float>& covariances : slope_covariances(levels)) {
+        const SlopeLevel& size = levels[static_cast<std::size_t>(level)];
+        glTexImage2D(GL_TEXTURE_2D, level++, es ? GL_R16F : GL_R32F, size.width, size.height, 0,
+                     GL_RED, GL_FLOAT, covariances.data());
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    check_gl(("uploading " + texture.name).c_str());
+    return made;
+}
+
 float log2_longer_side(const Texture& texture) {
     return std::log2(static_cast<float>(std::max(texture.width, texture.height)));
 }
@@ -200,6 +217,7 @@ Texture with_third_channel(const Texture& xy) {
 
 GlTexture upload_as(TextureForm form, const Texture& texture, bool es) {
     if (form == TextureForm::slopes) return upload_slopes(texture, es);
+    if (form == TextureForm::slope_covariance) return upload_covariances(texture, es);
     if (form == TextureForm::normal && texture.channels == 2) {
         const Texture xyz = with_third_channel(texture);
         return upload(xyz, pixels_of(xyz, es, form));
@@ -245,17 +263,23 @@ std::vector<TextureStore::Need> TextureStore::needs_of(const Material& m,
 }
 
 void TextureStore::require(Slots& slots, const Material& material, const Progress& progress) {
-    for (const Need& need : needs_of(material, slots)) {
-        Slot& slot = slots[need.texture];
-        std::shared_ptr<const GlTexture>& uploaded =
-            slot.forms[static_cast<std::size_t>(need.form)];
-        if (uploaded) continue;
-        progress.step("textures", 0.0);
-        const Texture& texture = *slot.source;
-        require_sound(texture, max_size_);
-        uploaded = std::make_shared<GlTexture>(upload_as(need.form, texture, es_));
-        ++uploads_;
-    }
+    for (const Need& need : needs_of(material, slots)) require(slots, need, progress);
+}
+
+void TextureStore::require(Slots& slots, const Need& need, const Progress& progress) {
+    Slot& slot = slots[need.texture];
+    std::shared_ptr<const GlTexture>& uploaded = slot.forms[static_cast<std::size_t>(need.form)];
+    if (uploaded) return;
+    progress.step("textures", 0.0);
+    const Texture& texture = *slot.source;
+    require_sound(texture, max_size_);
+    uploaded = std::make_shared<GlTexture>(upload_as(need.form, texture, es_));
+    ++uploads_;
+}
+
+void TextureStore::require_covariances(const Material& material, const Progress& progress) {
+    const auto texture = static_cast<std::size_t>(material.normal_texture.texture);
+    require(slots_, {texture, TextureForm::slope_covariance}, progress);
 }
 
 bool TextureStore::uses(const Material& material, int texture) const {

@@ -17,8 +17,8 @@ namespace burnish::gpu {
 
 // The form in which shaders read a texture. Texels that are not finite are replaced, so that
 // filtering cannot spread them: `plain` by 0, `normal` by a flat normal. `slopes`: slopes and their
-// variances (maps/normal/slope_mips.hpp).
-enum class TextureForm { plain, normal, slopes };
+// variances (maps/normal/slope_mips.hpp); `slope_covariance`: the covariances beside them.
+enum class TextureForm { plain, normal, slopes, slope_covariance };
 
 // Whether a material uses its normal map in the form of slopes.
 bool wants_slopes(const Material& material);
@@ -34,7 +34,7 @@ class TextureStore {
   public:
     struct Slot {
         std::shared_ptr<const Texture> source;
-        std::array<std::shared_ptr<const GlTexture>, 3>
+        std::array<std::shared_ptr<const GlTexture>, 4>
             forms;  // by TextureForm; null: not uploaded
     };
     using Slots = std::vector<Slot>;  // copies share the data on the device
@@ -51,6 +51,9 @@ class TextureStore {
     void require(const Material& material, const Progress& progress) {
         require(slots_, material, progress);
     }
+    // Also the covariances of its normal map, which must be in the form of slopes: only the view of the
+    // moments reads them.
+    void require_covariances(const Material& material, const Progress& progress);
     bool uses(const Material& material, int texture) const;
 
     // `use` must have a texture, and the form must have been required.
@@ -66,6 +69,7 @@ class TextureStore {
         TextureForm form;
     };
     std::vector<Need> needs_of(const Material& material, const Slots& slots) const;
+    void require(Slots& slots, const Need& need, const Progress& progress);
     static const GlTexture& uploaded(const Slots& slots, const TextureUse& use, TextureForm form);
     GLuint sampler_for(const TextureUse& use);
 

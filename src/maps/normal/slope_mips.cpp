@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "core/large_pages.hpp"
 #include "core/parallel.hpp"
@@ -123,6 +124,23 @@ SlopeLevel halved(const SlopeLevel& from) {
     return level;
 }
 
+// Law of total covariance, of the parts of `from` that texel `mean` of the next level covers.
+float covariance_under(const SlopeLevel& from, const std::vector<float>& covariances,
+                       const SlopeTexel& mean, const Taps& tx, const Taps& ty) {
+    double sum = 0;
+    for (int j = 0; j < ty.count; ++j) {
+        for (int i = 0; i < tx.count; ++i) {
+            const std::size_t at =
+                count_of(from.width, ty.first + j) + static_cast<std::size_t>(tx.first + i);
+            const SlopeTexel& t = from.texels[at];
+            const double dx = static_cast<double>(t.x) - static_cast<double>(mean.x);
+            const double dy = static_cast<double>(t.y) - static_cast<double>(mean.y);
+            sum += ty.weight[j] * tx.weight[i] * (static_cast<double>(covariances[at]) + dx * dy);
+        }
+    }
+    return static_cast<float>(sum);
+}
+
 }  // namespace
 
 std::vector<SlopeLevel> slope_mips(const Texture& map) {
@@ -131,6 +149,25 @@ std::vector<SlopeLevel> slope_mips(const Texture& map) {
     while (levels.back().width > 1 || levels.back().height > 1)
         levels.push_back(halved(levels.back()));
     return levels;
+}
+
+std::vector<std::vector<float>> slope_covariances(std::span<const SlopeLevel> levels) {
+    std::vector<std::vector<float>> all;
+    all.emplace_back(levels.front().texels.size(), 0.0f);
+    for (const SlopeLevel& level : levels.subspan(1)) {
+        const SlopeLevel& from = levels[all.size() - 1];
+        std::vector<float> covariances(level.texels.size());
+        for (int y = 0; y < level.height; ++y) {
+            const Taps ty = taps_of(y, from.height, level.height);
+            for (int x = 0; x < level.width; ++x) {
+                const std::size_t at = count_of(level.width, y) + static_cast<std::size_t>(x);
+                covariances[at] = covariance_under(from, all.back(), level.texels[at],
+                                                   taps_of(x, from.width, level.width), ty);
+            }
+        }
+        all.push_back(std::move(covariances));
+    }
+    return all;
 }
 
 }  // namespace burnish

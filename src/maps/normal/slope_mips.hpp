@@ -2,6 +2,7 @@
 // slopes under each texel. A mean of unit normals would be too short and too smooth.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "burnish/f32.hpp"
@@ -30,5 +31,8 @@ struct SlopeLevel {
 // texels of level 0 under it. `map` holds normals, n = 2 rgb - 1; with two channels z follows from
 // unit length. A texel that is not a direction out of the surface counts as flat.
 std::vector<SlopeLevel> slope_mips(const Texture& map);
+
+// The covariance of the slopes under each texel, for every level of slope_mips; 0 in level 0.
+std::vector<std::vector<float>> slope_covariances(std::span<const SlopeLevel> levels);
 
 }  // namespace burnish

@@ -64,7 +64,12 @@ bool* Panels::find(std::string_view name) {
 }
 
 App::App(Window& w, gpu::Context& c, std::filesystem::path folder)
-    : window(w), context(c), picture(c), generator(folder), state_folder(std::move(folder)) {
+    : window(w),
+      context(c),
+      picture(c),
+      costs(c),
+      generator(folder),
+      state_folder(std::move(folder)) {
     loader_.on_done([] { Window::wake(); });
     std::vector<std::string> warnings;
     if (!state_folder.empty()) {
@@ -242,6 +247,7 @@ void App::update() {
 }
 
 void App::draw_picture(double budget_s) {
+    costs.follow(panels.costs, picture);
     if (refused_ == editor.revisions()) return;
     try {
         picture.refine(budget_s);

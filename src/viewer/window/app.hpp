@@ -22,6 +22,7 @@
 #include "viewer/script/script.hpp"
 #include "viewer/window/background.hpp"
 #include "viewer/window/compared.hpp"
+#include "viewer/window/costs.hpp"
 #include "viewer/window/generator.hpp"
 #include "viewer/window/picture.hpp"
 #include "viewer/window/window.hpp"
@@ -123,6 +124,7 @@ class App {
     gpu::Context& context;
     Editor editor;
     Picture picture;
+    Costs costs;
     Generator generator;
     Remembered remembered;
     Panels panels;

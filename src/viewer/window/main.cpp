@@ -82,7 +82,10 @@ void draw_frame(App& app, ScriptRunner* script) {
     glViewport(0, 0, app.window.width(), app.window.height());
     glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    {
+        const auto time = app.costs.time_interface();
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    }
     if (script != nullptr) {
         glFinish();
         script->after_draw();

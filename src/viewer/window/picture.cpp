@@ -192,7 +192,7 @@ RenderSettings Picture::settings_in_motion(RenderSettings o, bool prepared) cons
     // Tabulated materials have no prefiltered light.
     const bool blurred = prepared && !any_tabulated_ && o.image_light == ImageLight::importance;
     if (blurred) o.image_light = ImageLight::prefiltered;
-    if (o.image_light == ImageLight::importance)
+    if (o.image_light == ImageLight::importance || o.view == SurfaceView::albedo)
         o.image_light_samples = std::min(o.image_light_samples, 2);
     // One choice for all resolutions of a motion: the other would be compiled on the frame.
     if (prepared && !any_tabulated_) o.surface_pass = SurfacePass::deferred;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -277,6 +278,29 @@ void picked_mark(App& app, ImDrawList& draw) {
     draw.AddCircle(at, 7 * scale, IM_COL32(255, 255, 255, 255), 0, 1.5f * scale);
 }
 
+// What the colors of a view mean, in the order of SurfaceView.
+std::string legend_of(SurfaceView view) {
+    static constexpr const char* kVector = "red, green, blue: (v + 1) / 2";
+    static constexpr const char* kUnit = "dark blue 0, light yellow 1";
+    static constexpr std::array<const char*, 14> kLegends = {
+        "",
+        kVector,
+        kVector,
+        kVector,
+        "hue: angle from the tangent; gray: isotropic",
+        kUnit,
+        kUnit,
+        kUnit,
+        "red u, green v",
+        kUnit,
+        "roots of: red, green deviation along tangent, bitangent; blue covariance",
+        "gray 0 to 1; red gains energy",
+        "magenta: infinite or no number",
+        "dark blue 0, light yellow 45 degrees"};
+    const auto index = static_cast<std::size_t>(view);
+    return fmt::format("view: {} ({})", surface_view_names()[index], kLegends.at(index));
+}
+
 }  // namespace
 
 void picture_view(App& app) {
@@ -295,8 +319,7 @@ void picture_view(App& app) {
     light_ball(app, draw);
     picked_mark(app, draw);
     if (app.view != SurfaceView::radiance)
-        label(draw, {x + 8, y + static_cast<float>(app.picture_height) - 32},
-              "view: " + std::string(surface_view_names()[static_cast<std::size_t>(app.view)]));
+        label(draw, {x + 8, y + static_cast<float>(app.picture_height) - 32}, legend_of(app.view));
     draw.PopClipRect();
 }
 

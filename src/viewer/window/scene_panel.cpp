@@ -1,4 +1,4 @@
-// Lights, environment, parts and bookmarks; methods to compare; messages; costs.
+// Lights, environment, parts and bookmarks; methods to compare; messages.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -7,7 +7,6 @@
 
 #include "burnish/stage.hpp"
 #include "core/text.hpp"
-#include "gpu/device/program.hpp"
 #include "scene/camera/angles.hpp"
 #include "viewer/window/app_parts.hpp"
 #include "viewer/window/panels.hpp"
@@ -245,21 +244,6 @@ void message_panel(App& app) {
         for (const std::string& line : app.editor.warnings())
             ImGui::TextWrapped("%s", line.c_str());
     }
-}
-
-void costs_panel(App& app) {
-    ImGui::Text("device: %s", app.context.renderer().c_str());
-    ImGui::Text("picture: %d x %d pixels", app.picture_width, app.picture_height);
-    ImGui::Text("resolution while moving: %.0f %%", 100 * app.picture.scale());
-    ImGui::Text("frames a second: %.1f, at the least %.1f", app.frames_per_second,
-                app.lowest_frames_per_second);
-    ImGui::Text("samples: %d of %d", app.picture.samples(), app.picture.wanted_samples());
-    ImGui::Text("last samples: %.1f ms", 1000 * app.picture.last_sample_s());
-    const auto counts = app.picture.renderer().uploads();
-    ImGui::Text("uploads: %d meshes, %d textures", static_cast<int>(counts.meshes),
-                static_cast<int>(counts.textures));
-    ImGui::Text("%d environments, programs compiled: %zu", static_cast<int>(counts.environments),
-                app.context.programs().size());
 }
 
 }  // namespace burnish::viewer

@@ -254,6 +254,11 @@ double ScriptRunner::measured(const std::string& name) const {
     if (name == "flip" || name == "difference") return app_.compared.mean();
     if (name == "preview_ms") return app_.generator.preview_ms();
     if (name == "memory_mb") return resident_memory_mb();
+    if (name.starts_with("cost.")) {
+        if (!app_.costs.measuring())
+            fail(fmt::format("expected the panel costs open for {}, found it closed", shown(name)));
+        if (const auto ms = app_.costs.ms(name.substr(5))) return *ms;
+    }
     if (name.starts_with("picked.")) {
         if (!app_.picked)
             fail(fmt::format("expected a picked point for {}, found none", shown(name)));
