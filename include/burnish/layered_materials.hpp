@@ -5,6 +5,7 @@
 // appended to its scene.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -44,6 +45,10 @@ class LayeredMaterials {
     // and maps that failed to apply are not kept. Throws UsageError too for an index without a material.
     Remarks apply(Scene& scene, const ParameterValues& flags,
                   const std::map<int, ParameterValues>& upper);
+
+    // From now on material number `index` has the base and the file's layer of number `other`. Throws
+    // std::out_of_range.
+    void put_in_place(std::size_t index, std::size_t other);
 
     // As MaterialAssets::put_scratch.
     void put_scratch(const std::string& name, ScratchTextures textures) {

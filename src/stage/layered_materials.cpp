@@ -123,6 +123,11 @@ LayeredMaterials::LayeredMaterials(std::vector<Material> base, std::vector<Scene
     layers_.resize(base_.size());
 }
 
+void LayeredMaterials::put_in_place(std::size_t index, std::size_t other) {
+    base_.at(index) = base_.at(other);
+    layers_.at(index) = layers_.at(other);
+}
+
 // The values of one loaded material. Errors in the file's values name their place in the file, those
 // of the uppermost layer the material.
 ParameterValues LayeredMaterials::values_of(std::size_t index, Scene& scene,

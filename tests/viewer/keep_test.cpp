@@ -23,6 +23,8 @@ TEST(RememberedState, IsReadBackAsItWasWritten) {
     state.x = -200;
     state.y = 30;
     state.maximized = true;
+    state.navigation = Navigation::blender;
+    state.touchpad = true;
     state.panels = {{"materials", false}, {"lights", true}};
     add_recent(state, "/models/caf\xc3\xa9 \"1\".glb");
     add_recent(state, "builtin:torus");
@@ -55,7 +57,8 @@ TEST(RememberedState, ABrokenFileGivesTheFirstStateAndOneWarning) {
     for (const char* text :
          {"", "{", "[]", "null", R"({"width": "wide"})", R"({"width": 1e99})", R"({"width": -1})",
           R"({"panels": [1]})", R"({"panels": {"a": 1}})", R"({"recent": {"a": 1}})",
-          R"({"recent": [1]})", R"({"x": 1, "y": "a"})", "{\"recent\": [\"\xff\"]}"}) {
+          R"({"recent": [1]})", R"({"navigation": "maya"})", R"({"touchpad": 1})",
+          R"({"x": 1, "y": "a"})", "{\"recent\": [\"\xff\"]}"}) {
         const std::vector<std::string> warnings = warnings_of(text);
         ASSERT_EQ(warnings.size(), 1u) << text;
         EXPECT_NE(warnings[0].find("view.json"), std::string::npos) << warnings[0];

@@ -60,6 +60,9 @@ class RandomDocuments {
             if (random_() % 2 == 0 && document.input.find("two") != std::string::npos)
                 document.material_values[material] = values(12, false);
         if (random_() % 2 == 0) document.lights = lights();
+        if (document.lights)
+            for (std::size_t i = 0; i < document.lights->size(); ++i)
+                if (random_() % 4 == 0) document.dark.insert(static_cast<int>(i));
         if (random_() % 2 == 0) {
             const glm::vec3 target = 0.3f * any_direction(random_);
             viewer::set_camera(document, target + 4.0f * any_direction(random_), target, 37.7);

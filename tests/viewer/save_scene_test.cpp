@@ -43,6 +43,7 @@ TEST(SavedScene, RandomDocumentsAreReadBackAsTheyWere) {
         EXPECT_EQ(editor.document().hidden, document.hidden);
         EXPECT_EQ(editor.document().bookmarks, document.bookmarks);
         EXPECT_EQ(editor.document().compare, document.compare);
+        EXPECT_EQ(editor.document().dark, document.dark);
         const std::filesystem::path again = documents.folder() / "again.json";
         save_scene(editor.document(), editor.stage(), again);
         expect_same_stage(rendered(again), stage);

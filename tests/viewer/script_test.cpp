@@ -92,6 +92,52 @@ TEST(ViewerScript, EveryCommandIsRead) {
     only<QuitCommand>("quit");
 }
 
+TEST(ViewerScript, CommandsOfTheSceneAreRead) {
+    using Does = SceneCommand::Does;
+    const auto scene = [](const std::string& line) { return only<SceneCommand>(line); };
+    EXPECT_EQ(scene("material oak").name, "oak");
+    EXPECT_EQ(scene("material all").name, "");
+    EXPECT_EQ(scene("object \"left door\" off").does, Does::hide_object);
+    EXPECT_EQ(scene("object #3 on").does, Does::show_object);
+    EXPECT_EQ(scene("object #3 solo").does, Does::solo_object);
+    EXPECT_EQ(scene("object #3 frame").name, "#3");
+    EXPECT_EQ(scene("object all on").does, Does::show_all_objects);
+    EXPECT_EQ(scene("lights add point").type, LightType::point);
+    EXPECT_EQ(scene("lights 2 off").index, 1);
+    EXPECT_EQ(scene("lights 2 on").does, Does::switch_light_on);
+    EXPECT_EQ(scene("lights 1 remove").does, Does::remove_light);
+    const auto moved = scene("lights 1 to 30,40");
+    EXPECT_TRUE(*moved.light == parse_light("30,40"));
+    EXPECT_FALSE(moved.has_intensity);
+    EXPECT_TRUE(scene("lights 1 to 30,40,2").has_intensity);
+    EXPECT_FALSE(scene("lights 1 to point:1,2,3").has_intensity);
+    EXPECT_TRUE(scene("lights 1 to point:1,2,3,4").has_intensity);
+    EXPECT_EQ(scene("lights 1 color #ff0000").color, glm::vec3(1, 0, 0));
+    EXPECT_EQ(scene("background off").does, Does::hide_background);
+    const auto renamed = scene("bookmark rename front \"the front\"");
+    EXPECT_EQ(renamed.name, "front");
+    EXPECT_EQ(renamed.to, "the front");
+    EXPECT_EQ(scene("bookmark go front").does, Does::go_to_bookmark);
+    EXPECT_EQ(scene("recover later").does, Does::leave_recovered);
+    EXPECT_EQ(scene("simulate device-reset").does, Does::reset_device);
+    const auto pair = only<CompareCommand>("compare blink material oak /a/b.exr");
+    EXPECT_EQ(pair.mode, CompareMode::blink);
+    EXPECT_EQ(pair.materials->first, "oak");
+    EXPECT_EQ(pair.materials->second, "/a/b.exr");
+    const auto mouse = only<MouseCommand>("mouse middle 3 -4 shift");
+    EXPECT_EQ(mouse.button, 2);
+    EXPECT_EQ(mouse.dy, -4.0);
+    EXPECT_EQ(mouse.modifier, "shift");
+    EXPECT_EQ(only<MouseCommand>("scroll 0 2").button, -1);
+    EXPECT_EQ(only<NavigationCommand>("navigation blender").navigation, Navigation::blender);
+    EXPECT_EQ(only<NavigationCommand>("touchpad off").touchpad, false);
+    for (const char* line :
+         {"object oak", "object all off", "lights 0 on", "lights add spot", "lights 1 to 30",
+          "lights 1 color", "bookmark", "bookmark rename a", "recover", "simulate",
+          "compare split material a", "mouse up 1 2", "navigation maya", "background maybe"})
+        EXPECT_THROW(parse_script(line, "s.txt"), Error) << line;
+}
+
 TEST(ViewerScript, ErrorsNameTheLineAndTheNearestWord) {
     const auto refused = [](const std::string& line, const std::vector<std::string>& parts) {
         const std::string text = error_line([&] { parse_script("\n" + line, "s.txt"); });

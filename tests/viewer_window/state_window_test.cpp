@@ -65,36 +65,88 @@ TEST_F(ViewerWindow, TheWindowAndItsFilesAreRemembered) {
     play("wait 2\nset samples 1\nwait rest\n", {"--state", state});
 }
 
-TEST_F(ViewerWindow, WhatACrashLeavesIsOfferedAgain) {
-    namespace fs = std::filesystem;
-    const std::string state = path("state");
-    const auto autosaved = [&] {
+// What crashed sessions have left in a folder of states.
+class CrashedWindow : public ViewerWindow {
+  protected:
+    std::string state() const { return path("state"); }
+    std::vector<std::string> autosaved() const {
         std::vector<std::string> found;
         std::error_code error;
-        for (const auto& entry : fs::directory_iterator(state, error))
+        for (const auto& entry : std::filesystem::directory_iterator(state(), error))
             if (entry.path().filename().string().starts_with("autosave-") &&
                 entry.path().extension() == ".json")
                 found.push_back(entry.path().string());
         return found;
-    };
-    {
+    }
+    // A window in which something was changed, killed as soon as that is kept.
+    void crash() {
         const std::string script =
             folder_.write("work.txt", "set samples 1\nset alpha_x 0.37\nwait seconds 90\n");
-        RunningViewer viewer({"--size", "320x240", "--state", state, "--script", script});
+        RunningViewer viewer({"--size", "320x240", "--state", state(), "--script", script});
         for (int i = 0; i < 2000 && autosaved().empty(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         viewer.kill();
+        ASSERT_EQ(autosaved().size(), 1u);
     }
-    const std::vector<std::string> left = autosaved();
-    ASSERT_EQ(left.size(), 1u);
-    play(fmt::format("wait rest\nexpect recovered = 1\nopen {}\nset samples 1\nwait rest\n"
-                     "save scene {}\n",
-                     left.front(), path("recovered.json")),
-         {"--state", state});
+    void expect_recovered() {
+        play(fmt::format("wait rest\nexpect recovered = 1\nrecover open\nset samples 1\nwait rest\n"
+                         "save scene {}\n",
+                         path("recovered.json")),
+             {"--state", state()});
+        EXPECT_NE(contents_of(path("recovered.json")).find("0.37"), std::string::npos);
+    }
+};
+
+TEST_F(CrashedWindow, WhatACrashLeavesIsOpenedAndThenGone) {
+    crash();
+    play(fmt::format("wait rest\nexpect recovered = 1\nrecover open\nset samples 1\nwait rest\n"
+                     "save scene {}\nrecover open\n"
+                     "expect error = \"no scene of an earlier session\"\n",
+                     path("recovered.json")),
+         {"--state", state()});
     EXPECT_NE(contents_of(path("recovered.json")).find("0.37"), std::string::npos);
+    EXPECT_TRUE(autosaved().empty()) << "an orderly end removes what was recovered";
+    play("wait rest\nexpect recovered = 0\n", {"--state", state()});
+}
+
+TEST_F(CrashedWindow, WhatACrashLeavesStaysUntilItIsDeclined) {
+    crash();
+    const std::vector<std::string> left = autosaved();
+    play("wait rest\nexpect recovered = 1\nrecover later\nset samples 1\nwait rest\n",
+         {"--state", state()});
     EXPECT_EQ(autosaved(), left);  // an orderly end removes its own alone
-    fs::remove(left.front());
-    play("wait rest\nexpect recovered = 0\n", {"--state", state});
+    play("wait rest\nexpect recovered = 1\nrecover delete\n", {"--state", state()});
+    EXPECT_TRUE(autosaved().empty());
+}
+
+// A recovered scene that crashes again is not lost.
+TEST_F(CrashedWindow, ARecoveredSceneIsStillThereAfterAnotherCrash) {
+    crash();
+    {
+        const std::string script = folder_.write(
+            "again.txt", fmt::format("wait rest\nrecover open\nset samples 1\nwait rest\n"
+                                     "screenshot {}\nwait seconds 90\n",
+                                     path("open.png")));
+        RunningViewer viewer({"--size", "320x240", "--state", state(), "--script", script});
+        for (int i = 0; i < 2000 && !std::filesystem::exists(path("open.png")); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        viewer.kill();
+    }
+    EXPECT_GE(autosaved().size(), 1u);
+    expect_recovered();
+}
+
+// The drivers of this machine lose no context: the window is told that it has. The scene is kept.
+TEST_F(CrashedWindow, ADeviceThatIsResetEndsTheWindowAndTheSceneIsKept) {
+    const Outcome outcome =
+        run("set samples 1\nset alpha_x 0.37\nwait rest\nsimulate device-reset\n"
+            "wait rest\n",
+            {"--state", state()});
+    expect_complaint(outcome, 1, {"graphics device", "reset", "the next start offers it"});
+    ASSERT_EQ(autosaved().size(), 1u);
+    expect_recovered();
+    expect_complaint(run("wait rest\nsimulate device-reset\nwait rest\n", {"builtin:torus"}), 1,
+                     {"graphics device", "nothing was changed"});
 }
 
 }  // namespace

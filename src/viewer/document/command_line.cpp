@@ -38,6 +38,7 @@ std::string why_a_scene(const Document& document, const Stage& stage) {
     if (!document.material_values.empty()) return "materials of their own";
     const std::set<int> hidden(stage.file.hidden.begin(), stage.file.hidden.end());
     if (document.hidden != hidden) return "hidden parts";
+    if (!document.dark.empty()) return "lights that are switched off";
     if (!document.lights) return "";
     for (const Light& light : *document.lights)
         if (light_word(light).empty()) return "lights with a color, a range or a cone";
@@ -84,7 +85,7 @@ CommandLine render_command(const Document& document, const Stage& stage,
     CommandLine command;
     command.reason = why_a_scene(document, stage);
     command.needs_scene = !command.reason.empty();
-    const bool compares = document.compare.mode != CompareMode::off;
+    const bool compares = document.compare.mode != CompareMode::off && !document.compare.materials;
     std::vector<std::string>& words = command.words;
     words = {"render", command.needs_scene ? scene_file : document.input};
     if (!command.needs_scene) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -76,6 +77,16 @@ std::span<const std::string_view> compare_mode_names() {
     static constexpr std::array<std::string_view, 5> kNames = {"off", "split", "blink",
                                                                "difference", "flip"};
     return kNames;
+}
+
+std::optional<int> scene_material_of(std::string_view other) {
+    int index = 0;
+    if (!other.starts_with('#')) return std::nullopt;
+    const auto [stop, error] =
+        std::from_chars(other.data() + 1, other.data() + other.size(), index);
+    if (error != std::errc() || stop != other.data() + other.size() || index < 0)
+        return std::nullopt;
+    return index;
 }
 
 void set_parameter(Document& document, std::string_view name, const ParameterValue& value,
@@ -180,6 +191,16 @@ void require_valid(const Compare& compare) {
     if (!std::is_sorted(compare.dividers.begin(), compare.dividers.end()))
         throw UsageError("compare: dividers", "", "ascending places", "others");
     require_in("compare: gain", compare.gain, 0.01, 1000.0);
+    require_in("compare: middle", compare.middle, 0.0, 1.0);
+    if (!compare.materials) return;
+    const MaterialPair& pair = *compare.materials;
+    // More than any scene has.
+    require_in("compare: materials", pair.material, 0.0, 1e6);
+    if (pair.other.empty())
+        throw UsageError("compare: materials", "", "another material of the scene, or a file",
+                         "none");
+    if (scene_material_of(pair.other) == pair.material)
+        throw UsageError("compare: materials", "", "two materials", pair.other + " twice");
 }
 
 void require_valid(const Bookmark& bookmark) {

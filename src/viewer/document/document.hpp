@@ -39,6 +39,17 @@ std::span<const std::string_view> compare_mode_names();  // in the order of the 
 
 inline constexpr std::size_t kLeastCompared = 2, kMostCompared = 4;
 
+// A comparison of two materials on the same objects.
+struct MaterialPair {
+    int material = 0;  // of the objects; index into Scene::materials
+    // What they have in the second picture: "#2", that material of the scene, or a file that `opened` puts
+    // onto a material.
+    std::string other;
+    bool operator==(const MaterialPair&) const = default;
+};
+// The index that "#2" says; none for a file.
+std::optional<int> scene_material_of(std::string_view other);
+
 struct Compare {
     CompareMode mode = CompareMode::off;
     // 2 to 4 different methods, in the order of the pictures.
@@ -46,7 +57,10 @@ struct Compare {
     // Places of the dividers of a split in parts of the picture's width, each in [0, 1], ascending,
     // one fewer than methods; empty: evenly spaced.
     std::vector<double> dividers{};
-    double gain = 4.0;  // of the signed difference, 0.01 to 1000
+    double gain = 4.0;                        // of the signed difference, 0.01 to 1000
+    std::optional<MaterialPair> materials{};  // compared in place of methods
+    double middle =
+        0.5;  // place of the divider between two materials or before and after, in [0, 1]
     bool operator==(const Compare&) const = default;
 };
 
@@ -56,6 +70,7 @@ struct Document {
     // As in StageRequest: "": the scene file's, else builtin:studio; "none".
     std::string environment{};
     std::optional<std::vector<Light>> lights{};  // none: those of the input
+    std::set<int> dark{};                        // indices of lights that are switched off
     // Over all materials, and of the groups render, camera, environment and mesh: what flags are to
     // `burnish render`. A camera that was moved is camera_position, camera_target and camera_fov.
     ParameterValues values{};

@@ -60,7 +60,7 @@ Editor::Change Editor::change_to(const Document& document) const {
     Change change;
     change.values = stage_.file.values;
     change.values.merge(document.values);
-    change.lights = document.lights ? *document.lights : stage_.file.scene.lights;
+    change.lights = drawn_lights(document, stage_.file.scene.lights);
     change.settings = render_settings(change.values);
     change.exposure_ev = change.values.real("exposure");
     change.tone_map = static_cast<ToneMap>(change.values.choice("tone_map"));
@@ -189,6 +189,14 @@ void Editor::set(Document document, std::string_view key, std::string_view name)
     }
     update_to(document);
     history_.record(std::move(document), key, name);
+}
+
+void Editor::put_in_place(int material, int other) {
+    stage_.materials.put_in_place(static_cast<std::size_t>(material),
+                                  static_cast<std::size_t>(other));
+    hide_instances(stage_, {});
+    apply_materials(document(), stage_.values);
+    hide_instances(stage_, document().hidden);
 }
 
 void Editor::set_loaded(Document document, Stage stage, std::string_view name) {

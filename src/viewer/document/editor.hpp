@@ -66,6 +66,10 @@ class Editor {
     void put_scratch(const std::string& name, ScratchTextures textures) {
         stage_.materials.put_scratch(name, std::move(textures));
     }
+    // The objects of a material are drawn with another one of the scene, which the document does not say: for
+    // the second picture of a comparison. It ends when the input is read anew. Throws std::out_of_range for an
+    // index without a material.
+    void put_in_place(int material, int other);
     void close_step() { history_.close(); }  // at the end of a drag
 
     // False: there is nothing to undo. They may have to read the input anew: see needs_load of

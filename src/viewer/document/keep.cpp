@@ -14,6 +14,7 @@
 
 #include "burnish/error.hpp"
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "formats/json_text.hpp"
 #include "viewer/document/file_names.hpp"
 #include "viewer/document/save_scene.hpp"
@@ -56,6 +57,11 @@ Remembered read_remembered(const JsonPlace& root) {
         for (const std::string& name : panels.keys())
             if (out.panels.size() < kMostPanels) out.panels[name] = yes_or_no(panels.at(name));
     }
+    if (root.has("navigation"))
+        out.navigation =
+            static_cast<Navigation>(index_of_name(navigation_names(), root.at("navigation").text(),
+                                                  "navigation", root.file() + ": navigation"));
+    if (root.has("touchpad")) out.touchpad = yes_or_no(root.at("touchpad"));
     if (root.has("recent")) {
         const JsonPlace recent = root.at("recent");
         recent.require_array(1000);
@@ -176,6 +182,8 @@ void save_remembered(const fs::path& folder, const Remembered& remembered) {
     }
     root["maximized"] = remembered.maximized;
     root["panels"] = remembered.panels;
+    root["navigation"] = navigation_names()[static_cast<std::size_t>(remembered.navigation)];
+    root["touchpad"] = remembered.touchpad;
     root["recent"] = remembered.recent;
     write_text_file(folder / kFile,
                     root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -12,6 +12,7 @@
 
 #include "burnish/stage.hpp"
 #include "viewer/document/document.hpp"
+#include "viewer/motion/navigation.hpp"
 
 namespace burnish::viewer {
 
@@ -22,7 +23,9 @@ struct Remembered {
     std::optional<int> x, y;         // of its upper left corner; none: the window system decides
     bool maximized = false;
     std::map<std::string, bool> panels;  // by name: whether it is open
-    std::vector<std::string> recent;     // files, the latest first, kMostRecent at most
+    Navigation navigation = Navigation::viewer;
+    bool touchpad = false;            // two fingers orbit
+    std::vector<std::string> recent;  // files, the latest first, kMostRecent at most
     bool operator==(const Remembered&) const = default;
 };
 

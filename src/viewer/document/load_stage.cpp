@@ -22,7 +22,7 @@ Stage load_stage(const Document& document, const Progress& progress) {
                                               values_of_materials(document, stage)));
     remember_meshes(stage);
     find_odd_normal_maps(stage);
-    if (document.lights) stage.scene.lights = *document.lights;
+    stage.scene.lights = drawn_lights(document, stage.file.scene.lights);
     progress.step("environment", 0.8);
     stage.environment = load_environment_of(stage, document.input, document.environment,
                                             stage.warnings.environment);
@@ -34,6 +34,13 @@ Stage load_stage(const Document& document, const Progress& progress) {
     stage.scene.warnings = all_warnings(stage);
     progress.step("environment", 1.0);
     return stage;
+}
+
+std::vector<Light> drawn_lights(const Document& document, const std::vector<Light>& of_input) {
+    std::vector<Light> lights = document.lights ? *document.lights : of_input;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (document.dark.contains(static_cast<int>(i))) lights[i].intensity = 0;
+    return lights;
 }
 
 std::map<int, ParameterValues> values_of_materials(const Document& document, const Stage& stage) {
@@ -71,6 +78,15 @@ Document with_state_of_input(Document document, const Stage& stage) {
         document.hidden = {stage.file.hidden.begin(), stage.file.hidden.end()};
     if (!document.bookmarks.empty() || document.compare != Compare{}) return document;
     ViewerSection section = read_viewer_section(stage.file.viewer, document.input);
+    if (!document.lights && document.dark.empty()) {
+        std::vector<Light> lights = stage.file.scene.lights;
+        for (const auto& [index, intensity] : section.dark) {
+            if (static_cast<std::size_t>(index) >= lights.size()) continue;
+            lights[static_cast<std::size_t>(index)].intensity = intensity;
+            document.dark.insert(index);
+        }
+        if (!document.dark.empty()) document.lights = std::move(lights);
+    }
     document.bookmarks = std::move(section.bookmarks);
     document.compare = std::move(section.compare);
     return document;

@@ -28,6 +28,9 @@ bool needs_load(const Document& from, const Document& to);
 // compare settings of a scene file. Throws Error for a broken "viewer" section.
 Document with_state_of_input(Document document, const Stage& stage);
 
+// The lights that are drawn: those of the document, else `of_input`; dark ones have the intensity 0.
+std::vector<Light> drawn_lights(const Document& document, const std::vector<Light>& of_input);
+
 // The document's values for the materials that the stage has, and lines about those and about hidden
 // parts that it does not have.
 std::map<int, ParameterValues> values_of_materials(const Document& document, const Stage& stage);

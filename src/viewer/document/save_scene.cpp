@@ -15,6 +15,8 @@
 #include "formats/scene_parts.hpp"
 #include "viewer/document/file_names.hpp"
 #include "viewer/document/json_numbers.hpp"
+#include "viewer/document/load_stage.hpp"
+#include "viewer/document/scene_lists.hpp"
 #include "viewer/document/viewer_section.hpp"
 
 namespace burnish::viewer {
@@ -234,9 +236,9 @@ Json json_of_object(const SceneFile::Object& object, const Document& document,
 }
 
 void add_lights(Json& root, const Document& document, const SceneFile& file) {
-    const bool replaced = document.lights.has_value();
+    const bool replaced = document.lights || !document.dark.empty();
     if (file.drops_lights || (replaced && file.model_lights > 0)) root["model_lights"] = false;
-    const std::vector<Light>& lights = replaced ? *document.lights : file.scene.lights;
+    const std::vector<Light> lights = drawn_lights(document, file.scene.lights);
     for (std::size_t i = replaced ? 0 : static_cast<std::size_t>(file.model_lights);
          i < lights.size(); ++i)
         root["lights"].push_back(json_of_light(lights[i]));
@@ -286,7 +288,9 @@ std::string text_of_scene(const Document& document, const Stage& stage, const Fi
     if (!environment.empty()) root["environment"] = files.name(environment);
     if (Json parameters = json_of_values(stage.values, false, files); !parameters.empty())
         root["parameters"] = std::move(parameters);
-    if (Json viewer = viewer_section(document); !viewer.is_null())
+    const auto file_name = [&](const std::string& file) { return files.name(file); };
+    const std::vector<Light> lights = all_lights(document, stage);
+    if (Json viewer = viewer_section(document, lights, file_name); !viewer.is_null())
         root["viewer"] = std::move(viewer);
     std::string text;
     write_json(root, 0, text);

@@ -40,6 +40,7 @@ MethodReport report_of(const LobeReport& report, Method method, glm::dvec3 to_ey
     MethodReport m{method, lobe};
     const glm::dvec3 wi = report.to_light, wo = report.to_eye;
     m.normal = lobe.normal(wo);
+    m.grain_deg = lobe.grain_deg(wo);
     m.D = lobe.D(report.half, wo);
     m.G = lobe.G(wi, wo);
     if (!lobe.has_meaning()) return m;

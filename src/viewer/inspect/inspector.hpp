@@ -25,10 +25,11 @@ namespace burnish::viewer {
 
 // The numbers of one method, for the report's light and eye.
 struct MethodReport {
-    Method method = Method::none;  // that was asked for
-    PointLobe lobe;                // has_meaning() false: the numbers are 0
-    glm::dvec3 normal{0.0};        // n~ as cosines see it
-    double D = 0;                  // at the half vector; NaN for phong and lafortune, as G
+    Method method = Method::none;       // that was asked for
+    PointLobe lobe;                     // has_meaning() false: the numbers are 0
+    glm::dvec3 normal{0.0};             // n~ as cosines see it
+    std::optional<double> grain_deg{};  // PointLobe::grain_deg
+    double D = 0;                       // at the half vector; NaN for phong and lafortune, as G
     double G = 0;
     glm::dvec3 F{0.0};           // RGB
     glm::dvec3 f_specular{0.0};  // RGB, the specular term

@@ -62,13 +62,16 @@ PointLobe::PointLobe(const SurfaceAt& at, Method method)
     specular_surface_.has_diffuse = false;
     conserve_ = at.conserve && drawn_ == Method::deform_smooth;
     has_meaning_ = f64::brdf_takes_method(surface_.brdf, static_cast<int>(drawn_));
+    if (at.surface.lobe.p0 != at.surface.lobe.p1) groove_rad_ = grooves_along_x_ ? 0.0 : kHalfPi;
     if (!at.exemplar) return;
+    groove_rad_.reset();
     table_turns_ =
         f64::tabulated_rotation(static_cast<int>(drawn_), at.exemplar->groove_rad / kTwoPi);
     const double turn = at.exemplar->angle_rad + table_turns_ * kTwoPi;
     stretch_ = f64::direction_added({std::cos(turn), std::sin(turn)}, at.stretch);
-    if (at.exemplar->exemplar >= 0)
-        table_ = table_lobe(at.exemplar->material, at.exemplar->exemplar);
+    if (at.exemplar->exemplar < 0) return;
+    groove_rad_ = at.exemplar->groove_rad - table_turns_ * kTwoPi;
+    table_ = table_lobe(at.exemplar->material, at.exemplar->exemplar);
 }
 
 f64::vec3 PointLobe::local(glm::dvec3 w) const {
@@ -92,6 +95,25 @@ bool PointLobe::sees(glm::dvec3 to_eye) const {
 
 glm::dvec3 PointLobe::normal(glm::dvec3 to_eye) const {
     return outer(seen_from(to_eye).n);
+}
+
+std::optional<double> PointLobe::grain_deg(glm::dvec3 to_eye) const {
+    if (!groove_rad_ || !half_vectors_ || !has_meaning_) return std::nullopt;
+    const f64::Perturbation p = seen_from(to_eye);
+    const auto along = [&](f64::vec3 h) {
+        const f64::LobePoint q = f64::perturb_point(p, f64::normalize(h));
+        return q.x * std::cos(*groove_rad_) + q.y * std::sin(*groove_rad_);
+    };
+    // The gradient on the sphere of half vectors. 1e-5: half of the digits of a difference are good.
+    constexpr double kStep = 1e-5;
+    f64::vec3 groove(0, 0, 0);
+    for (const f64::vec3 axis : {f64::vec3(1, 0, 0), f64::vec3(0, 1, 0), f64::vec3(0, 0, 1)}) {
+        const f64::vec3 e = axis - p.n * f64::dot(axis, p.n);
+        groove = groove + axis * ((along(p.n + e * kStep) - along(p.n - e * kStep)) / (2 * kStep));
+    }
+    const glm::dvec3 seen = outer(groove);
+    const double angle = std::atan2(seen.y, seen.x) * kDegreesPerRadian;
+    return angle < 0 ? std::fmod(angle + 180.0, 180.0) : std::fmod(angle, 180.0);
 }
 
 // ---- values -------------------------------------------------------------------------------------
@@ -121,6 +143,13 @@ std::optional<NdfOrigin> PointLobe::origin(glm::dvec3 half, glm::dvec3 to_eye) c
     const f64::LobePoint q = f64::perturb_point(seen_from(to_eye), local(half));
     if (!(q.weight > 0)) return std::nullopt;
     return table_->origin(q, table_turns_);
+}
+
+std::optional<glm::dvec3> PointLobe::on_table(glm::dvec3 half, glm::dvec3 to_eye) const {
+    if (!table_) return std::nullopt;
+    const f64::LobePoint q = f64::perturb_point(seen_from(to_eye), local(half));
+    if (!(q.weight > 0)) return std::nullopt;
+    return outer(f64::normalize(f64::vec3(q.x, q.y, q.z)));
 }
 
 double PointLobe::G(glm::dvec3 to_light, glm::dvec3 to_eye) const {

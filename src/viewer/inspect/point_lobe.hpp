@@ -41,6 +41,9 @@ class PointLobe {
     // How the cell of the table nearest to a half vector is known; none for other lobes, and where the
     // method says D = 0.
     std::optional<NdfOrigin> origin(glm::dvec3 half, glm::dvec3 to_eye) const;
+    // The direction from the texel's normal at which the table is read for a half vector, unit, x along the
+    // tangent; none for other lobes, and where the method says D = 0.
+    std::optional<glm::dvec3> on_table(glm::dvec3 half, glm::dvec3 to_eye) const;
     // Masking and shadowing of the pair, including what the model has in its place: f_s 4 (n~.wi) (n~.wo) /
     // (F D) where it has no Smith term; NaN for phong and lafortune, and where that D is 0.
     double G(glm::dvec3 to_light, glm::dvec3 to_eye) const;
@@ -72,6 +75,10 @@ class PointLobe {
     // below a horizon.
     glm::dvec3 peak_to_light(glm::dvec3 to_eye) const;
 
+    // Direction in which the groove runs as the method tilts it, seen from above, in degrees from the tangent,
+    // [0, 180): the one across the half vectors that its light is reflected by, at n~. None: isotropic.
+    std::optional<double> grain_deg(glm::dvec3 to_eye) const;
+
     // Everything that evaluates against the lobe's own axes.
     f64::vec3 local(glm::dvec3 w) const;
     glm::dvec3 outer(f64::vec3 w) const;
@@ -89,6 +96,7 @@ class PointLobe {
     f64::vec2 stretch_{1, 0};
     Method drawn_ = Method::none;
     bool grooves_along_x_ = true, conserve_ = false, perturbed_ = false;
+    std::optional<double> groove_rad_;  // from the lobe's x axis; none: isotropic
     bool has_meaning_ = true, half_vectors_ = true, reflects_ = true;
     std::shared_ptr<const TableLobe> table_;
     double table_turns_ = 0;  // from the lobe's x axis to the table's

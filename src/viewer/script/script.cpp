@@ -14,6 +14,7 @@
 #include "burnish/stage.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
+#include "viewer/script/scene_commands.hpp"
 #include "viewer/script/script_words.hpp"
 
 namespace burnish::viewer {
@@ -52,22 +53,6 @@ std::optional<std::string> read_material(WordReader& words) {
 
 int read_steps(WordReader& words) {
     return words.more() ? words.whole("steps", 1, 1000) : 1;
-}
-
-// Errors of the parameter table, as errors of the line: "... expected <expected>, found <found>".
-template <typename Work>
-void in_line(const WordReader& words, const Work& work) {
-    constexpr Name kExpected = "expected ", kFound = ", found ";
-    try {
-        work();
-    } catch (const UsageError& error) {
-        const std::string line = error.what();
-        const std::size_t expected = line.find(kExpected), found = line.rfind(kFound);
-        if (expected == line.npos || found == line.npos || found < expected)
-            words.fail("a value", line);
-        const std::size_t begin = expected + kExpected.size();
-        words.fail(line.substr(begin, found - begin), line.substr(found + kFound.size()));
-    }
 }
 
 // --- one function a command ---------------------------------------------------------------------
@@ -129,6 +114,46 @@ Action read_click(WordReader& words) {
     return command;
 }
 
+std::string read_modifier(WordReader& words) {
+    static constexpr std::array<Name, 3> kModifiers = {"shift", "ctrl", "alt"};
+    if (!words.more()) return "";
+    return std::string(
+        kModifiers[static_cast<std::size_t>(words.one_of(kModifiers, "a key that is held"))]);
+}
+
+Action read_mouse(WordReader& words) {
+    static constexpr std::array<Name, 3> kButtons = {"left", "right", "middle"};
+    MouseCommand command;
+    command.button = words.one_of(kButtons, "a button");
+    command.dx = read_place(words, "DX");
+    command.dy = read_place(words, "DY");
+    command.modifier = read_modifier(words);
+    return command;
+}
+
+Action read_scroll(WordReader& words) {
+    MouseCommand command;
+    command.button = -1;
+    command.dx = words.number("steps to the right", -100.0, 100.0);
+    command.dy = words.number("steps up", -100.0, 100.0);
+    command.modifier = read_modifier(words);
+    return command;
+}
+
+Action read_navigation(WordReader& words) {
+    NavigationCommand command;
+    command.navigation =
+        static_cast<Navigation>(words.one_of(navigation_names(), "whose conventions"));
+    return command;
+}
+
+Action read_touchpad(WordReader& words) {
+    static constexpr std::array<Name, 2> kStates = {"on", "off"};
+    NavigationCommand command;
+    command.touchpad = words.one_of(kStates, "whether two fingers orbit") == 0;
+    return command;
+}
+
 Action read_wait(WordReader& words) {
     WaitCommand command;
     const std::string& word = words.word("frames, rest, or seconds and their number");
@@ -152,6 +177,14 @@ Action read_compare_command(WordReader& words) {
     CompareCommand command;
     command.mode =
         static_cast<CompareMode>(words.one_of(compare_mode_names(), "a way of comparing"));
+    if (words.more() && words.peek() == "material") {
+        words.word("material");
+        CompareCommand::Materials pair;
+        pair.first = words.word("a material of the scene");
+        pair.second = words.word("another material of the scene, or a file");
+        command.materials = std::move(pair);
+        return command;
+    }
     while (words.more()) {
         const auto method = static_cast<Method>(words.one_of(method_names(), "a method"));
         if (std::find(command.methods.begin(), command.methods.end(), method) !=
@@ -258,6 +291,10 @@ constexpr VerbRow kVerbs[] = {
          return MoveCommand{x, read_place(w, "Y")};
      }},
     {"click", read_click},
+    {"mouse", read_mouse},
+    {"scroll", read_scroll},
+    {"navigation", read_navigation},
+    {"touchpad", read_touchpad},
     {"key", [](WordReader& w) -> Action { return KeyCommand{w.word("a key, such as ctrl+z")}; }},
     {"wait", read_wait},
     {"pick",
@@ -269,6 +306,13 @@ constexpr VerbRow kVerbs[] = {
     {"view", [](WordReader& w) -> Action { return ViewCommand{w.word("the name of a view")}; }},
     {"panel", read_panel},
     {"generate", read_generate},
+    {"material", [](WordReader& w) -> Action { return read_material_command(w); }},
+    {"object", [](WordReader& w) -> Action { return read_object_command(w); }},
+    {"lights", [](WordReader& w) -> Action { return read_lights_command(w); }},
+    {"background", [](WordReader& w) -> Action { return read_background_command(w); }},
+    {"bookmark", [](WordReader& w) -> Action { return read_bookmark_command(w); }},
+    {"recover", [](WordReader& w) -> Action { return read_recover_command(w); }},
+    {"simulate", [](WordReader& w) -> Action { return read_simulate_command(w); }},
     {"undo", [](WordReader& w) -> Action { return UndoCommand{read_steps(w)}; }},
     {"redo", [](WordReader& w) -> Action { return RedoCommand{read_steps(w)}; }},
     {"save", read_save},

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "burnish/scene.hpp"
 #include "viewer/document/document.hpp"
+#include "viewer/motion/navigation.hpp"
 
 namespace burnish::viewer {
 
@@ -61,6 +63,18 @@ struct ClickCommand {
     double x = 0, y = 0;
     bool shift = false;
 };
+// mouse BUTTON DX DY [MODIFIER]: from where the mouse is, a drag with left, right or middle
+// scroll DX DY [MODIFIER]: steps of the wheel, or of two fingers
+struct MouseCommand {
+    int button = 0;         // as ImGui has it; -1: scrolling
+    double dx = 0, dy = 0;  // pixels, or steps
+    std::string modifier;   // "", "shift", "ctrl" or "alt"
+};
+// navigation viewer|blender, touchpad on|off
+struct NavigationCommand {
+    std::optional<Navigation> navigation;
+    std::optional<bool> touchpad;
+};
 // key KEYS: such as "ctrl+z", "f", "?"
 struct KeyCommand {
     std::string keys;
@@ -75,10 +89,15 @@ struct WaitCommand {
 struct PickCommand {
     double x = 0, y = 0;
 };
-// compare MODE [METHOD...]: 2 to 4 different methods; none: those that are set
+// compare MODE [METHOD...]: 2 to 4 different methods; none: what is set
+// compare MODE material A B: the objects of material A with it, and with B, a material or a file
 struct CompareCommand {
+    struct Materials {
+        std::string first, second;  // a name, "#" and an index, or for the second a file
+    };
     CompareMode mode = CompareMode::off;
     std::vector<Method> methods;
+    std::optional<Materials> materials;
 };
 // view NAME: a view of what is behind the picture
 struct ViewCommand {
@@ -97,6 +116,46 @@ struct GenerateCommand {
     std::optional<double> amount, strength;  // 0 to 8, 0 to 4
     std::optional<int> seed, size;           // 0 to 2147483647; 16 to 16384 texels
     std::optional<double> tile_mm, angle_deg, range_deg, length_mm, width_mm, depth_mm;
+};
+// What the lists of the panel Scene do:
+//   material NAME | material all                       selects
+//   object NAME on|off|solo|frame | object all on
+//   lights add directional|point | lights N on|off|remove | lights N to LIGHT | lights N color COLOR
+//   background on|off
+//   bookmark add|go|delete NAME | bookmark rename NAME TO
+//   recover open|later|delete                          the scene that a crash has left
+//   simulate device-reset                              for tests
+struct SceneCommand {
+    enum class Does {
+        select_material,
+        show_object,
+        hide_object,
+        solo_object,
+        frame_object,
+        show_all_objects,
+        add_light,
+        switch_light_on,
+        switch_light_off,
+        remove_light,
+        change_light,
+        show_background,
+        hide_background,
+        add_bookmark,
+        go_to_bookmark,
+        delete_bookmark,
+        rename_bookmark,
+        open_recovered,
+        leave_recovered,
+        delete_recovered,
+        reset_device
+    };
+    Does does = Does::select_material;
+    std::string name, to;  // "": all; of materials and objects also "#" and an index
+    int index = 0;         // of a light, from 0
+    LightType type = LightType::directional;  // of a light to add
+    std::optional<Light> light;               // change_light: place or direction, and intensity
+    std::optional<glm::vec3> color;           // change_light
+    bool has_intensity = false;               // `light` states one
 };
 // undo [N], redo [N]
 struct UndoCommand {
@@ -146,12 +205,12 @@ struct QuitCommand {
     double after_s = 0;
 };
 
-using Action =
-    std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
-                 DragCommand, MoveCommand, ClickCommand, KeyCommand, WaitCommand, PickCommand,
-                 CompareCommand, ViewCommand, PanelCommand, GenerateCommand, UndoCommand,
-                 RedoCommand, SaveCommand, TurntableCommand, ScreenshotCommand, ExpectCommand,
-                 LogCommand, ResizeCommand, QuitCommand>;
+using Action = std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
+                            DragCommand, MoveCommand, ClickCommand, MouseCommand, NavigationCommand,
+                            KeyCommand, WaitCommand, PickCommand, CompareCommand, ViewCommand,
+                            PanelCommand, GenerateCommand, SceneCommand, UndoCommand, RedoCommand,
+                            SaveCommand, TurntableCommand, ScreenshotCommand, ExpectCommand,
+                            LogCommand, ResizeCommand, QuitCommand>;
 
 struct Command {
     int line = 0;      // from 1

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "burnish/error.hpp"
+
 namespace burnish::viewer {
 
 struct ScriptLine {
@@ -47,5 +49,22 @@ class WordReader {
     const ScriptLine& line_;
     std::size_t at_ = 0;
 };
+
+// Errors of the parameter table that `work` throws, as errors of the line: "... expected <expected>, found
+// <found>".
+template <typename Work>
+void in_line(const WordReader& words, const Work& work) {
+    constexpr std::string_view kExpected = "expected ", kFound = ", found ";
+    try {
+        work();
+    } catch (const UsageError& error) {
+        const std::string line = error.what();
+        const std::size_t expected = line.find(kExpected), found = line.rfind(kFound);
+        if (expected == line.npos || found == line.npos || found < expected)
+            words.fail("a value", line);
+        const std::size_t begin = expected + kExpected.size();
+        words.fail(line.substr(begin, found - begin), line.substr(found + kFound.size()));
+    }
+}
 
 }  // namespace burnish::viewer

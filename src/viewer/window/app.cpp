@@ -11,6 +11,7 @@
 #include "burnish/error.hpp"
 #include "gpu/device/program.hpp"
 #include "viewer/document/load_stage.hpp"
+#include "viewer/document/open_files.hpp"
 #include "viewer/motion/orbit.hpp"
 #include "viewer/window/app_parts.hpp"
 
@@ -44,6 +45,7 @@ std::vector<std::string> files_of(const Document& document) {
     };
     add_values(document.values);
     for (const auto& [index, values] : document.material_values) add_values(values);
+    if (document.compare.materials) add(document.compare.materials->other);
     return files;
 }
 
@@ -99,7 +101,38 @@ App::~App() {
     } catch (const std::exception&) {
         // There is nobody left to tell.
     }
+    if (keeps_autosave_) return;
     remove_autosave(state_folder);
+    std::error_code error;
+    if (!opened_recovery_.empty()) std::filesystem::remove(opened_recovery_, error);
+}
+
+void App::recover(Recovery choice) {
+    if (!recovered) return say("no scene of an earlier session is offered", true);
+    const std::filesystem::path file = recovered->file;
+    recovered.reset();
+    std::error_code error;
+    if (choice == Recovery::remove) std::filesystem::remove(file, error);
+    if (choice != Recovery::open) return;
+    opened_recovery_ = file;
+    load(document_for(std::vector{file.string()}), "recovered scene",
+         [this](Document d, Stage stage) {
+             editor.set_loaded(std::move(d), std::move(stage), "recover");
+             material.reset();
+             picked.reset();
+         });
+}
+
+void App::require_context() {
+    if (!window.context_was_reset()) return;
+    std::string kept = "nothing was changed";
+    if (!state_folder.empty() && editor.history().can_undo()) {
+        autosave(state_folder, document(), editor.stage());
+        keeps_autosave_ = true;
+        kept = "the scene is kept, and the next start offers it";
+    }
+    throw Error("burnish view", "graphics device", "one that goes on",
+                "a reset of the device or its driver: " + kept);
 }
 
 void App::say(std::string text, bool is_error) {
@@ -177,6 +210,7 @@ void App::report_new_warnings() {
 void App::after_change() {
     if (material && static_cast<std::size_t>(*material) >= scene().materials.size())
         material.reset();
+    if (object && static_cast<std::size_t>(*object) >= scene().instances.size()) object.reset();
     watched_.clear();
 }
 
@@ -195,7 +229,7 @@ bool App::needs_slow_frames() const {
 // Nothing is open until the first file is read.
 bool App::at_rest() const {
     return document().input.empty() || refused_ == editor.revisions() ||
-           (picture.at_rest() && (!before_picture || before_picture->at_rest()));
+           (picture.at_rest() && (!shows_second() || second->picture.at_rest()));
 }
 
 void App::update() {
@@ -215,10 +249,7 @@ void App::update() {
     if (refused_ != editor.revisions()) {
         try {
             picture.follow(editor);
-            if (before) {
-                before->set(seen_as(before->document(), document()), "follow");
-                before_picture->follow(*before);
-            }
+            if (second) second->follow(editor);
         } catch (const std::exception& error) {
             say(one_line(error.what()), true);
             refused_ = editor.revisions();  // said once
@@ -241,7 +272,7 @@ void App::update() {
     }
     const bool moving = seconds_since(last_motion_) < kSettle_s || dragging_ != Drag::none;
     picture.set_moving(moving);
-    if (before_picture) before_picture->set_moving(moving);
+    if (second) second->picture.set_moving(moving);
     follow_files();
     autosave_now_and_then();
 }
@@ -251,7 +282,7 @@ void App::draw_picture(double budget_s) {
     if (refused_ == editor.revisions()) return;
     try {
         picture.refine(budget_s);
-        if (before_picture) before_picture->refine(budget_s);
+        if (shows_second()) second->picture.refine(budget_s);
         refused_.reset();
     } catch (const std::exception& error) {
         say(one_line(error.what()), true);

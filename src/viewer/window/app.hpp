@@ -19,12 +19,14 @@
 #include "viewer/document/keep.hpp"
 #include "viewer/inspect/inspector.hpp"
 #include "viewer/inspect/pick.hpp"
+#include "viewer/motion/navigation.hpp"
 #include "viewer/script/script.hpp"
 #include "viewer/window/background.hpp"
 #include "viewer/window/compared.hpp"
 #include "viewer/window/costs.hpp"
 #include "viewer/window/generator.hpp"
 #include "viewer/window/picture.hpp"
+#include "viewer/window/second_picture.hpp"
 #include "viewer/window/window.hpp"
 
 namespace burnish::viewer {
@@ -49,10 +51,8 @@ struct Picked {
     glm::dvec2 pixel{0.0};  // of the picture, when it was picked
     LobeReport report;
     std::vector<LobeAlbedo> albedos;  // one a method
+    std::uint64_t version = 0;        // of the report: another one has another
 };
-
-// What the mouse does in the picture while a button is down.
-enum class Drag { none, orbit, pan, zoom, light, environment, highlight };
 
 class App {
   public:
@@ -96,9 +96,31 @@ class App {
     void put_highlight(glm::dvec2 pixel);
     void pick(glm::dvec2 pixel);
     void pick_again();  // the same surface point after a change
+    // Rows of numbers that say the lobe of a method at the picked point, into the clipboard.
+    void copy_lobe(std::size_t method);
     WindowSize picture_size() const { return {picture_width, picture_height}; }
     // The light that is dragged: the selected one; a first one is made where there is none.
     int dragged_light();
+
+    // --- parts of the scene. Indices that there are not change nothing, with a message.
+    void select_material(std::optional<int> index);
+    void frame_object(int index);  // and selects it
+    void show_object(int index, bool shown);
+    void show_all_objects();
+    void solo_object(int index);  // or all again
+    void add_light(LightType type);
+    void remove_light(int index);
+    void switch_light(int index, bool on);
+    void change_light(int index, const Light& light);
+    // Files and builtin names; reads the file.
+    void set_environment(const std::string& name);
+    void show_background(bool shown);  // the environment, or the color in its place
+    bool shows_background() const;
+    void keep_view(std::string name);  // as a bookmark; "": a name that there is not yet
+    void go_to_view(const std::string& name);
+    void rename_view(const std::string& name, const std::string& to);
+    void delete_view(const std::string& name);
+    void next_view();
 
     // --- messages
     void say(std::string text, bool is_error = false);
@@ -134,47 +156,75 @@ class App {
     SurfaceView view = SurfaceView::radiance;
     std::optional<int> material;  // selected: parameters are of this one, else of all
     int light = 0;                // selected
+    std::optional<int> object;    // selected
     std::string search;           // of the parameters
     std::optional<Picked> picked;
     Compared compared;
-    // "Before" of a comparison with what is shown now: materials and model as they were when hold() was
-    // called, under the present camera, light and exposure.
-    std::unique_ptr<Editor> before;
-    std::unique_ptr<Picture> before_picture;
-    void hold();             // what is shown now becomes the "before"
-    void release();          // there is none
+    // The second picture of a comparison of two materials, or of what is shown now with a "before". Null for
+    // methods, and where the other material cannot be drawn.
+    std::unique_ptr<SecondPicture> second;
+    // Makes `second` what the document asks for. To be called before the pictures are given to ImGui, which draws
+    // them at the end of the frame.
+    void choose_second();
+    bool holds_before() const { return second && second->is_before(); }
+    bool shows_second() const { return second && document().compare.mode != CompareMode::off; }
+    void hold();     // what is shown now becomes the "before"
+    void release();  // there is none
+    // The objects of a material are compared with themselves under another one.
+    void compare_materials(const MaterialPair& pair, CompareMode mode);
+    // The same with a file, for the pair's objects, else those of the selected material.
+    void compare_with_file(const std::string& path);
+    // Methods are compared in place of materials or a "before"; without any, those of the document.
+    void compare_methods(const std::vector<Method>& methods, CompareMode mode);
     bool turntable = false;  // turns by itself
     bool show_panels = true;
     double ui_scale = 1.0;
     int picture_x = 0, picture_y = 0;  // upper left corner in the window
     int picture_width = 1, picture_height = 1;
     double frames_per_second = 0, lowest_frames_per_second = 0;
-    std::optional<LeftBehind> recovered;  // an autosave that is offered
+    // An autosave that a crash has left: offered, by a dialog where `asks_recovery`.
+    std::optional<LeftBehind> recovered;
+    bool asks_recovery = true;
+    enum class Recovery { open, later, remove };
+    void recover(Recovery choice);
+    // Throws Error where the graphics device was reset; the scene is kept for the next start.
+    void require_context();
 
     const Document& document() const { return editor.document(); }
     const Scene& scene() const { return editor.stage().scene; }
 
   private:
+    // The refined picture in the view that is shown, as a display has it or linear.
+    Image drawn(const Camera& camera, int width, int height, bool linear);
     void load(Document document, std::string name, std::function<void(Document, Stage)> adopt);
     void after_change();
     void step_history(bool forward);
     void autosave_now_and_then();
     void follow_files();
     void report_new_warnings();
+    // Whether there is such a one; else a message says so.
+    bool has_object(int index);
+    bool has_light(int index);
+    bool has_view(const std::string& name);
 
     Background loader_;
     Picker picker_;
     std::optional<Revisions> picker_revisions_, picked_revisions_;
+    std::uint64_t reports_made_ = 0;
     Drag dragging_ = Drag::none;
     std::chrono::steady_clock::time_point last_motion_{}, last_autosave_{}, last_look_{},
         last_turn_{};
     std::vector<std::pair<std::string, std::filesystem::file_time_type>> watched_;
+    // What `second` was made of last, whether or not it could be.
+    std::optional<std::pair<MaterialPair, std::uint64_t>> second_of_;
     std::string saved_scene_;
     std::optional<Document> autosaved_;
     std::size_t errors_said_ = 0;
     std::string last_error_;
-    bool message_shown_ = false;        // in the last frame
-    std::optional<Revisions> refused_;  // those that the device could not draw
+    std::filesystem::path opened_recovery_;  // removed at an orderly end
+    bool keeps_autosave_ = false;            // at the end
+    bool message_shown_ = false;             // in the last frame
+    std::optional<Revisions> refused_;       // those that the device could not draw
     std::chrono::steady_clock::time_point last_frame_{};
 };
 

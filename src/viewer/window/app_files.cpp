@@ -83,31 +83,33 @@ void App::save_scene(const std::filesystem::path& path) {
     say("saved " + path.string());
 }
 
-void App::save_picture(const std::filesystem::path& path, std::optional<Size> size) {
+Image App::drawn(const Camera& camera, int width, int height, bool linear) {
     RenderSettings settings = editor.stage().settings;
-    settings.width = size ? size->width : picture_width;
-    settings.height = size ? size->height : picture_height;
-    const Image linear = picture.render(editor.stage().camera, settings, {});
+    settings.width = width;
+    settings.height = height;
+    settings.view = view;
+    Image image = picture.render(camera, settings, {});
+    if (linear) return image;
+    const bool radiance = view == SurfaceView::radiance;
+    return to_display(image, radiance ? editor.stage().exposure_ev : 0.0,
+                      radiance ? editor.stage().tone_map : ToneMap::linear);
+}
+
+void App::save_picture(const std::filesystem::path& path, std::optional<Size> size) {
     write_image(path,
-                holds_linear(path)
-                    ? linear
-                    : to_display(linear, editor.stage().exposure_ev, editor.stage().tone_map),
+                drawn(editor.stage().camera, size ? size->width : picture_width,
+                      size ? size->height : picture_height, holds_linear(path)),
                 {});
     say("saved " + path.string());
 }
 
 void App::save_turntable(const std::filesystem::path& path, int frames) {
-    RenderSettings settings = editor.stage().settings;
-    settings.width = picture_width;
-    settings.height = picture_height;
     for (int i = 0; i < frames; ++i) {
         const double angle = glm::two_pi<double>() * i / frames;
-        const Image linear = picture.render(turned(editor.stage().camera, angle), settings, {});
         const std::filesystem::path file = numbered(path, i);
         write_image(file,
-                    holds_linear(file)
-                        ? linear
-                        : to_display(linear, editor.stage().exposure_ev, editor.stage().tone_map),
+                    drawn(turned(editor.stage().camera, angle), picture_width, picture_height,
+                          holds_linear(file)),
                     {});
     }
     say(fmt::format("saved {} frames beside {}", frames, path.string()));

@@ -5,6 +5,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "burnish/error.hpp"
+#include "viewer/document/file_names.hpp"
+#include "viewer/document/scene_lists.hpp"
 #include "viewer/motion/light_sphere.hpp"
 #include "viewer/motion/orbit.hpp"
 #include "viewer/window/app.hpp"
@@ -34,11 +36,7 @@ void App::move_camera(const Camera& camera, std::string_view key, std::string_vi
 }
 
 int App::dragged_light() {
-    const std::vector<Light>& lights = scene().lights;
-    if (lights.empty()) {
-        edit({}, "add light", [](Document& d) { d.lights = {parse_light("30,45")}; });
-        light = 0;
-    }
+    if (scene().lights.empty()) add_light(LightType::directional);
     light = std::clamp(light, 0, static_cast<int>(scene().lights.size()) - 1);
     return light;
 }
@@ -68,7 +66,7 @@ void App::drag(Drag kind, glm::dvec2 by) {
         case Drag::light: {
             const auto index = static_cast<std::size_t>(dragged_light());
             const glm::dvec3 pivot(bounds_of(scene()).center());
-            std::vector<Light> lights = scene().lights;
+            std::vector<Light> lights = all_lights(document(), editor.stage());
             lights[index] = viewer::dragged_light(camera, lights[index], pivot, by, picture_height);
             edit("light", "light", [&](Document& d) { d.lights = lights; });
             return;
@@ -109,9 +107,9 @@ void App::put_highlight(glm::dvec2 pixel) {
     if (!hit) return;
     const auto index = static_cast<std::size_t>(dragged_light());
     const auto placed = light_for_highlight(scene(), *hit, towards_eye(camera, hit->position),
-                                            scene().lights[index]);
+                                            all_lights(document(), editor.stage())[index]);
     if (!placed) return say("no light above the horizon puts the highlight there");
-    std::vector<Light> lights = scene().lights;
+    std::vector<Light> lights = all_lights(document(), editor.stage());
     lights[index] = *placed;
     edit("light", "highlight", [&](Document& d) { d.lights = lights; });
 }
@@ -150,6 +148,7 @@ void App::pick_again() {
     }
     try {
         picked->report = inspect(scene(), picked->hit, to_eye, to_light, methods);
+        picked->version = ++reports_made_;
         picked->albedos.clear();
         for (const MethodReport& m : picked->report.methods)
             picked->albedos.push_back(m.lobe.has_meaning()
@@ -161,35 +160,91 @@ void App::pick_again() {
     }
 }
 
-// --- before and after -----------------------------------------------------------------------------
-
-Document seen_as(const Document& held, const Document& now) {
-    Document document = held;
-    for (const Parameter& p : parameter_table())
-        if (p.group != ParameterGroup::material && p.group != ParameterGroup::mesh)
-            document.values.erase(p.name);
-    for (const auto& [name, value] : now.values.set_values()) {
-        const ParameterGroup group = find_parameter(name)->group;
-        if (group != ParameterGroup::material && group != ParameterGroup::mesh)
-            document.values.set_value(name, value);
+void App::copy_lobe(std::size_t method) {
+    if (!picked || method >= picked->report.methods.size()) return;
+    const LobeReport& report = picked->report;
+    const MethodReport& m = report.methods[method];
+    if (const auto rows = csv_rows(report, m)) {
+        window.set_clipboard(csv_header() + "\n" + *rows);
+        return say("copied rows for `burnish brdf eval`");
     }
-    document.lights = now.lights;
-    document.environment = now.environment;
-    return document;
+    if (const auto row = mdf_csv_row(report, m)) {
+        window.set_clipboard(mdf_csv_header() + "\n" + *row);
+        return say("copied a row for `burnish mdf eval`: brdf eval has no row for this method");
+    }
+    say("no row of numbers says the same as this lobe");
 }
 
+// --- the second picture of a comparison -------------------------------------------------------------
+
 void App::hold() {
-    before = std::make_unique<Editor>(editor);
-    before_picture = std::make_unique<Picture>(context);
-    if (document().compare.mode == CompareMode::off)
-        edit({}, "compare", [](Document& d) { d.compare.mode = CompareMode::split; });
+    const bool off = document().compare.mode == CompareMode::off;
+    if (off || document().compare.materials)
+        edit({}, "compare", [&](Document& d) {
+            if (off) d.compare.mode = CompareMode::split;
+            d.compare.materials.reset();
+        });
+    second = std::make_unique<SecondPicture>(context, editor);
     say("held as before: changes are compared with it (H lets it go)");
 }
 
 void App::release() {
-    before.reset();
-    before_picture.reset();
+    second.reset();
     compared.invalidate();
+}
+
+void App::compare_materials(const MaterialPair& pair, CompareMode mode) {
+    try {
+        // What cannot be drawn is not chosen.
+        auto chosen = std::make_unique<SecondPicture>(context, editor, pair);
+        const bool done = edit({}, "compare materials", [&](Document& d) {
+            d.compare.mode = mode;
+            d.compare.materials = pair;
+        });
+        if (!done) return;
+        second = std::move(chosen);
+        second_of_ = {pair, editor.revisions().scene};
+        compared.invalidate();
+    } catch (const std::exception& error) {
+        say(one_line(error.what()), true);
+    }
+}
+
+void App::compare_with_file(const std::string& path) {
+    const Compare& now = document().compare;
+    const int of = now.materials ? now.materials->material : material.value_or(0);
+    compare_materials({of, absolute_name(path)},
+                      now.mode == CompareMode::off ? CompareMode::split : now.mode);
+}
+
+void App::compare_methods(const std::vector<Method>& methods, CompareMode mode) {
+    if (holds_before()) release();
+    edit({}, "compare", [&](Document& d) {
+        d.compare.mode = mode;
+        d.compare.materials.reset();
+        if (methods.empty() || methods == d.compare.methods) return;
+        d.compare.methods = methods;
+        d.compare.dividers.clear();
+    });
+}
+
+void App::choose_second() {
+    if (holds_before()) return;
+    const std::optional<MaterialPair>& pair = document().compare.materials;
+    if (!pair) {
+        if (second) release();
+        second_of_.reset();
+        return;
+    }
+    const std::pair<MaterialPair, std::uint64_t> wanted{*pair, editor.revisions().scene};
+    if (second_of_ == wanted || document().compare.mode == CompareMode::off) return;
+    second_of_ = wanted;  // refused once, it is not tried again
+    release();
+    try {
+        second = std::make_unique<SecondPicture>(context, editor, *pair);
+    } catch (const std::exception& error) {
+        say(one_line(error.what()), true);
+    }
 }
 
 }  // namespace burnish::viewer

@@ -62,6 +62,7 @@ void Compared::update(const Picture& of_a, std::size_t pane_a, const Picture& of
     if (of_a.texture(pane_a) == 0 || of_b.texture(pane_b) == 0) return;
     const bool rest = of_a.at_rest() && of_b.at_rest();
     const bool flip = compare.mode == CompareMode::flip;
+    if (!rest) made_of_.reset();  // another picture may come to rest with as many samples
     if (flip && !rest) return;
     const Source now{compare.mode, of_a.samples() + of_b.samples(), of_b.scale(), compare.gain};
     if (rest && made_of_ == now) return;

@@ -38,6 +38,10 @@ const char* title_of(Ask ask) {
             return "Export the materials as glTF";
         case Ask::maps:
             return "Save the maps of scratches or of a weave";
+        case Ask::compared:
+            return "Compare with a material of a file";
+        case Ask::environment:
+            return "Light the scene with an environment";
         case Ask::none:
             break;
     }
@@ -50,6 +54,8 @@ void run_dialog(App& app, const Dialog& d) {
     if (d.ask == Ask::picture) return app.save_picture(d.path, std::nullopt);
     if (d.ask == Ask::turntable) return app.save_turntable(d.path, 48);
     if (d.ask == Ask::maps) return app.save_maps(d.path);
+    if (d.ask == Ask::environment) return app.set_environment(d.path);
+    if (d.ask == Ask::compared) return app.compare_with_file(d.path);
     app.save_gltf(d.path);
 }
 
@@ -107,7 +113,8 @@ void draw_dialog(App& app) {
                 d.path = name;
     ImGui::EndChild();
     ImGui::TextColored({0.95f, 0.6f, 0.5f, 1}, "%s", d.failed.c_str());
-    const bool pressed = ImGui::Button(d.ask == Ask::open ? "Open" : "Save", {100 * scale, 0});
+    const bool opens = d.ask == Ask::open || d.ask == Ask::compared || d.ask == Ask::environment;
+    const bool pressed = ImGui::Button(opens ? "Open" : "Save", {100 * scale, 0});
     ImGui::SameLine();
     const bool cancelled = ImGui::Button("Cancel", {100 * scale, 0}) || !open ||
                            ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));

@@ -9,7 +9,7 @@
 
 namespace burnish::viewer {
 
-enum class Ask { none, open, scene, picture, turntable, gltf, maps };
+enum class Ask { none, open, scene, picture, turntable, gltf, maps, compared, environment };
 
 // Shows the dialog from the next frame on, with `path` in its line.
 void ask_for(Ask ask, std::string path);

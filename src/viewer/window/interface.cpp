@@ -68,6 +68,15 @@ void view_menu(App& app) {
     if (ImGui::MenuItem("Camera of the file", "Home"))
         app.edit({}, "camera", [](Document& d) { unset_camera(d); });
     ImGui::MenuItem("Turntable", "T", &app.turntable);
+    if (ImGui::BeginMenu("Navigation")) {
+        Remembered& r = app.remembered;
+        if (ImGui::MenuItem("as glTF viewers", nullptr, r.navigation == Navigation::viewer))
+            r.navigation = Navigation::viewer;
+        if (ImGui::MenuItem("as Blender", nullptr, r.navigation == Navigation::blender))
+            r.navigation = Navigation::blender;
+        ImGui::MenuItem("touchpad: two fingers orbit", nullptr, &r.touchpad);
+        ImGui::EndMenu();
+    }
     ImGui::Separator();
     for (std::size_t i = 0; i < surface_view_names().size(); ++i) {
         std::string name(surface_view_names()[i]);
@@ -95,8 +104,8 @@ void compare_menu(App& app) {
             app.edit({}, "compare", [&](Document& d) { d.compare.mode = mode; });
     }
     ImGui::Separator();
-    if (ImGui::MenuItem("Choose methods ...", "3")) app.panels.compare = true;
-    if (ImGui::MenuItem("Before and after: hold this", "H", app.before != nullptr))
+    if (ImGui::MenuItem("Choose methods or materials ...", "3")) app.panels.compare = true;
+    if (ImGui::MenuItem("Before and after: hold this", "H", app.holds_before()))
         press_key(app, "h");
 }
 
@@ -136,13 +145,17 @@ void status_bar(App& app) {
             last.text.c_str());
         return;
     }
-    const std::string hint = app.editor.history().can_undo()
-                                 ? std::string(
-                                       "drag: orbit    shift+drag: put the highlight there    "
-                                       "click: the lobe at a point    ?: keys")
-                                 : std::string(
-                                       "Drag to turn it. Shift+drag on the surface puts the "
-                                       "highlight there. Drop a model or a picture on the window.");
+    const char* orbit = app.remembered.navigation == Navigation::blender ? "middle drag" : "drag";
+    const std::string hint =
+        app.editor.history().can_undo()
+            ? fmt::format(
+                  "{}: orbit    shift+drag: put the highlight there    click: the lobe at a "
+                  "point    ?: keys",
+                  orbit)
+            : fmt::format(
+                  "A {} turns it. Shift+drag on the surface puts the highlight there. Drop "
+                  "a model or a picture on the window.",
+                  orbit);
     ImGui::TextDisabled("%s", hint.c_str());
     const std::string right = app.picture.at_rest()
                                   ? fmt::format("{} samples", app.picture.samples())
@@ -155,31 +168,26 @@ void status_bar(App& app) {
 }
 
 void recovery(App& app) {
-    if (!app.recovered) return;
+    if (!app.recovered || !app.asks_recovery) return;
     ImGui::OpenPopup("Recover");
     ImGui::SetNextWindowPos(
         {0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y},
         ImGuiCond_Appearing, {0.5f, 0.5f});
     if (!ImGui::BeginPopupModal("Recover", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
     ImGui::TextUnformatted("The last session ended without saving. Its scene was kept.");
-    std::error_code error;
-    if (ImGui::Button("Open it")) {
-        const std::string file = app.recovered->file.string();
-        app.recovered.reset();
-        app.open({file});
-        ImGui::CloseCurrentPopup();
+    static constexpr std::pair<const char*, App::Recovery> kChoices[] = {
+        {"Open it", App::Recovery::open},
+        {"Later", App::Recovery::later},
+        {"Delete it", App::Recovery::remove}};
+    for (const auto& [text, choice] : kChoices) {
+        if (ImGui::Button(text)) {
+            app.recover(choice);
+            ImGui::CloseCurrentPopup();
+            break;
+        }
+        ImGui::SameLine();
     }
-    ImGui::SameLine();
-    if (ImGui::Button("Later")) {
-        app.recovered.reset();
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::SameLine();
-    if (ImGui::Button("Delete it")) {
-        std::filesystem::remove(app.recovered->file, error);
-        app.recovered.reset();
-        ImGui::CloseCurrentPopup();
-    }
+    ImGui::NewLine();
     ImGui::EndPopup();
 }
 
@@ -214,6 +222,23 @@ void cycle_method(App& app) {
     app.editor.close_step();
 }
 
+void next_object(App& app) {
+    const int count = static_cast<int>(app.scene().instances.size());
+    if (count > 0) app.frame_object(app.object ? (*app.object + 1) % count : 0);
+}
+
+// Behind the last one come all.
+void next_material(App& app) {
+    const int next = app.material ? *app.material + 1 : 0;
+    const bool all = next >= static_cast<int>(app.scene().materials.size());
+    app.select_material(all ? std::nullopt : std::optional(next));
+}
+
+void next_light(App& app) {
+    const int count = static_cast<int>(app.scene().lights.size());
+    if (count > 0) app.light = (app.light + 1) % count;
+}
+
 const std::vector<KeyBinding>& bindings() {
     static const std::vector<KeyBinding> all = {
         {"f", "frame everything", [](App& a) { a.frame_all(); }},
@@ -223,8 +248,26 @@ const std::vector<KeyBinding>& bindings() {
         {"m", "next method", cycle_method},
         {"c", "next way to compare", cycle_compare},
         {"h", "hold this as \"before\", or let it go",
-         [](App& a) { a.before ? a.release() : a.hold(); }},
+         [](App& a) { a.holds_before() ? a.release() : a.hold(); }},
         {"v", "next view of what is behind", cycle_view},
+        {"b", "keep this view of the camera", [](App& a) { a.keep_view(""); }},
+        {"n", "the next view that was kept", [](App& a) { a.next_view(); }},
+        {"o", "the next object: select and frame it", next_object},
+        {"x", "hide the selected object, or show it",
+         [](App& a) {
+             if (const auto object = a.object)
+                 a.show_object(*object, a.document().hidden.contains(*object));
+         }},
+        {"s", "the selected object alone, or all",
+         [](App& a) {
+             if (const auto object = a.object) a.solo_object(*object);
+         }},
+        {"j", "the next material", next_material},
+        {"l", "the next light", next_light},
+        {"k", "the selected light off, or on",
+         [](App& a) { a.switch_light(a.light, a.document().dark.contains(a.light)); }},
+        {"e", "the environment as background, or a color",
+         [](App& a) { a.show_background(!a.shows_background()); }},
         {"g", "the ground's shadow",
          [](App& a) {
              a.set_parameter("ground", !a.document().values.boolean("ground"));
@@ -398,16 +441,11 @@ void keys_panel(App& app) {
     ImGui::SetNextWindowSize({860 * scale, 0});
     if (ImGui::Begin("Keys", &app.panels.keys,
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
-        static constexpr std::pair<const char*, const char*> kMouse[] = {
-            {"drag, middle drag", "orbit"},      {"right drag, shift+middle drag", "pan"},
-            {"wheel, ctrl+middle drag", "zoom"}, {"shift+drag", "put the highlight there"},
-            {"ctrl+drag", "move the light"},     {"alt+drag", "turn the environment"},
-            {"click", "the lobe at this point"},
-        };
-        std::vector<std::pair<std::string, std::string>> rows(std::begin(kMouse), std::end(kMouse));
+        const auto mouse = mouse_help(app.remembered.navigation, app.remembered.touchpad);
+        std::vector<std::pair<std::string, std::string>> rows(mouse.begin(), mouse.end());
         for (const KeyBinding& binding : bindings()) rows.emplace_back(binding.keys, binding.does);
         const std::size_t half = (rows.size() + 1) / 2;
-        if (ImGui::BeginTable("keys", 4)) {
+        if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
             for (std::size_t i = 0; i < half; ++i) {
                 ImGui::TableNextRow();
                 for (const std::size_t k : {i, i + half}) {
@@ -431,7 +469,10 @@ void draw_interface(App& app) {
     const float top = menu_bar(app);
     const float height = screen.y - top - m.status;
     const float left = left_side(app, top, m.panel, height);
-    const float right = right_side(app, screen.x - m.panel, top, m.panel, height);
+    // The lobe inspector has a column for each method, where the window leaves the picture as much.
+    const bool wide = app.panels.inspector && screen.x - left - m.wide > m.panel;
+    const float side = wide ? m.wide : m.panel;
+    const float right = right_side(app, screen.x - side, top, side, height);
     app.picture_x = static_cast<int>(left);
     app.picture_y = static_cast<int>(top);
     app.picture_width = std::max(16, static_cast<int>(screen.x - left - right));

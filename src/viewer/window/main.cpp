@@ -91,6 +91,7 @@ void draw_frame(App& app, ScriptRunner* script) {
         script->after_draw();
     }
     app.window.swap();
+    app.require_context();
     app.count_frame();
 }
 

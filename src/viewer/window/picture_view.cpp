@@ -29,24 +29,37 @@ std::vector<double> dividers_of(const Compare& compare) {
     return even;
 }
 
-std::vector<double> dividers_of(const App& app) {
-    const Compare& compare = app.document().compare;
-    if (!app.before) return dividers_of(compare);
-    return {compare.dividers.size() == 1 ? compare.dividers.front() : 0.5};
+// Two pictures of a scene that differs, in place of methods.
+bool compares_two(const App& app) {
+    return app.document().compare.mode != CompareMode::off &&
+           (app.holds_before() || app.document().compare.materials);
 }
 
-// The panes of what is shown now and, with a "before", of that.
-std::vector<Pane> panes_beside_before(const App& app, bool is_before) {
+// What is shown now is the second picture against a "before", else the first.
+bool now_is_first(const App& app) {
+    return !app.holds_before();
+}
+
+std::vector<double> dividers_of(const App& app) {
+    const Compare& compare = app.document().compare;
+    if (!compares_two(app)) return dividers_of(compare);
+    return {compare.middle};
+}
+
+// The pane of the first or the second picture of two.
+std::vector<Pane> pane_of_two(const App& app, bool is_first) {
     Pane pane{std::nullopt, app.view, 0, 1};
     if (app.document().compare.mode == CompareMode::split)
-        (is_before ? pane.right : pane.left) = dividers_of(app).front();
+        (is_first ? pane.right : pane.left) = dividers_of(app).front();
     return {pane};
 }
 
 std::vector<Pane> panes_of(const App& app) {
     const Compare& compare = app.document().compare;
-    if (app.before && compare.mode != CompareMode::off) return panes_beside_before(app, false);
-    if (compare.mode == CompareMode::off) return {Pane{std::nullopt, app.view, 0, 1}};
+    // Another material that cannot be drawn leaves the picture alone.
+    if (compare.mode == CompareMode::off || (compares_two(app) && !app.second))
+        return {Pane{std::nullopt, app.view, 0, 1}};
+    if (compares_two(app)) return pane_of_two(app, now_is_first(app));
     std::vector<Pane> panes;
     const bool split = compare.mode == CompareMode::split;
     const bool two = compare.mode == CompareMode::difference || compare.mode == CompareMode::flip;
@@ -90,22 +103,34 @@ void draw_pane(const App& app, const Picture& picture, ImDrawList& draw, std::si
     if (!name.empty()) label(draw, {x + left + 8, y + 8}, name);
 }
 
-// The picture number `index` of a comparison: of two methods, or before and after.
+// The picture number `index` of a comparison of two.
+const Picture& of_two(const App& app, std::size_t index) {
+    return (index == 0) == now_is_first(app) ? app.picture : app.second->picture;
+}
+
+// The picture number `index` of a comparison.
 void draw_compared(const App& app, ImDrawList& draw, std::size_t index) {
-    if (app.before && app.document().compare.mode != CompareMode::off)
-        return draw_pane(app, index == 0 ? *app.before_picture : app.picture, draw, 0,
-                         index == 0 ? "before" : "now");
+    if (app.shows_second())
+        return draw_pane(app, of_two(app, index), draw, 0,
+                         index == 0 ? app.second->first_name() : app.second->second_name());
     const std::optional<Method> method = app.picture.pane(index).method;
     draw_pane(app, app.picture, draw, index, method ? std::string(name_of(*method)) : "");
 }
 
 std::size_t compared_count(const App& app) {
-    return app.before && app.document().compare.mode != CompareMode::off ? 2
-                                                                         : app.picture.pane_count();
+    return app.shows_second() ? 2 : app.picture.pane_count();
 }
 
 bool all_at_rest(const App& app) {
-    return app.picture.at_rest() && (!app.before_picture || app.before_picture->at_rest());
+    return app.picture.at_rest() && (!app.shows_second() || app.second->picture.at_rest());
+}
+
+// "B against A", the second picture first.
+std::string names_of_compared(const App& app) {
+    if (app.shows_second())
+        return fmt::format("{} against {}", app.second->second_name(), app.second->first_name());
+    const std::vector<Method>& methods = app.document().compare.methods;
+    return fmt::format("{} against {}", name_of(methods[1]), name_of(methods[0]));
 }
 
 void draw_panes(App& app, ImDrawList& draw) {
@@ -118,19 +143,18 @@ void draw_panes(App& app, ImDrawList& draw) {
             return draw_compared(app, draw, blinking(compared_count(app)));
         case CompareMode::difference:
         case CompareMode::flip: {
-            if (compared_count(app) < 2) return;
-            app.compared.update(app.before ? *app.before_picture : app.picture, 0, app.picture,
-                                app.before ? 0 : 1, compare);
+            if (compared_count(app) < 2) return draw_compared(app, draw, 0);
+            if (app.shows_second())
+                app.compared.update(of_two(app, 0), 0, of_two(app, 1), 0, compare);
+            else
+                app.compared.update(app.picture, 0, app.picture, 1, compare);
             if (compare.mode == CompareMode::flip && !all_at_rest(app)) {
                 draw_compared(app, draw, 1);
                 return label(draw, {x + 8, y + h - 32}, "FLIP is computed at rest");
             }
             if (app.compared.texture() == 0) return;
             draw.AddImage(id_of(app.compared.texture()), {x, y}, {x + w, y + h});
-            const std::string names =
-                app.before ? "now against before"
-                           : fmt::format("{} against {}", name_of(compare.methods[1]),
-                                         name_of(compare.methods[0]));
+            const std::string names = names_of_compared(app);
             label(draw, {x + 8, y + 8},
                   compare.mode == CompareMode::flip
                       ? fmt::format("FLIP of {}: mean {:.4f}, highest {:.3f}", names,
@@ -180,28 +204,40 @@ bool dividers(App& app, ImDrawList& draw) {
         places[i] = std::clamp(
             static_cast<double>(mouse.x - static_cast<float>(app.picture_x)) / app.picture_width,
             std::min(low, high), high);
-        app.edit("divider", "divider", [&](Document& d) { d.compare.dividers = places; });
+        app.edit("divider", "divider", [&](Document& d) {
+            if (compares_two(app))
+                d.compare.middle = places.front();
+            else
+                d.compare.dividers = places;
+        });
     }
     if (held >= 0 || near_one >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     return held >= 0 || near_one >= 0;
 }
 
-Drag drag_of(int button) {
+Modifiers held_keys() {
     const ImGuiIO& io = ImGui::GetIO();
-    if (button == 0) {
-        if (io.KeyShift) return Drag::highlight;
-        if (io.KeyCtrl) return Drag::light;
-        if (io.KeyAlt) return Drag::environment;
-        return Drag::orbit;
-    }
-    if (button == 2 && io.KeyShift) return Drag::pan;
-    if (button == 2 && io.KeyCtrl) return Drag::zoom;
-    return button == 2 ? Drag::orbit : Drag::pan;
+    return {io.KeyShift, io.KeyCtrl, io.KeyAlt};
 }
 
 glm::dvec2 in_picture(const App& app, ImVec2 mouse) {
     return {static_cast<double>(mouse.x) - app.picture_x,
             static_cast<double>(mouse.y) - app.picture_y};
+}
+
+void scroll(App& app, glm::dvec2 at) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0.0f && io.MouseWheelH == 0.0f) return;
+    // A step of scrolling moves as much as a drag of so many pixels.
+    constexpr double kStep_px = 24.0;
+    const Drag drag = scroll_of(app.remembered.touchpad, held_keys());
+    if (drag == Drag::zoom)
+        app.zoom_at(at, static_cast<double>(io.MouseWheel));
+    else
+        app.drag(drag, kStep_px * app.ui_scale *
+                           glm::dvec2(static_cast<double>(io.MouseWheelH),
+                                      static_cast<double>(io.MouseWheel)));
+    app.end_drag();
 }
 
 void mouse_in_picture(App& app) {
@@ -216,25 +252,23 @@ void mouse_in_picture(App& app) {
         for (int b = 0; b < 3; ++b)
             if (ImGui::IsMouseClicked(b)) {
                 button = b;
-                drag = drag_of(b);
+                drag = drag_of(app.remembered.navigation, b, held_keys());
                 pressed_at = io.MousePos;
             }
-        if (io.MouseWheel != 0.0f) {
-            app.zoom_at(at, static_cast<double>(io.MouseWheel));
-            app.end_drag();
-        }
+        scroll(app, at);
     }
     if (button < 0) return;
     const float way = std::hypot(io.MousePos.x - pressed_at.x, io.MousePos.y - pressed_at.y);
     const bool moved = io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f;
     if (drag == Drag::highlight) {
         if (ImGui::IsMouseClicked(button) || moved) app.put_highlight(at);
-    } else if (moved && way > 3.0f) {
+    } else if (drag != Drag::none && moved && way > 3.0f) {
         app.drag(drag,
                  {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
     }
     if (ImGui::IsMouseDown(button)) return;
-    if (button == 0 && drag == Drag::orbit && way <= 3.0f) app.pick(at);
+    const bool plain = drag == Drag::orbit || drag == Drag::none;
+    if (button == 0 && plain && way <= 3.0f) app.pick(at);
     button = -1;
     drag = Drag::none;
     app.end_drag();
@@ -258,7 +292,10 @@ void light_ball(App& app, ImDrawList& draw) {
         const ImVec2 at{center.x + radius * static_cast<float>(place.at.x),
                         center.y - radius * static_cast<float>(place.at.y)};
         const bool selected = static_cast<int>(i) == app.light;
-        const ImU32 color = selected ? IM_COL32(255, 225, 140, 255) : IM_COL32(200, 200, 200, 255);
+        const bool dark = app.document().dark.contains(static_cast<int>(i));
+        const ImU32 color = dark       ? IM_COL32(110, 110, 110, 255)
+                            : selected ? IM_COL32(255, 225, 140, 255)
+                                       : IM_COL32(200, 200, 200, 255);
         if (place.front)
             draw.AddCircleFilled(at, (selected ? 5.0f : 3.5f) * scale, color);
         else
@@ -304,11 +341,12 @@ std::string legend_of(SurfaceView view) {
 }  // namespace
 
 void picture_view(App& app) {
+    app.choose_second();
     app.picture.set_size(app.picture_width, app.picture_height);
     app.picture.set_panes(panes_of(app));
-    if (app.before_picture) {
-        app.before_picture->set_size(app.picture_width, app.picture_height);
-        app.before_picture->set_panes(panes_beside_before(app, true));
+    if (app.second) {
+        app.second->picture.set_size(app.picture_width, app.picture_height);
+        app.second->picture.set_panes(pane_of_two(app, !now_is_first(app)));
     }
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const auto x = static_cast<float>(app.picture_x), y = static_cast<float>(app.picture_y);

@@ -17,6 +17,7 @@
 #include "burnish/image_io.hpp"
 #include "core/machine.hpp"
 #include "scene/parameters/parameter_text.hpp"
+#include "viewer/document/file_names.hpp"
 #include "viewer/window/panels.hpp"
 
 namespace burnish::viewer {
@@ -100,7 +101,7 @@ ScriptRunner::ScriptRunner(App& app, std::vector<Command> commands, std::string 
       commands_(std::move(commands)),
       name_(std::move(name)),
       was_recoverable_(app.recovered.has_value()) {
-    app_.recovered.reset();  // its dialog would stand before everything
+    app_.asks_recovery = false;  // its dialog would stand before everything
 }
 
 void ScriptRunner::fail(const std::string& what) const {
@@ -114,6 +115,7 @@ void ScriptRunner::feed_input() {
     io.MouseDown[0] = click_step_ == 3 || click_step_ == 2;
     io.KeyShift = click_shift_;
     if (click_step_ > 0 && --click_step_ == 0) click_shift_ = false;
+    if (mouse_command_) feed_mouse_command();
 }
 
 // Whether the last command still takes frames.
@@ -249,6 +251,16 @@ double ScriptRunner::measured(const std::string& name) const {
     if (name == "scene_triangles") return triangles_of(app_.scene());
     if (name == "undo_count") return static_cast<double>(app_.editor.history().undo_count());
     if (name == "redo_count") return static_cast<double>(app_.editor.history().redo_count());
+    if (name == "bookmarks") return static_cast<double>(app_.document().bookmarks.size());
+    if (name == "objects") return static_cast<double>(app_.scene().instances.size());
+    if (name == "objects_shown")
+        return static_cast<double>(std::ranges::count_if(
+            app_.scene().instances, [](const Instance& i) { return i.mesh >= 0; }));
+    if (name == "lights_on")
+        return static_cast<double>(std::ranges::count_if(
+            app_.scene().lights, [](const Light& l) { return l.intensity > 0; }));
+    if (name == "selected_material") return app_.material.value_or(-1);
+    if (name == "selected_object") return app_.object.value_or(-1);
     if (name == "lights") return static_cast<double>(app_.scene().lights.size());
     if (name == "warnings") return static_cast<double>(app_.editor.warnings().size());
     if (name == "flip" || name == "difference") return app_.compared.mean();
@@ -339,14 +351,35 @@ void ScriptRunner::generate(const GenerateCommand& command) {
     generating_ = true;
 }
 
+std::optional<int> ScriptRunner::find_material(const std::string& word) const {
+    const auto& materials = app_.scene().materials;
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        if (materials[i].name == word || word == fmt::format("#{}", i)) return static_cast<int>(i);
+    return std::nullopt;
+}
+
+int ScriptRunner::required_material(const std::string& word) const {
+    if (const auto found = find_material(word)) return *found;
+    fail(fmt::format("expected a material of the scene, found {}", shown(word)));
+}
+
+void ScriptRunner::compare(const CompareCommand& command) {
+    if (!command.methods.empty()) return app_.compare_methods(command.methods, command.mode);
+    if (!command.materials) {
+        app_.edit({}, "compare", [&](Document& d) { d.compare.mode = command.mode; });
+        return;
+    }
+    const int first = required_material(command.materials->first);
+    const std::string& word = command.materials->second;
+    const std::optional<int> second = find_material(word);
+    app_.compare_materials({first, second ? fmt::format("#{}", *second) : absolute_name(word)},
+                           command.mode);
+}
+
 void ScriptRunner::execute(const Command& command) {
     const auto material_of = [&](const std::optional<std::string>& word) -> std::optional<int> {
         if (!word) return std::nullopt;
-        const auto& materials = app_.scene().materials;
-        for (std::size_t i = 0; i < materials.size(); ++i)
-            if (materials[i].name == *word || *word == fmt::format("#{}", i))
-                return static_cast<int>(i);
-        fail(fmt::format("expected a material of the scene, found {}", shown(*word)));
+        return required_material(*word);
     };
     const auto in_picture = [&](double x, double y) {
         return glm::dvec2(x - app_.picture_x, y - app_.picture_y);
@@ -369,10 +402,11 @@ void ScriptRunner::execute(const Command& command) {
             } else if constexpr (std::is_same_v<T, LightCommand>) {
                 app_.edit({}, "light", [&](Document& d) {
                     d.lights.emplace();
+                    d.dark.clear();
                     if (c.light) d.lights->push_back(*c.light);
                 });
             } else if constexpr (std::is_same_v<T, EnvironmentCommand>) {
-                app_.edit({}, "environment", [&](Document& d) { d.environment = c.name; });
+                app_.set_environment(c.name);
             } else if constexpr (std::is_same_v<T, DragCommand>) {
                 drag_frames_s_.clear();
                 drag_cpu_s_ = 0;
@@ -386,6 +420,15 @@ void ScriptRunner::execute(const Command& command) {
                 click_step_ = 3;
                 click_shift_ = c.shift;
                 waiting_ = Waiting{WaitKind::frames, 2, Clock::now(), 0};
+            } else if constexpr (std::is_same_v<T, MouseCommand>) {
+                if (!mouse_) fail("expected the mouse somewhere (move X Y), found it nowhere");
+                mouse_command_ = c;
+                mouse_frame_ = 0;
+                waiting_ = Waiting{WaitKind::frames, kMouseFrames + 1, Clock::now(), 0};
+            } else if constexpr (std::is_same_v<T, NavigationCommand>) {
+                Remembered& r = app_.remembered;
+                r.navigation = c.navigation.value_or(r.navigation);
+                r.touchpad = c.touchpad.value_or(r.touchpad);
             } else if constexpr (std::is_same_v<T, KeyCommand>) {
                 if (!press_key(app_, c.keys))
                     fail(
@@ -397,13 +440,7 @@ void ScriptRunner::execute(const Command& command) {
                 app_.pick(in_picture(c.x, c.y));
                 if (!app_.picked) fail("expected a surface there, found the background");
             } else if constexpr (std::is_same_v<T, CompareCommand>) {
-                app_.edit({}, "compare", [&](Document& d) {
-                    d.compare.mode = c.mode;
-                    if (!c.methods.empty()) {
-                        d.compare.methods = c.methods;
-                        d.compare.dividers.clear();
-                    }
-                });
+                compare(c);
                 waiting_ = Waiting{WaitKind::frames, 1, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, ViewCommand>) {
                 const auto names = surface_view_names();
@@ -422,6 +459,9 @@ void ScriptRunner::execute(const Command& command) {
                 waiting_ = Waiting{WaitKind::frames, 2, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, GenerateCommand>) {
                 generate(c);
+            } else if constexpr (std::is_same_v<T, SceneCommand>) {
+                change_scene(c);
+                waiting_ = Waiting{WaitKind::frames, 1, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, UndoCommand>) {
                 for (int i = 0; i < c.steps; ++i) app_.undo();
             } else if constexpr (std::is_same_v<T, RedoCommand>) {

@@ -14,6 +14,9 @@
 
 namespace burnish::viewer {
 
+// Frames that a drag of the mouse takes: the button is down from the second to the last but one.
+inline constexpr int kMouseFrames = 6;
+
 class ScriptRunner {
   public:
     ScriptRunner(App& app, std::vector<Command> commands, std::string name);
@@ -51,6 +54,12 @@ class ScriptRunner {
     void log(const std::string& name) const;
     void expect(const ExpectCommand& command);
     void generate(const GenerateCommand& command);
+    void change_scene(const SceneCommand& command);
+    void change_light(const SceneCommand& command);
+    int required_object(const std::string& name_or_index) const;
+    void compare(const CompareCommand& command);
+    std::optional<int> find_material(const std::string& name_or_index) const;
+    int required_material(const std::string& name_or_index) const;
     double measured(const std::string& name) const;
     bool still_busy();
     [[noreturn]] void fail(const std::string& what) const;
@@ -77,6 +86,10 @@ class ScriptRunner {
     std::optional<glm::dvec2> mouse_;
     int click_step_ = 0;  // 3: pressed next, 2: down, 1: released
     bool click_shift_ = false;
+    // A drag or a scroll of the mouse, and the frame that it is in.
+    std::optional<MouseCommand> mouse_command_;
+    int mouse_frame_ = 0;
+    void feed_mouse_command();
 };
 
 // The whole window as it was drawn, read before it is swapped.

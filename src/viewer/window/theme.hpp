@@ -7,9 +7,9 @@ namespace burnish::viewer {
 // changes. Without the DejaVu fonts ImGui's own font is used.
 void set_theme(float scale);
 
-// Width of a side panel and height of the status bar, in device pixels.
+// Widths of a side panel and of the wide one, and height of the status bar, in device pixels.
 struct Measures {
-    float panel = 300, status = 24;
+    float panel = 300, wide = 460, status = 24;
 };
 Measures measures(float scale);
 

@@ -34,6 +34,8 @@ Window::Window(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // Where the driver can tell of a reset.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_MAXIMIZED, options.maximized ? GLFW_TRUE : GLFW_FALSE);
@@ -129,6 +131,14 @@ std::string Window::clipboard() const {
 }
 void Window::set_clipboard(const std::string& text) {
     glfwSetClipboardString(handle_, text.c_str());
+}
+
+bool Window::context_was_reset() const {
+    if (pretends_reset_) return true;
+    static const bool can_tell = epoxy_gl_version() >= 45 ||
+                                 epoxy_has_gl_extension("GL_KHR_robustness") ||
+                                 epoxy_has_gl_extension("GL_ARB_robustness");
+    return can_tell && glGetGraphicsResetStatus() != GL_NO_ERROR;
 }
 
 bool Window::take_events() {

@@ -43,6 +43,10 @@ class Window {
     std::string clipboard() const;
     void set_clipboard(const std::string& text);
 
+    // The device or its driver was reset: what the context held is gone. False where the driver does not tell.
+    bool context_was_reset() const;
+    void pretend_reset() { pretends_reset_ = true; }  // for tests
+
     // Whether an event has come since the last call.
     void note_event() { events_ = true; }
     bool take_events();
@@ -51,7 +55,7 @@ class Window {
 
   private:
     GLFWwindow* handle_ = nullptr;
-    bool events_ = true;
+    bool events_ = true, pretends_reset_ = false;
     std::vector<std::string> dropped_;
 };
 
