@@ -14,15 +14,22 @@
 
 namespace BURNISH_API burnish {
 
-// What glTF's metallic-roughness model says of a diffuse and a specular colour:
-//   diffuse = base (1 - metallic),  specular = 0.04 (1 - metallic) + base metallic
-// solved for luminances, then base for each channel by least squares, clamped to 0..1.
+// The reflectance at normal incidence that one KHR_materials_ior gives all dielectrics of a material: the
+// mean luminance of `specular` over texels that may be dielectrics, those up to 0.17 (diamond); 0.04,
+// which is glTF's own, where there are none.
+float dielectric_f0_of(const TabulatedMaterial& material);
+
+// What glTF's metallic-roughness model says of a diffuse and a specular colour. Up to a luminance of 0.17
+// of `specular` it is a dielectric of the reflectance `f0`: base = diffuse. Else
+//   diffuse = base (1 - metallic),  specular = f0 (1 - metallic) + base metallic
+// solved for luminances, then base for each channel by least squares, clamped to 0..1. No metal
+// reflects so little, and a mixture would take its color from the specular one.
 struct MetallicColor {
     std::array<float, 3> base{};
     float metallic = 0.0f;
 };
 MetallicColor metallic_color(const std::array<float, 3>& diffuse,
-                             const std::array<float, 3>& specular);
+                             const std::array<float, 3>& specular, float f0);
 
 // KHR_materials_anisotropy: alpha along = roughness^2, alpha across = mix(alpha along, 1,
 // strength^2).

@@ -11,6 +11,7 @@
 #include "burnish/f32.hpp"
 #include "burnish/gltf_material.hpp"
 #include "burnish/image_io.hpp"
+#include "burnish/material_textures.hpp"
 #include "burnish/shading_names.hpp"
 #include "burnish/tabulated_material.hpp"
 #include "core/parallel.hpp"
@@ -339,7 +340,8 @@ GltfMaterial bake_gltf_material(const Material& material, std::span<const Textur
     if (points.has_alpha && tabulated_of(m)) to.alpha_mode = AlphaMode::mask;
     to.alpha_cutoff = m.alpha_cutoff;
     to.double_sided = m.double_sided;
-    to.dielectric_f0 = m.dielectric_f0;
+    const Tabulated* const tabulated = tabulated_of(m);
+    to.dielectric_f0 = tabulated ? dielectric_f0_of(*tabulated->material) : m.dielectric_f0;
     to.lobe = GltfLobe{1.0f, 1.0f};
     out.textures = baker.take();
     const auto use = [&](int texture) {

@@ -61,13 +61,12 @@ ordered_json extras_of(const Material& m, const std::string& file) {
     return out;
 }
 
-// The refractive index whose reflectance at normal incidence is f0.
+}  // namespace
+
 float ior_of(float f0) {
     const float root = std::sqrt(glm::clamp(f0, 0.0f, 1.0f));
     return root < 1.0f ? (1.0f + root) / (1.0f - root) : 0.0f;  // 0 stands for infinity
 }
-
-}  // namespace
 
 std::vector<std::string> gltf_map_names(const GltfMaterial& baked) {
     std::vector<std::string> names;

@@ -9,6 +9,10 @@
 
 namespace burnish {
 
+// The refractive index whose reflectance at normal incidence is f0, as KHR_materials_ior states it: 0
+// where that is 1.
+float ior_of(float f0);
+
 // The files that hold the textures of a GltfMaterial, in their order.
 std::vector<std::string> gltf_map_names(const GltfMaterial& baked);
 

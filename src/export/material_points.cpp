@@ -311,6 +311,7 @@ class TablePoints {
           normal_(m, textures),
           table_(tabulated_of(m)->material),
           lobes_(fit_lobes(*table_, Mdf::ggx)),
+          f0_(dielectric_f0_of(*table_)),
           rotation_(m.anisotropy_rotation) {}
 
     glm::vec2 size() const {
@@ -337,7 +338,8 @@ class TablePoints {
             p.base_color.a = 0.0f;
             return p;
         }
-        const MetallicColor color = metallic_color(rgb(t.diffuse, texel), rgb(t.specular, texel));
+        const MetallicColor color =
+            metallic_color(rgb(t.diffuse, texel), rgb(t.specular, texel), f0_);
         p.base_color = glm::vec4(color.base[0], color.base[1], color.base[2], p.base_color.a);
         p.metallic = color.metallic;
         const LobeFit& lobe = lobes_[t.exemplar[texel]];
@@ -361,6 +363,7 @@ class TablePoints {
     NormalPoints normal_;
     std::shared_ptr<const TabulatedMaterial> table_;
     std::vector<LobeFit> lobes_;
+    float f0_;  // of the texels that are dielectrics
     float rotation_;
 };
 

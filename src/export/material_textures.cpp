@@ -13,7 +13,8 @@ namespace burnish {
 
 namespace {
 
-constexpr float kDielectric = 0.04f;  // fixed by glTF
+constexpr float kGltfF0 = 0.04f;               // without KHR_materials_ior
+constexpr float kBrightestDielectric = 0.17f;  // diamond, of refractive index 2.42
 
 using Rgb = std::array<float, 3>;
 
@@ -26,10 +27,9 @@ float luminance(const Rgb& c) {
     return f32::luminance(f32::vec3(c[0], c[1], c[2]));
 }
 
-// 0.04 m^2 + (d + s - 0.08) m + 0.04 - s = 0, which has one root from 0 to 1 when s is above 0.04.
-float metallic_of(float d, float s) {
-    if (s <= kDielectric) return 0.0f;
-    const double a = static_cast<double>(kDielectric);
+// a m^2 + (d + s - 2 a) m + a - s = 0 with a = f0, which has one root from 0 to 1 when s is above f0.
+float metallic_of(float d, float s, float f0) {
+    const double a = static_cast<double>(f0);
     const double b = static_cast<double>(d) + static_cast<double>(s) - 2 * a;
     const double c = a - static_cast<double>(s);
     return static_cast<float>(std::clamp((std::sqrt(b * b - 4 * a * c) - b) / (2 * a), 0.0, 1.0));
@@ -41,12 +41,29 @@ bool is_outside(const TabulatedMaterial& m, std::size_t texel) {
 
 }  // namespace
 
-MetallicColor metallic_color(const Rgb& diffuse, const Rgb& specular) {
+float dielectric_f0_of(const TabulatedMaterial& m) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < m.texels(); ++t) {
+        if (is_outside(m, t)) continue;
+        const float s = luminance(rgb_at(m.specular, t));
+        if (s > kBrightestDielectric) continue;
+        sum += static_cast<double>(s);
+        ++count;
+    }
+    return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : kGltfF0;
+}
+
+MetallicColor metallic_color(const Rgb& diffuse, const Rgb& specular, float f0) {
     MetallicColor out;
-    const float m = metallic_of(luminance(diffuse), luminance(specular));
+    if (luminance(specular) <= kBrightestDielectric) {
+        for (std::size_t c = 0; c < 3; ++c) out.base[c] = std::clamp(diffuse[c], 0.0f, 1.0f);
+        return out;
+    }
+    const float m = metallic_of(luminance(diffuse), luminance(specular), f0);
     out.metallic = m;
     for (std::size_t c = 0; c < 3; ++c) {
-        const float metal = specular[c] - kDielectric * (1.0f - m);
+        const float metal = specular[c] - f0 * (1.0f - m);
         const float base =
             ((1.0f - m) * diffuse[c] + m * metal) / ((1.0f - m) * (1.0f - m) + m * m);
         out.base[c] = std::clamp(base, 0.0f, 1.0f);
@@ -73,10 +90,12 @@ double groove_at(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes, 
 Image base_color_texture(const TabulatedMaterial& m, bool masked) {
     Image out(m.width, m.height, masked ? 4 : 3);
     float* to = out.pixels.data();
+    const float f0 = dielectric_f0_of(m);
     for (std::size_t t = 0; t < m.texels(); ++t) {
         const bool outside = is_outside(m, t);
         const MetallicColor color =
-            outside ? MetallicColor{} : metallic_color(rgb_at(m.diffuse, t), rgb_at(m.specular, t));
+            outside ? MetallicColor{}
+                    : metallic_color(rgb_at(m.diffuse, t), rgb_at(m.specular, t), f0);
         for (const float c : color.base) *to++ = srgb_from_linear(c);
         if (masked) *to++ = outside ? 0.0f : 1.0f;
     }
@@ -85,11 +104,12 @@ Image base_color_texture(const TabulatedMaterial& m, bool masked) {
 
 Image metallic_roughness_texture(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes) {
     Image out(m.width, m.height, 3, 1.0f);
+    const float f0 = dielectric_f0_of(m);
     for (std::size_t t = 0; t < m.texels(); ++t) {
         if (is_outside(m, t)) continue;
         out.pixels[3 * t + 1] = anisotropic_roughness(lobes[m.exemplar[t]]).roughness;
         out.pixels[3 * t + 2] =
-            metallic_color(rgb_at(m.diffuse, t), rgb_at(m.specular, t)).metallic;
+            metallic_color(rgb_at(m.diffuse, t), rgb_at(m.specular, t), f0).metallic;
     }
     return out;
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "burnish/load_model.hpp"
 #include "burnish/image_io.hpp"
 #include "burnish/relight.hpp"
 #include "burnish/tabulated_file.hpp"
@@ -137,6 +138,28 @@ TEST(CaptureExport, TheTexturesAreTheMaterialInTheWordsOfGltf) {
         EXPECT_NEAR(2 * value(normal, 0, 0, c) - 1, static_cast<double>(lean[c]), 1e-3);
 }
 
+// A dielectric keeps its diffuse color, however dark: as a mixture with a metal of the reflectance 0.08 it
+// would turn gray.
+TEST(CaptureExport, ADarkRedDielectricStaysRed) {
+    const Folder folder;
+    TabulatedMaterial m = tabulated(brushed(0.4), {32, 96});
+    for (std::size_t t = 0; t < m.texels(); ++t) {
+        const float diffuse[] = {0.076f, 0.015f, 0.019f};
+        std::copy_n(diffuse, 3, m.diffuse.pixels.begin() + static_cast<std::ptrdiff_t>(3 * t));
+        std::fill_n(m.specular.pixels.begin() + static_cast<std::ptrdiff_t>(3 * t), 3, 0.0625f);
+    }
+    const std::string out = folder.path("out");
+    ASSERT_EQ(capture({"export", write_material(folder, m), "-o", out}).exit_code, 0);
+    const Image base = read_image(out + "/base_color.png");
+    // Half a code of 8 bits at sRGB 0.3 is 0.002 of white.
+    EXPECT_NEAR(value(base, 3, 4, 0), 0.076, 0.002);
+    EXPECT_NEAR(value(base, 3, 4, 1), 0.015, 0.002);
+    EXPECT_NEAR(value(base, 3, 4, 2), 0.019, 0.002);
+    EXPECT_EQ(value(data_of(out + "/metallic_roughness.png"), 3, 4, 2), 0.0);
+    // By KHR_materials_ior, which is 5/3: ((5/3 - 1) / (5/3 + 1))^2.
+    EXPECT_NEAR(load_model(out + "/material.gltf").materials.at(0).dielectric_f0, 0.0625f, 1e-6f);
+}
+
 // The axis of the bright part of a picture, degrees counter-clockwise from +x, and how much longer
 // it is than wide.
 struct Streak {
@@ -225,7 +248,11 @@ TEST(CaptureExport, NamesWhatCannotBe) {
 TEST(CaptureExport, WarnsOfWhatGltfCannotSay) {
     const Folder folder;
     VirtualSample sample = brushed(0);
-    for (int t = 0; t < 24; ++t) sample.texels[static_cast<std::size_t>(t)].specular = {0, 0, 0};
+    // Dielectrics of 0 and 10 %: 5 % on average.
+    for (int t = 0; t < 24; ++t) {
+        const double f0 = t < 12 ? 0.0 : 0.1;
+        sample.texels[static_cast<std::size_t>(t)].specular = {f0, f0, f0};
+    }
     for (int t = 24; t < 48; ++t) sample.texels[static_cast<std::size_t>(t)].specular = {2, 2, 2};
     // Two lobes far from one another.
     sample.ndfs[1].lobes = {{0.5, Mdf::beckmann, 0.05, 0.05, 0.0, 0.6, 0.0},
@@ -235,10 +262,12 @@ TEST(CaptureExport, WarnsOfWhatGltfCannotSay) {
     const Outcome outcome =
         capture({"export", write_material(folder, m), "-o", folder.path("out")});
     EXPECT_EQ(outcome.exit_code, 0);
-    expect_parts(outcome.complaint, {"1 mm a texel", "25 % of the texels reflect less than 4 %",
-                                     "25 % of the texels have a specular color above 1",
-                                     "17 % of the texels have "
-                                     "distributions"});
+    expect_parts(
+        outcome.complaint,
+        {"1 mm a texel", "25 % of the texels are dielectrics whose reflectance is far from 5 %",
+         "25 % of the texels have a specular color above 1",
+         "17 % of the texels have "
+         "distributions"});
 }
 
 // ---- relight

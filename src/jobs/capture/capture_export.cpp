@@ -14,6 +14,7 @@
 #include "burnish/lobe_fit.hpp"
 #include "burnish/material_textures.hpp"
 #include "burnish/version.hpp"
+#include "export/gltf_material_text.hpp"
 #include "export/quad_gltf.hpp"
 #include "jobs/map_folder.hpp"
 
@@ -84,7 +85,7 @@ std::vector<NamedPicture> pictures_of(const TabulatedMaterial& m, const std::vec
     return all;
 }
 
-QuadMaterial material_of(const std::string& name, bool masked) {
+QuadMaterial material_of(const std::string& name, bool masked, float f0) {
     QuadMaterial out;
     out.json = {
         {"name", name},
@@ -97,6 +98,10 @@ QuadMaterial material_of(const std::string& name, bool masked) {
     if (masked) out.json["alphaMode"] = "MASK";
     out.images = {"base_color.png", "metallic_roughness.png", "normal.png", "anisotropy.png"};
     out.extensions = {"KHR_materials_anisotropy"};
+    if (f0 != 0.04f) {
+        out.json["extensions"]["KHR_materials_ior"] = {{"ior", ior_of(f0)}};
+        out.extensions.emplace_back("KHR_materials_ior");
+    }
     return out;
 }
 
@@ -118,24 +123,30 @@ SampleQuad quad_of(const TabulatedMaterial& m, const fs::path& material,
 // Warns of properties that glTF cannot hold.
 void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobes,
                     const fs::path& material, std::vector<std::string>& warnings) {
-    std::size_t texels = 0, dim = 0, bright = 0, other = 0;
+    std::size_t texels = 0, differ = 0, bright = 0, other = 0;
+    const float f0 = dielectric_f0_of(m);
     for (std::size_t t = 0; t < m.texels(); ++t) {
         if (is_outside(m, t)) continue;
         const float* s = m.specular.pixels.data() + 3 * t;
         ++texels;
-        // A warning starts at 10 % below the F0 of 4 % of glTF's dielectrics.
-        dim += f32::luminance(f32::vec3(s[0], s[1], s[2])) < 0.036f;
+        // Half as much more or less is seen.
+        const float luminance = f32::luminance(f32::vec3(s[0], s[1], s[2]));
+        const bool dielectric = metallic_color({}, {s[0], s[1], s[2]}, f0).metallic == 0.0f;
+        differ += dielectric && (luminance < f0 / 1.5f || luminance > 1.5f * f0);
         bright += std::max({s[0], s[1], s[2]}) > 1.0f;
         // The nearest GGX lobe of a Beckmann lobe has a residual of 0.23.
         other += lobes[m.exemplar[t]].residual > 0.3;
     }
-    const auto warn = [&](std::size_t count, const char* what) {
+    const auto warn = [&](std::size_t count, const std::string& what) {
         if (count > 0)
             warnings.push_back(fmt::format(
                 "{}: {:.2g} % of the texels {}", material.string(),
                 100.0 * static_cast<double>(count) / static_cast<double>(texels), what));
     };
-    warn(dim, "reflect less than 4 %, the least of the glTF");
+    warn(differ,
+         fmt::format("are dielectrics whose reflectance is far from {:.2g} %, the one that the "
+                     "glTF states for all of them",
+                     100 * f0));
     warn(bright, "have a specular color above 1, where the glTF ends");
     warn(other, "have distributions that no GGX lobe comes near; those of the glTF are other ones");
 }
@@ -160,10 +171,12 @@ CaptureExportResult capture_export(const CaptureExportRequest& request, const Pr
         {"burnish:version", std::string(version())}, {"burnish:command", request.command}};
 
     std::vector<FileToWrite> others;
-    others.push_back(
-        {request.output / "material.gltf", [&](const fs::path& path) {
-             write_text_file(path, quad_gltf(quad, material_of(quad.name, masked), "material.bin"));
-         }});
+    others.push_back({request.output / "material.gltf", [&](const fs::path& path) {
+                          write_text_file(
+                              path,
+                              quad_gltf(quad, material_of(quad.name, masked, dielectric_f0_of(m)),
+                                        "material.bin"));
+                      }});
     others.push_back({request.output / "material.bin",
                       [&](const fs::path& path) { write_bytes(path, quad_bytes(quad)); }});
     others.push_back({request.output / "base_color.png", [&](const fs::path& path) {
