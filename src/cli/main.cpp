@@ -65,13 +65,15 @@ void run(int argc, const char* const* argv) {
     Session session(argc, argv);
     CLI::App app("Renders anisotropic surfaces under fine detail, and evaluates the maths behind.",
                  "burnish");
-    app.fallthrough();  // --progress may follow the command
+    app.formatter(help_formatter());  // of the commands, too
+    app.fallthrough();                // --progress may follow the command
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.set_version_flag("--version", "burnish " + std::string(version()));
     session.add_options(app);
     require_command(app);
     add_commands(app, session);
 
+    require_values(app, argc, argv);
     try {
         app.parse(argc, argv);
         for (const std::string& line : repeated_flags(app))

@@ -53,6 +53,27 @@ std::vector<std::string> flags_of(const Apps& chain) {
     return names;
 }
 
+// The flag of that name, of the command or of those it is under; nullptr: none.
+const CLI::Option* flag_in(const Apps& chain, const std::string& name) {
+    if (!name.starts_with('-')) return nullptr;
+    for (const CLI::App* app : chain)
+        if (const CLI::Option* option = app->get_option_no_throw(name)) return option;
+    return nullptr;
+}
+
+class HelpFormatter : public CLI::Formatter {
+  public:
+    // CLI11 writes a new line only for names that fill the column: a shorter one by a letter would
+    // run into its text.
+    std::string make_option_opts(const CLI::Option* option) const override {
+        std::string opts = CLI::Formatter::make_option_opts(option);
+        constexpr std::size_t kIndent = 2;
+        const std::size_t length =
+            kIndent + make_option_name(option, option->get_positional()).size() + opts.size();
+        return length + 1 == get_column_width() ? opts + " " : opts;
+    }
+};
+
 std::string listed(const std::vector<std::string>& names) {
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -105,6 +126,31 @@ UsageError usage_error(const CLI::App& root, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = root.remaining(true);
     if (!unknown.empty()) return UsageError(unknown_word(chain, unknown.front()));
     return UsageError(prefix_of(chain) + in_our_words(*chain.back(), error));
+}
+
+void require_values(const CLI::App& root, int argc, const char* const* argv) {
+    Apps chain{&root};
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--") return;
+        const CLI::App& app = *chain.back();
+        const auto commands = app.get_subcommands(
+            [&](const CLI::App* command) { return command->get_name() == word; });
+        if (!commands.empty()) {
+            chain.push_back(commands.front());
+            continue;
+        }
+        const CLI::Option* option = flag_in(chain, word);
+        if (option == nullptr || option->get_items_expected_min() == 0) continue;
+        if (++i >= argc) return;
+        const std::string next = argv[i];
+        if (flag_in(chain, next.substr(0, next.find('='))) != nullptr)
+            throw UsageError(prefix_of(chain) + missing_value(app, word));
+    }
+}
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() {
+    return std::make_shared<HelpFormatter>();
 }
 
 std::vector<std::string> repeated_flags(const CLI::App& root) {

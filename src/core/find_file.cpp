@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <system_error>
+#include <utility>
+
+#include "core/utf8.hpp"
 
 namespace burnish {
 namespace {
@@ -14,7 +17,9 @@ constexpr std::size_t kMostNames = 100000;  // of one folder; a rig has up to 10
 constexpr std::size_t kLongestPath = 4096;
 constexpr std::size_t kLongestName = 255;
 
+// What names are compared by. The names of a folder may be in the encoding of an old system.
 std::string small_letters(std::string text) {
+    text = as_utf8(std::move(text));
     for (char& c : text)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return text;

@@ -39,6 +39,7 @@ std::string difference_of(const FoundFile& found);
 
 // Finds files that a file in `folder` names. Each place is tried exactly as written, then in any
 // letter case (of ASCII letters; the first in the order of bytes when several differ in case alone).
+// Names that are not UTF-8 are compared as Windows-1252.
 // The places are, in this order: the path that is written; the path without its first folders, one
 // less each time, down to the bare name; the bare name in each subfolder. All of them are tried with
 // the ending of the name before any other ending. '\' separates folders as '/' does, and a pair of

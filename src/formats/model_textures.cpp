@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "burnish/error.hpp"
+#include "core/text.hpp"
 #include "maps/normal/normal_without_z.hpp"
 
 namespace burnish {
@@ -61,6 +62,30 @@ std::vector<std::string> leave_out_textures(Scene& scene,
         if (count > 1) users += fmt::format(" and {} more materials", count - 1);
         if (count > 0)
             warnings.push_back(fmt::format("{}: drawn without it: {}", failures[i], users));
+    }
+    return warnings;
+}
+
+std::string gray_packed_warning(const Texture& texture, std::string_view role) {
+    if (texture.channels >= 3 || texture.empty()) return "";
+    return fmt::format(
+        "{}: expected a {} map with red, green and blue, found a gray picture: every property is "
+        "drawn from its gray (a map of one property has a flag of its own, such as "
+        "--roughness-map)",
+        one_line(texture.name), role);
+}
+
+std::vector<std::string> gray_packed_warnings(const Scene& scene) {
+    std::vector<std::string> warnings;
+    const auto check = [&](const TextureUse& use, std::string_view role) {
+        if (!use) return;
+        std::string line =
+            gray_packed_warning(scene.textures[static_cast<std::size_t>(use.texture)], role);
+        if (!line.empty()) append_once(warnings, std::move(line));
+    };
+    for (const Material& material : scene.materials) {
+        check(material.metallic_roughness_texture, "metallic-roughness");
+        check(material.anisotropy_texture, "anisotropy");
     }
     return warnings;
 }

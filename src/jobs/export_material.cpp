@@ -103,6 +103,32 @@ std::string folder_name(const std::string& name, std::size_t index) {
     return empty ? fmt::format("material_{}", index) : out;
 }
 
+// The last folder of a path; that above it where it only says what is inside.
+std::string folder_title(const fs::path& path) {
+    fs::path folder = path.lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();
+    const std::string name = folder.filename().string();
+    const bool says_nothing = name == "textures" || name == "maps";
+    return says_nothing && folder.has_parent_path() ? folder.parent_path().filename().string()
+                                                    : name;
+}
+
+// What the flags make of the material of a built-in mesh, which has no name: the title of the draft,
+// the measured file, the folder of maps or the metal, and the scratches. Empty: nothing of these.
+std::string name_of_values(const ParameterValues& values, const Material& material) {
+    std::string name;
+    if (const Cloth* cloth = cloth_of(material))
+        name = cloth->draft->name;
+    else if (names_one(values, "tabulated"))
+        name = fs::path(values.text("tabulated")).stem().string();
+    else if (names_one(values, "maps"))
+        name = folder_title(values.text("maps"));
+    else if (names_one(values, "metal"))
+        name = values.text("metal");
+    if (!values.is_set("scratch")) return name;
+    return name + (name.empty() ? "" : "-") + folder_title(values.text("scratch"));
+}
+
 std::vector<std::size_t> chosen(const std::vector<Material>& materials, const std::string& wanted) {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < materials.size(); ++i)
@@ -310,10 +336,14 @@ ExportMaterialReport export_material(const ExportMaterialRequest& request,
                                      const Progress& progress) {
     ExportMaterialReport report;
     progress.step("load", 0.0);
-    const Stage stage = set_stage(request.stage);
+    Stage stage = set_stage(request.stage);
     report.warnings = stage.scene.warnings;
     report.notes = stage.scene.notes;
     const std::vector<std::size_t> wanted = chosen(stage.scene.materials, request.material);
+    if (is_builtin(request.stage.input))
+        if (std::string name = name_of_values(stage.values, stage.scene.materials.front());
+            !name.empty())
+            stage.scene.materials.front().name = std::move(name);
     if (wanted.size() == 1) {
         FolderWriter(request, stage, wanted.front(), request.output).write(progress, report);
         return report;

@@ -155,7 +155,13 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     check(request);
     require_writable(request.output);
     progress.step("load", 0);
-    Stage stage = set_stage(request.stage, request.turntable > 0);
+    StageRequest asked = request.stage;
+    // Warnings are those of a method of the sheet, a deformation where there is one.
+    for (const Method method : request.compare)
+        if (method == request.compare.front() || is_deformation(method))
+            asked.values.set_value("method", ParameterChoice{static_cast<int>(method)});
+    Stage stage = set_stage(asked, request.turntable > 0);
+    if (!request.compare.empty()) stage.values.erase("method");
     require_drawable(stage.scene.materials, request.compare);
 
     gpu::Context context(request.gl_device);

@@ -3,26 +3,16 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/utf8.hpp"
+
 namespace burnish::plot {
 namespace {
 
-// Length of the UTF-8 character at the start of `text`; 0 when there is none. Overlong forms,
-// surrogates and codes above U+10FFFF are not characters.
+// Length of the UTF-8 character at the start of `text`; 0 where there is none that XML takes: U+FFFE
+// and U+FFFF may not stand in it.
 std::size_t character_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(0);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-    unsigned code = first & (0xFFu >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0u) != 0x80u) return 0;
-        code = code << 6 | (byte(i) & 0x3Fu);
-    }
-    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-    const bool surrogate = code >= 0xD800 && code < 0xE000;
-    // U+FFFE and U+FFFF may not stand in XML.
-    return overlong || surrogate || code > 0x10FFFF || (code & 0xFFFEu) == 0xFFFEu ? 0 : length;
+    const bool last = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+    return last ? 0 : utf8_length(text);
 }
 
 bool is_element_name(std::string_view name) {

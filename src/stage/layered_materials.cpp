@@ -185,15 +185,14 @@ Remarks LayeredMaterials::apply_layers(Scene& scene, const ParameterValues& flag
         apply_physical_size(sized.back(), scene, i, assets_, sizes);
         materials.push_back(apply_parameters(base_[i], sized.back(), assets_));
     }
-    ParameterValues asked = flags;
-    for (const auto& [index, values] : upper)
-        for (const auto& [name, value] : values.set_values()) asked.set_value(name, value);
-    require_belonging(materials, sized, layers_, asked);
     Remarks remarks{file_warnings_, notes_of(sized)};
     append_sizes(sizes, scene, remarks);
     std::swap(scene.materials, materials);
     std::swap(values_, layered);
     append_warnings(scene, sized, remarks.warnings);
+    for (const ParameterValues& values : sized)
+        if (std::string line = warning_of_idle_flip(values, assets_.maps(values)); !line.empty())
+            append_once(remarks.warnings, std::move(line));
     for (std::string& line : fit_tangents(scene)) remarks.warnings.push_back(std::move(line));
     return remarks;
 }

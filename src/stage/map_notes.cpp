@@ -75,21 +75,29 @@ std::string replaced_channels(MapRole role, const ParameterValues& values) {
         const std::string_view map = first_named(values, maps);
         return map.empty() ? in_place_of(channel, values) : map;
     };
-    if (role == MapRole::orm) add("occlusion", first_named(values, {"ao_map"}));
-    add("roughness", single(MapRole::roughness, {"glossiness_map", "roughness_map"}));
-    add("metallic", single(MapRole::metallic, {"metallic_map"}));
+    const MapPacking packing = *packing_of(role);
+    if (packing.occlusion >= 0) add("occlusion", first_named(values, {"ao_map"}));
+    if (packing.roughness >= 0 || packing.smoothness >= 0)
+        add("roughness", single(MapRole::roughness, {"glossiness_map", "roughness_map"}));
+    if (packing.metallic >= 0) add("metallic", single(MapRole::metallic, {"metallic_map"}));
     return out;
 }
 
 }  // namespace
+
+std::string warning_of_idle_flip(const ParameterValues& values, const MapTextures& maps) {
+    const bool drawn = maps.directx && in_place_of(MapRole::normal_directx, values).empty();
+    if (!drawn || !values.is_set("flip_green") || !values.boolean("flip_green")) return "";
+    return "flip_green: the folder's normal map is drawn as DirectX for its name already "
+           "(--flip-green=false draws it as OpenGL): nothing changes";
+}
 
 std::vector<std::string> map_notes(const ParameterValues& values, const MapTextures& maps) {
     if (!names_one(values, "maps")) return {};
     std::string taken, replaced;
     for (const auto& [name, file] : maps.files) {
         const MapRole role = role_named(name).value();
-        const bool several = role == MapRole::orm || role == MapRole::metallic_roughness;
-        const std::string channels = several ? replaced_channels(role, values) : "";
+        const std::string channels = packing_of(role) ? replaced_channels(role, values) : "";
         const std::string_view other = in_place_of(role, values);
         const std::string entry = fmt::format("{} {}", name, one_line(file));
         if (!other.empty())

@@ -16,20 +16,23 @@ constexpr std::array<std::string_view, kMapRoles> kNames = {"base color",
                                                             "glossiness",
                                                             "metallic",
                                                             "occlusion",
-                                                            "occlusion-roughness-metallic",
-                                                            "metallic-roughness",
                                                             "anisotropy",
                                                             "height",
                                                             "emissive",
-                                                            "opacity"};
+                                                            "opacity",
+                                                            "occlusion-roughness-metallic",
+                                                            "metallic-occlusion-smoothness",
+                                                            "metallic-roughness",
+                                                            "metallic-smoothness",
+                                                            "occlusion-roughness"};
 
 struct Word {
     std::string_view text;
     MapRole role;
 };
 
-// Words of ambientCG, Poly Haven, cgbookcase, Substance, and of burnish's own folders. Several words
-// of a name are compared as one: "Base_Color", "nor_gl", "AmbientOcclusion".
+// Words of ambientCG, Poly Haven, cgbookcase, Substance, Unity, Unreal, and of burnish's own folders.
+// Several words of a name are compared as one: "Base_Color", "nor_gl", "AmbientOcclusion".
 constexpr Word kWords[] = {
     {"basecolor", MapRole::base_color},
     {"basecolour", MapRole::base_color},
@@ -40,6 +43,10 @@ constexpr Word kWords[] = {
     {"diffuse", MapRole::base_color},
     {"diff", MapRole::base_color},
     {"diffusecolor", MapRole::base_color},
+    {"albedotransparency", MapRole::base_color},
+    {"basecolortransparency", MapRole::base_color},
+    {"basecoloralpha", MapRole::base_color},
+    {"bc", MapRole::base_color},
     {"normal", MapRole::normal},
     {"normals", MapRole::normal},
     {"normalgl", MapRole::normal},
@@ -49,12 +56,14 @@ constexpr Word kWords[] = {
     {"nor", MapRole::normal},
     {"norm", MapRole::normal},
     {"nrm", MapRole::normal},
+    {"n", MapRole::normal},
     {"normaldx", MapRole::normal_directx},
     {"normaldirectx", MapRole::normal_directx},
     {"nordx", MapRole::normal_directx},
     {"roughness", MapRole::roughness},
     {"rough", MapRole::roughness},
     {"rgh", MapRole::roughness},
+    {"r", MapRole::roughness},
     {"glossiness", MapRole::glossiness},
     {"gloss", MapRole::glossiness},
     {"smoothness", MapRole::glossiness},
@@ -63,12 +72,22 @@ constexpr Word kWords[] = {
     {"metal", MapRole::metallic},
     {"met", MapRole::metallic},
     {"mtl", MapRole::metallic},
+    {"m", MapRole::metallic},
     {"ambientocclusion", MapRole::occlusion},
     {"occlusion", MapRole::occlusion},
     {"ao", MapRole::occlusion},
     {"orm", MapRole::orm},
     {"arm", MapRole::orm},
     {"occlusionroughnessmetallic", MapRole::orm},
+    {"maskmap", MapRole::mask_map},
+    {"ord", MapRole::occlusion_roughness},
+    {"ordp", MapRole::occlusion_roughness},
+    {"metallicsmoothness", MapRole::metallic_smoothness},
+    {"metalsmoothness", MapRole::metallic_smoothness},
+    {"metalnesssmoothness", MapRole::metallic_smoothness},
+    {"metallicgloss", MapRole::metallic_smoothness},
+    {"metallicglossmap", MapRole::metallic_smoothness},
+    {"metallicglossiness", MapRole::metallic_smoothness},
     {"metallicroughness", MapRole::metallic_roughness},
     {"metalnessroughness", MapRole::metallic_roughness},
     {"metalroughness", MapRole::metallic_roughness},
@@ -88,6 +107,11 @@ constexpr Word kWords[] = {
     {"mask", MapRole::opacity},
 };
 
+// Packed maps that are not read, whose last word alone would state a role.
+constexpr std::string_view kUnreadPacked[] = {
+    "specularsmoothness", "specularglossiness",  "speculargloss",    "albedosmoothness",
+    "albedoglossiness",   "basecolorsmoothness", "diffusesmoothness"};
+
 char lower(char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
@@ -106,6 +130,23 @@ std::optional<MapRole> role_of_word(std::string_view text) {
 
 std::string_view map_role_name(MapRole role) {
     return kNames[static_cast<std::size_t>(role)];
+}
+
+std::optional<MapPacking> packing_of(MapRole role) {
+    switch (role) {
+        case MapRole::orm:
+            return MapPacking{0, 1, -1, 2};
+        case MapRole::mask_map:  // Unity's HDRP; blue masks details
+            return MapPacking{1, -1, 3, 0};
+        case MapRole::metallic_roughness:  // glTF
+            return MapPacking{-1, 1, -1, 2};
+        case MapRole::metallic_smoothness:  // Unity
+            return MapPacking{-1, -1, 3, 0};
+        case MapRole::occlusion_roughness:  // Megascans; blue is a displacement
+            return MapPacking{0, 1, -1, -1};
+        default:
+            return std::nullopt;
+    }
 }
 
 std::vector<std::string> words_of_name(const fs::path& file) {
@@ -141,7 +182,15 @@ std::optional<MapRole> map_role_of(const fs::path& file) {
          ++first) {
         std::string joined;
         for (std::size_t i = first; i < words.size(); ++i) joined += words[i];
-        if (const auto role = role_of_word(joined)) return role;
+        if (std::find(std::begin(kUnreadPacked), std::end(kUnreadPacked), joined) !=
+            std::end(kUnreadPacked))
+            return std::nullopt;
+        // One letter is a role behind another word alone, as in "T_Rock_N".
+        if (joined.size() == 1 && words.size() == 1) return std::nullopt;
+        const auto role = role_of_word(joined);
+        if (role == MapRole::normal && words.front() == "t" && !joined.ends_with("gl"))
+            return MapRole::normal_directx;
+        if (role) return role;
     }
     return std::nullopt;
 }

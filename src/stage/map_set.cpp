@@ -11,6 +11,7 @@
 #include "burnish/error.hpp"
 #include "burnish/parameters.hpp"
 #include "formats/own_folder.hpp"
+#include "stage/folder_hint.hpp"
 #include "stage/map_textures.hpp"
 #include "stage/scratch_material.hpp"
 
@@ -145,11 +146,17 @@ void settle_roles(MapSet& set) {
     prefer(set, MapRole::normal, MapRole::height);
     prefer(set, MapRole::normal_directx, MapRole::height);
     prefer(set, MapRole::roughness, MapRole::glossiness);
-    for (const MapRole role : {MapRole::metallic_roughness, MapRole::roughness, MapRole::glossiness,
-                               MapRole::metallic, MapRole::occlusion})
-        prefer(set, MapRole::orm, role);
-    for (const MapRole role : {MapRole::roughness, MapRole::glossiness, MapRole::metallic})
-        prefer(set, MapRole::metallic_roughness, role);
+    for (const MapRole packed : kPackedRoles) {
+        if (!set.files.contains(packed)) continue;
+        for (const MapRole other : kPackedRoles)
+            if (other != packed) prefer(set, packed, other);
+        const MapPacking packing = *packing_of(packed);
+        if (packing.roughness >= 0 || packing.smoothness >= 0)
+            for (const MapRole role : {MapRole::roughness, MapRole::glossiness})
+                prefer(set, packed, role);
+        if (packing.metallic >= 0) prefer(set, packed, MapRole::metallic);
+        if (packing.occlusion >= 0) prefer(set, packed, MapRole::occlusion);
+    }
 }
 
 // --- folders of Burnish's own --------------------------------------------------------------------
@@ -202,8 +209,15 @@ void require_folder(const fs::path& folder) {
 void take(MapSet& set, MapRole role, const fs::path& picture, const fs::path& folder) {
     const auto [held, fresh] = set.files.emplace(role, picture);
     if (fresh) return;
-    if (held->second.stem() == picture.stem()) {
-        if (rank_of(picture) > rank_of(held->second)) held->second = picture;
+    // One map in two formats: the one that keeps more, where one does.
+    const int rank = rank_of(picture), held_rank = rank_of(held->second);
+    if (held->second.stem() == picture.stem() && rank != held_rank) {
+        const fs::path other = rank > held_rank ? held->second : picture;
+        if (rank > held_rank) held->second = picture;
+        set.notes.push_back(
+            fmt::format("{}: passed over, {} is the same map in a format that keeps "
+                        "more",
+                        one_line(other.string()), name_of(held->second)));
         return;
     }
     const std::string_view parameter = map_parameter(role);
@@ -223,7 +237,8 @@ void take(MapSet& set, MapRole role, const fs::path& picture, const fs::path& fo
     if (fs::exists(folder / "rig.json", error))
         found = "a rig.json: pictures of a sample, which burnish capture fit takes";
     throw UsageError("maps", "", "a folder with maps whose names state a role, such as color.png",
-                     fmt::format("{} with {}", shown(folder.string()), found));
+                     fmt::format("{} with {}{}", shown(folder.string()), found,
+                                 inner_folder_hint(folder.string())));
 }
 
 }  // namespace
@@ -264,8 +279,9 @@ MapSet find_map_set(const fs::path& folder, const MapsBeside& beside) {
     if (set.files.empty() && !any_beside) fail_without_maps(folder, unknown, set.warnings);
     settle_roles(set);
     if (!unknown.empty())
-        set.notes.push_back(fmt::format("maps of {}: passed over, as their names state no role: {}",
-                                        one_line(folder.string()), unknown));
+        set.notes.push_back(
+            fmt::format("maps of {}: passed over, as their names state no role that is read: {}",
+                        one_line(folder.string()), unknown));
     set.tile_mm = map_folder_tile_mm(folder);
     return set;
 }

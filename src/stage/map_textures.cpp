@@ -14,6 +14,8 @@
 #include "burnish/image_io.hpp"
 #include "burnish/material_assets.hpp"
 #include "core/parallel.hpp"
+#include "core/text.hpp"
+#include "formats/model_textures.hpp"
 #include "image/texel_value.hpp"
 #include "stage/folder_hint.hpp"
 
@@ -45,9 +47,13 @@ std::vector<MapRole> replaced_by(MapRole role) {
             return {MapRole::roughness};
         case MapRole::height:
             return {MapRole::normal, MapRole::normal_directx};
-        case MapRole::orm:
-            return {MapRole::roughness, MapRole::glossiness, MapRole::metallic, MapRole::occlusion,
-                    MapRole::metallic_roughness};
+        case MapRole::orm: {
+            std::vector<MapRole> replaced = {MapRole::roughness, MapRole::glossiness,
+                                             MapRole::metallic, MapRole::occlusion};
+            for (const MapRole packed : kPackedRoles)
+                if (packed != role) replaced.push_back(packed);
+            return replaced;
+        }
         default:
             return {};
     }
@@ -77,9 +83,10 @@ void add_single_maps(const ParameterValues& values, MapSet& set) {
 // One number a texel in [0, 1], between texels by bilinear interpolation; the map repeats.
 class NumberMap {
   public:
-    explicit NumberMap(const fs::path& file, int channel = 0)
-        : texture_(read_texture(file, ColorSpace::linear)),
-          channel_(std::min(channel, texture_.channels - 1)) {}
+    explicit NumberMap(const fs::path& file)
+        : texture_(read_texture(file, ColorSpace::linear)), channel_(0) {}
+    // `channel` as channel_in has it.
+    NumberMap(Texture texture, int channel) : texture_(std::move(texture)), channel_(channel) {}
 
     int width() const { return texture_.width; }
     int height() const { return texture_.height; }
@@ -176,6 +183,28 @@ Texture with_opacity(const Texture& base, const NumberMap& opacity) {
     return t;
 }
 
+// One number as a texture of its own.
+Texture one_channel(const NumberMap& map, std::string name) {
+    Texture t = codes(std::move(name), map.width(), map.height(), 1, ColorSpace::linear);
+    for_texels(map.width(), map.height(),
+               [&](int x, int y, std::size_t i) { set_texel_value(t, i, map.texel(x, y)); });
+    return t;
+}
+
+// A picture of several properties, read once.
+struct Packed {
+    fs::path path;
+    Texture texture;
+};
+
+// Where a channel of a packed map, 0 red to 3 alpha, lies in a picture: gray is its red, green and
+// blue. None: it has no alpha.
+std::optional<int> channel_in(const Texture& texture, int channel) {
+    const bool gray = texture.channels < 3, alpha = texture.channels % 2 == 0;
+    if (channel == 3) return alpha ? std::optional(texture.channels - 1) : std::nullopt;
+    return gray ? 0 : channel;
+}
+
 class Loader {
   public:
     Loader(const ParameterValues& values, const std::function<int(Texture)>& append)
@@ -188,7 +217,7 @@ class Loader {
         load_surface();
         load_normal();
         out_.occlusion = load(MapRole::occlusion, ColorSpace::linear, out_.occlusion);
-        out_.anisotropy = load(MapRole::anisotropy, ColorSpace::linear, -1);
+        load_anisotropy();
         out_.emissive = load(MapRole::emissive, ColorSpace::srgb, -1);
         return std::move(out_);
     }
@@ -232,30 +261,89 @@ class Loader {
         out_.base_color = append_(std::move(base));
     }
 
+    void warn(std::string line) {
+        if (!line.empty()) append_once(out_.warnings, std::move(line));
+    }
+
+    // The packed map of the set; at most one is left of several.
+    std::optional<MapRole> packed_role() const {
+        for (const MapRole role : kPackedRoles)
+            if (file(role)) return role;
+        return std::nullopt;
+    }
+
+    // A property of the packed map; none where the picture lacks the channel, with a warning.
+    std::optional<NumberMap> packed_number(const Packed& packed, int channel,
+                                           std::string_view property) {
+        if (channel < 0) return std::nullopt;
+        const auto in = channel_in(packed.texture, channel);
+        if (in) return NumberMap(packed.texture, *in);
+        out_.warnings.push_back(fmt::format(
+            "{}: expected {} in the alpha channel, found {} without alpha: the roughness is 1",
+            one_line(packed.path.string()), property,
+            plural(static_cast<std::size_t>(packed.texture.channels), "channel")));
+        return std::nullopt;
+    }
+
     void load_surface() {
-        const fs::path* occluded = file(MapRole::orm);
-        const fs::path* orm = occluded ? occluded : file(MapRole::metallic_roughness);
         const fs::path* gloss = file(MapRole::glossiness);
         const fs::path* rough = gloss ? gloss : file(MapRole::roughness);
         const fs::path* metal = file(MapRole::metallic);
-        if (orm) {
-            const int whole = append_(read_texture(*orm, ColorSpace::linear));
-            if (occluded) out_.occlusion = whole;
-            if (!rough && !metal) {
-                out_.metallic_roughness = whole;
-                out_.has_roughness = out_.has_metallic = true;
-                return;
-            }
+        const std::optional<MapRole> role = packed_role();
+        Packed packed;
+        MapPacking packing;
+        if (role) {
+            packed = {*file(*role), read_texture(*file(*role), ColorSpace::linear)};
+            packing = *packing_of(*role);
+            // Unity's metallic alone is a color, and may be gray.
+            if (*role != MapRole::metallic_smoothness)
+                warn(gray_packed_warning(packed.texture, map_role_name(*role)));
+            load_packed_occlusion(packed, packing);
         }
-        if (!rough && !metal) return;
-        // What a map of its own does not say, the channel of the ORM map says.
+        // As glTF has them: the texture is drawn as it is.
+        const bool whole = packing.roughness == 1 && packing.metallic == 2;
+        if (whole && !rough && !metal) {
+            out_.metallic_roughness =
+                packing.occlusion == 0 ? out_.occlusion : append_(std::move(packed.texture));
+            out_.has_roughness = out_.has_metallic = true;
+            return;
+        }
+        // What a map of its own does not say, the channel of the packed map says.
         std::optional<NumberMap> rough_map, metal_map;
-        if (rough || orm) rough_map.emplace(rough ? *rough : *orm, rough ? 0 : 1);
-        if (metal || orm) metal_map.emplace(metal ? *metal : *orm, metal ? 0 : 2);
-        out_.metallic_roughness =
-            append_(metallic_roughness(rough_map, gloss != nullptr, metal_map));
+        bool glossy = gloss != nullptr;
+        if (rough) {
+            rough_map.emplace(*rough);
+        } else if (packing.smoothness >= 0) {
+            rough_map = packed_number(packed, packing.smoothness, "smoothness");
+            glossy = true;
+        } else {
+            rough_map = packed_number(packed, packing.roughness, "roughness");
+        }
+        if (metal)
+            metal_map.emplace(*metal);
+        else
+            metal_map = packed_number(packed, packing.metallic, "metallic");
+        if (!rough_map && !metal_map) return;
+        out_.metallic_roughness = append_(metallic_roughness(rough_map, glossy, metal_map));
         out_.has_roughness = rough_map.has_value();
         out_.has_metallic = metal_map.has_value();
+    }
+
+    // Occlusion is read from red.
+    void load_packed_occlusion(const Packed& packed, const MapPacking& packing) {
+        if (packing.occlusion < 0) return;
+        if (packing.occlusion == 0)
+            out_.occlusion = append_(Texture(packed.texture));
+        else if (const auto number = packed_number(packed, packing.occlusion, "occlusion"))
+            out_.occlusion = append_(one_channel(*number, packed.texture.name + ": occlusion"));
+    }
+
+    void load_anisotropy() {
+        const fs::path* path = file(MapRole::anisotropy);
+        if (!path) return;
+        Texture texture = read_texture(*path, ColorSpace::linear);
+        warn(gray_packed_warning(texture, map_role_name(MapRole::anisotropy)));
+        out_.anisotropy = append_(std::move(texture));
     }
 
     void load_normal() {

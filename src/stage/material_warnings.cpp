@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
+#include "burnish/draft.hpp"
 #include "burnish/error.hpp"
+#include "burnish/f32.hpp"
 #include "burnish/material_assets.hpp"
 #include "core/text.hpp"
 #include "stage/map_textures.hpp"
@@ -28,7 +31,32 @@ constexpr std::string_view kHidden[] = {"mdf",
                                         "metallic",
                                         "base_color",
                                         "metal",
-                                        "f0"};
+                                        "f0",
+                                        "base_color_map",
+                                        "roughness_map",
+                                        "glossiness_map",
+                                        "metallic_map",
+                                        "anisotropy_map"};
+
+// Whether the lobe looks the same however it is turned.
+bool is_round(const Material& m) {
+    if (tabulated_of(m)) return false;
+    if (m.brdf == Brdf::phong) return true;
+    if (m.brdf == Brdf::lafortune) return m.lafortune_c.x == m.lafortune_c.y;
+    if (const GltfLobe* lobe = gltf_lobe_of(m)) return lobe->anisotropy_strength == 0.0f;
+    const std::optional<glm::vec2> alpha = stated_alpha(m);
+    return alpha && alpha->x == alpha->y;
+}
+
+bool bends_normals(const Material& m) {
+    return m.normal_texture || cloth_of(m) || tabulated_of(m);
+}
+
+// Whether every yarn has a color of its own.
+bool colors_its_yarns(const Cloth& cloth) {
+    return (cloth.warp_color || !cloth.draft->warp_colors.empty()) &&
+           (cloth.weft_color || !cloth.draft->weft_colors.empty());
+}
 
 // Whether `name` is set on some material, but on none for which `uses` is true.
 template <typename Uses>
@@ -43,6 +71,40 @@ bool is_idle(const std::vector<Material>& materials, const std::vector<Parameter
     return any;
 }
 
+// What a measured metal and the metalness 1 leave without effect.
+template <typename Warn>
+void append_idle_of_metals(const Warn& warn_if_idle) {
+    using Values = const ParameterValues&;
+    const auto no_conductor = [](const Material& m, Values) { return !m.conductor; };
+    const std::string_view own = "a measured metal (--metal) has its own color";
+    warn_if_idle("base_color", own, no_conductor);
+    warn_if_idle("base_color_map", own, [](const Material& m, Values) {
+        return !m.conductor || m.alpha_mode != AlphaMode::opaque;
+    });
+    warn_if_idle("metallic_map", "a measured metal (--metal) is metallic", no_conductor);
+    warn_if_idle("f0", "a metal has its reflectance from its color", [](const Material& m, Values) {
+        return !m.conductor && (m.metallic < 1.0f || m.metallic_roughness_texture);
+    });
+}
+
+template <typename Warn>
+void append_idle_of_cloth(const Warn& warn_if_idle) {
+    using Values = const ParameterValues&;
+    const auto is_cloth = [](const Material& m, Values) { return cloth_of(m) != nullptr; };
+    const auto is_no_cloth = [](const Material& m, Values) { return cloth_of(m) == nullptr; };
+    for (const Parameter& parameter : parameter_table())
+        if (parameter.belongs_to == "weave")
+            warn_if_idle(parameter.name, "there is no weave", is_cloth);
+    for (const std::string_view map :
+         {"roughness_map", "glossiness_map", "metallic_map", "anisotropy_map"})
+        warn_if_idle(map, "the yarns of a weave have a lobe of their own", is_no_cloth);
+    warn_if_idle("base_color", "the yarns have colors of their own (--warp-color, --weft-color)",
+                 [](const Material& m, Values) {
+                     const Cloth* cloth = cloth_of(m);
+                     return !cloth || m.conductor || !colors_its_yarns(*cloth);
+                 });
+}
+
 void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
                  std::vector<std::string>& warnings) {
     const auto warn_if_idle = [&](std::string_view name, std::string_view line, auto uses) {
@@ -54,10 +116,21 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
                  [](const Material& m, Values) { return !has_half_vectors(m.brdf); });
     warn_if_idle("lafortune_c", "only lafortune asks for it",
                  [](const Material& m, Values) { return m.brdf == Brdf::lafortune; });
-    warn_if_idle("roughness", "the pair set beside it holds",
-                 [](const Material&, Values v) { return !roughness_pair(v, std::nullopt); });
-    for (const std::string_view map : {"roughness_map", "glossiness_map", "orm_map"})
-        warn_if_idle(map, "the pair set beside it holds",
+    warn_if_idle("mdf", "the reflection model has a distribution of its own",
+                 [](const Material& m, Values) {
+                     const int brdf = static_cast<int>(m.brdf);
+                     return f32::brdf_mdf(brdf, static_cast<int>(Mdf::ggx)) !=
+                            f32::brdf_mdf(brdf, static_cast<int>(Mdf::beckmann));
+                 });
+    warn_if_idle("conserve", "only the deform methods ask for it",
+                 [](const Material& m, Values) { return is_deformation(m.method); });
+    warn_if_idle("method", "there is no normal map",
+                 [](const Material& m, Values) { return bends_normals(m); });
+    warn_if_idle("anisotropy_rotation", "the lobe is isotropic",
+                 [](const Material& m, Values) { return !is_round(m); });
+    for (const std::string_view name :
+         {"roughness", "anisotropy", "roughness_map", "glossiness_map", "orm_map"})
+        warn_if_idle(name, "the pair set beside it holds",
                      [](const Material&, Values v) { return !roughness_pair(v, std::nullopt); });
     const auto has_normals = [](const Material& m, Values) {
         return static_cast<bool>(m.normal_texture) && cloth_of(m) == nullptr;
@@ -67,6 +140,7 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
     warn_if_idle(
         "metallic", "a measured metal (--metal) is metallic",
         [](const Material& m, Values v) { return !m.conductor || v.real("metallic") == 1.0; });
+    append_idle_of_metals(warn_if_idle);
     warn_if_idle("height_scale", "there is no height_map", [](const Material&, Values v) {
         return names_one(v, "height_map") || names_one(v, "maps");
     });
@@ -82,6 +156,13 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
                  });
     warn_if_idle("scratch_direction", "there is no scratch map",
                  [](const Material&, Values v) { return v.is_set("scratch"); });
+    warn_if_idle("scratch_direction", "the lobe is isotropic",
+                 [](const Material& m, Values v) { return !follows_scratches(v) || !is_round(m); });
+    warn_if_idle("uv_scale", "there are no maps (a weave takes weave_yarns)",
+                 [](const Material& m, Values v) {
+                     return names_maps(v) || tabulated_of(m) || (m.normal_texture && !cloth_of(m));
+                 });
+    append_idle_of_cloth(warn_if_idle);
 }
 
 void append_hidden(const Scene& scene, const std::vector<ParameterValues>& values,
@@ -94,6 +175,12 @@ void append_hidden(const Scene& scene, const std::vector<ParameterValues>& value
             append_once(warnings,
                         "warp_color, weft_color: a measured metal has its own color: nothing "
                         "changes");
+        const Cloth* cloth = cloth_of(material);
+        if (cloth && material.conductor && set.is_set("metal") &&
+            !(cloth->draft->warp_colors.empty() && cloth->draft->weft_colors.empty()))
+            append_once(warnings,
+                        "metal: every yarn is of this metal: the colors of the draft are not drawn "
+                        "(--metal none draws them)");
         if (!tabulated_of(material)) continue;
         std::vector<std::string_view> hidden;
         for (const std::string_view name : kHidden)
@@ -126,23 +213,6 @@ void append_missing_coordinates(const Scene& scene, const std::vector<ParameterV
 }
 
 }  // namespace
-
-void require_belonging(const std::vector<Material>& materials,
-                       const std::vector<ParameterValues>& values,
-                       const std::vector<SceneFile::Layer>& layers, const ParameterValues& flags) {
-    const auto is_cloth = [](const Material& m, const ParameterValues&) {
-        return cloth_of(m) != nullptr;
-    };
-    for (const Parameter& parameter : parameter_table()) {
-        const std::string_view name = parameter.name;
-        if (parameter.belongs_to != "weave" || !is_idle(materials, values, name, is_cloth))
-            continue;
-        const UsageError error(name, "", "a weave beside it", "none");
-        if (flags.is_set(name)) throw error;
-        for (const SceneFile::Layer& layer : layers)
-            if (layer.values.is_set(name)) throw Error(layer.place + ": " + error.what());
-    }
-}
 
 void append_warnings(const Scene& scene, const std::vector<ParameterValues>& values,
                      std::vector<std::string>& warnings) {

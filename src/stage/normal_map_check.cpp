@@ -59,8 +59,7 @@ std::string warning_of_green(const Texture& texture, bool flipped) {
         "is drawn as {}: bumps look like dents ({})",
         one_line(texture.name), flipped ? "up (OpenGL)" : "down (DirectX)", symmetry,
         flipped ? "DirectX" : "OpenGL",
-        flipped ? "--normal-map with this file and without --flip-green draws it as OpenGL"
-                : "--flip-green draws it as DirectX");
+        flipped ? "--flip-green=false draws it as OpenGL" : "--flip-green draws it as DirectX");
 }
 
 }  // namespace

@@ -58,6 +58,12 @@ std::optional<StatedTile> tile_of(const ParameterValues& values, const MaterialA
                       "--maps-tile-mm states it"};
 }
 
+// Four digits or more, never 1e+05.
+std::string plain(double number) {
+    return std::abs(number) >= 1000.0 ? fmt::format("{:.0f}", number)
+                                      : fmt::format("{:.4g}", number);
+}
+
 // Applies sizes to one material.
 class Sizer {
   public:
@@ -79,9 +85,9 @@ class Sizer {
         const double scale = set("uv_scale", wanted);
         const double mm = tile.mm * wanted / scale;
         note(
-            fmt::format("the texture square is {:.4g} m wide: a tile of {:.4g} mm repeats {:.4g} "
-                        "times (--uv-scale {:.4g}){}",
-                        square_->side, mm, scale, scale,
+            fmt::format("the texture square is {} m wide: a tile of {} mm repeats {} times "
+                        "(--uv-scale {}){}",
+                        plain(square_->side), plain(mm), plain(scale), plain(scale),
                         spread(mm * square_->low / square_->side,
                                mm * square_->high / square_->side, "a tile is", "mm wide")));
     }
@@ -94,9 +100,8 @@ class Sizer {
         const double yarns = set("weave_yarns", wanted);
         const double per_cm = yarns / (square_->side * 100.0);
         note(fmt::format(
-            "the texture square is {:.4g} m wide: {:.4g} yarns a centimeter are {:.4g} "
-            "(--weave-yarns {:.4g}){}",
-            square_->side, per_cm, yarns, yarns,
+            "the texture square is {} m wide: {} yarns a centimeter are {} (--weave-yarns {}){}",
+            plain(square_->side), plain(per_cm), plain(yarns), plain(yarns),
             spread(per_cm * square_->side / square_->high, per_cm * square_->side / square_->low,
                    "there are", "yarns a centimeter")));
     }
@@ -117,9 +122,10 @@ class Sizer {
         values_.set_value(name, value);
         if (value != wanted)
             warn(
-                fmt::format("{}: {:.4g} is needed for the physical size, {:g} to {:g} are "
-                            "possible: {:g} is drawn, {:.3g} times as large as asked for",
-                            name, wanted, p.low, p.high, value, wanted / value));
+                fmt::format("{}: {} is needed for the physical size, {} to {} are possible: {} is "
+                            "drawn, {} times as large as asked for",
+                            name, plain(wanted), plain(p.low), plain(p.high), plain(value),
+                            plain(wanted / value)));
         return value;
     }
 

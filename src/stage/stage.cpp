@@ -214,6 +214,12 @@ Stage open_stage(const std::string& input, const ParameterValues& values) {
     stage.values.merge(values);
     stage.scene = std::move(stage.file.scene);
     stage.file.scene = Scene{};
+    const auto is_built_in = [](const SceneFile::Object& object) {
+        return is_builtin(object.model);
+    };
+    if (values.is_set("triangles") && std::ranges::none_of(stage.file.objects, is_built_in))
+        stage.scene.warnings.emplace_back(
+            "triangles: only built-in meshes have it: nothing changes");
     stage.file.scene.lights = stage.scene.lights;
     stage.file.scene.warnings = stage.scene.warnings;
     stage.file.scene.notes = stage.scene.notes;
@@ -221,28 +227,6 @@ Stage open_stage(const std::string& input, const ParameterValues& values) {
     stage.file.layers.clear();
     if (stage.scene.instances.empty()) throw Error(input, "", "something to draw", "no triangles");
     return stage;
-}
-
-// Warns of values that other values, or their absence, make ineffective.
-void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
-                         std::vector<std::string>& warnings) {
-    const bool shows_environment =
-        values.choice("background") == static_cast<int>(BackgroundKind::environment) &&
-        !environment.radiance.pixels.empty();
-    if (values.is_set("background_color") && shows_environment)
-        warnings.push_back(
-            "background_color: the environment stands before it: nothing changes "
-            "(--background color)");
-    if (values.is_set("camera_zoom") &&
-        any_set(values, {"camera_position", "camera_distance", "camera_index"}))
-        warnings.push_back(
-            "camera_zoom: the camera's distance is stated: nothing changes (it scales the view "
-            "that "
-            "frames the scene)");
-    if (values.is_set("camera_position") &&
-        any_set(values, {"camera_azimuth", "camera_elevation", "camera_distance"}))
-        warnings.push_back(
-            "camera_position: it holds; azimuth, elevation and distance change nothing");
 }
 
 Environment load_environment_of(const Stage& stage, const std::string& input,
@@ -318,7 +302,8 @@ Stage set_stage(const StageRequest& request, bool all_around) {
     stage.environment =
         load_environment_of(stage, request.input, request.environment, stage.warnings.environment);
     set_values_of_picture(stage, all_around);
-    warn_of_idle_values(stage.values, stage.environment, stage.warnings.values);
+    warn_of_idle_values(stage.values, stage.environment, stage.scene.lights, stage.warnings.values);
+    warn_of_idle_lights(request.lights, stage.warnings.values);
     warn_of_eye_inside(stage.scene, stage.values, stage.camera, stage.warnings.values);
     hide_instances(stage, {stage.file.hidden.begin(), stage.file.hidden.end()});
     stage.scene.warnings = all_warnings(stage);

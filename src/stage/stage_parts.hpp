@@ -32,8 +32,14 @@ void hide_instances(Stage& stage, const std::set<int>& hidden);
 // To be called after a change of the scene's meshes while nothing is hidden.
 void remember_meshes(Stage& stage);
 
-// Appends a line for each value that other values, or their absence, make ineffective.
+// Appends a line "name: why: nothing changes" for each value of the picture that other values, or
+// their absence, make ineffective; `lights`: those that are drawn. Values of materials have lines of
+// the same form (material_warnings.hpp).
 void warn_of_idle_values(const ParameterValues& values, const Environment& environment,
+                         const std::vector<Light>& lights, std::vector<std::string>& warnings);
+
+// A line where "none" stands among other words of --light.
+void warn_of_idle_lights(const std::vector<std::string>& lights,
                          std::vector<std::string>& warnings);
 
 // Sets stage.warnings.materials, and scene.notes to those of the input with the remarks' own.

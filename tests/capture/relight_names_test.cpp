@@ -45,12 +45,12 @@ using Names = std::vector<std::string>;
 
 TEST(RelightNames, AreThoseOfTheRig) {
     RelitFolder f;
-    f.relight("3\nC:\\photos\\P 1.jpg 0 0 1\n/home/p2.tif 0.6 0 0.8\np03 0 0.6 0.8\n");
-    EXPECT_EQ(f.written(), (Names{"P 1.exr", "p2.exr", "p03.exr"}));
+    f.relight("3\nC:\\photos\\P 1.jpg 0 0 1\n/home/p2.tif 0.6 0 0.8\nl\xf6we 0 0.6 0.8\n");
+    EXPECT_EQ(f.written(), (Names{"P 1.exr", "p2.exr", "l\xc3\xb6we.exr"}));
 }
 
-TEST(RelightNames, AreNumbersWhereTwoAreAlikeOrAreNoText) {
-    for (const char* second : {"b/p1.tif", "P1.jpg", "l\xf6we.jpg"}) {
+TEST(RelightNames, AreNumbersWhereTwoAreAlike) {
+    for (const char* second : {"b/p1.tif", "P1.jpg"}) {
         RelitFolder f;
         const auto result = f.relight("2\na/p1.jpg 0 0 1\n" + std::string(second) + " 0.6 0 0.8\n");
         EXPECT_EQ(f.written(), (Names{"0000.exr", "0001.exr"}));

@@ -132,13 +132,19 @@ TEST(Lp, SizeComesFromTheCallerAndThePictures) {
             "sample: expected a sample with a size"));
 }
 
-// File names of old systems may be Latin-1, which JSON cannot hold.
-TEST(Lp, NamesThatAreNoUtf8AreReadAndNotWritten) {
+// Old programs write Windows-1252; JSON holds UTF-8 alone.
+TEST(Lp, NamesThatAreNoUtf8AreReadAsWindows1252) {
     const ScratchFolder folder;
     RigOverrides overrides;
     overrides.width_mm = 10;
-    const Rig rig = read_rig(folder.write("a.lp", "1\nl\xf6we.jpg 0 0 1\n"), false, overrides);
-    EXPECT_EQ(rig.lights[0].images[0].image.filename(), "l\xf6we.jpg");
+    const fs::path file = folder.write("a.lp", "1\nl\xf6we.png 0 0 1\n");
+    Rig rig = read_rig(file, false, overrides);
+    EXPECT_EQ(rig.lights[0].images[0].image.filename(), "l\xc3\xb6we.png");
+    write_rig(folder / "a.json", rig);
+    draw(folder / "l\xc3\xb6we.png", 8, 2);
+    EXPECT_EQ(read_rig(file, true, overrides).lights[0].images[0].image.filename(),
+              "l\xc3\xb6we.png");
+    rig.lights[0].images[0].image = "l\xf6we.png";
     EXPECT_TRUE(has(error_line([&] { write_rig(folder / "b.json", rig); }),
                     "expected names of pictures in UTF-8"));
     EXPECT_FALSE(fs::exists(folder / "b.json"));

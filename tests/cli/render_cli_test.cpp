@@ -205,6 +205,38 @@ TEST(RenderCommand, SaysWhichFlagsChangeNothing) {
               std::string::npos);
     EXPECT_NE(complaint({"--camera-zoom", "2", "--camera-distance", "3"}).find("camera_zoom:"),
               std::string::npos);
+    const struct {
+        std::vector<std::string> flags;
+        const char* line;
+    } cases[] = {
+        {{"--uv-scale", "3"}, "uv_scale: there are no maps"},
+        {{"--weave", "plain", "--uv-scale", "3"}, "uv_scale: there are no maps"},
+        {{"--weave-fuzz", "0.2"}, "weave_fuzz: there is no weave"},
+        {{"--conserve", "--normal-map", "builtin:bumps"}, "conserve: only the deform methods"},
+        {{"--method", "none"}, "method: there is no normal map"},
+        {{"--mdf", "ggx", "--brdf", "ward"}, "mdf: the reflection model has a distribution"},
+        {{"--anisotropy-rotation", "30"}, "anisotropy_rotation: the lobe is isotropic"},
+        {{"--metal", "gold", "--base-color", "1,0,0"}, "base_color: a measured metal"},
+        {{"--metal", "gold", "--f0", "0.1"}, "f0: a metal has its reflectance"},
+        {{"--background", "transparent", "--background-color", "1,0,0"},
+         "background_color: a transparent background"},
+        {{"--background", "color", "--background-blur", "1"}, "background_blur: the environment"},
+        {{"--env", "none", "--environment-rotation", "30"}, "environment_rotation: there is no"},
+        {{"--image-light", "prefiltered", "--image-light-samples", "4"},
+         "image_light_samples: only image_light importance"},
+        {{"--light", "none", "--shadows"}, "shadows: there are no lights"},
+        {{"--light", "none", "--light", "45,30"}, "--light: none beside 45,30"},
+        {{"--camera-position", "1,1,1", "--camera-azimuth", "3"},
+         "camera_azimuth: camera_position holds"}};
+    for (const auto& c : cases)
+        EXPECT_NE(complaint(c.flags).find(c.line), std::string::npos) << c.line;
+    const std::vector<std::string> none[] = {
+        {"--alpha-x", "0.1", "--alpha-y", "0.3", "--anisotropy-rotation", "30"},
+        {"--normal-map", "builtin:bumps", "--uv-scale", "3", "--method", "none"},
+        {"--normal-map", "builtin:bumps", "--conserve", "--compare", "none,deform-smooth"},
+        {"--light", "none", "--ground"},
+        {"--light", "45,30", "--shadows=false"}};
+    for (const auto& flags : none) EXPECT_EQ(complaint(flags), "") << flags.front();
     EXPECT_EQ(complaint({"--metal", "gold", "--metallic", "1"}), "");
     EXPECT_EQ(complaint({"--normal-scale", "2", "--normal-map", "builtin:bumps"}), "");
 }

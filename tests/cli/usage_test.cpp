@@ -72,6 +72,14 @@ TEST(Usage, MissingValuesAreNamed) {
     expect_complaint(run_burnish({"render", "builtin:plane", "-o", "a.png", "--conserve=maybe"}), 2,
                      {"--conserve: expected", "maybe"});
     expect_complaint(run_burnish({"render", "-o", "a.png"}), 2, {"render: input: expected"});
+    // Not the value "-o" of --metal, and "-30" is no flag.
+    for (const char* next : {"-o", "--output", "--gl-device=0", "--progress"})
+        expect_complaint(run_burnish({"render", "builtin:plane", "--metal", next, "a.png"}), 2,
+                         {"render: --metal: expected a value, found none", "--metal NAME"});
+    expect_complaint(run_burnish({"mdf", "eval", "--in", "--out", "b"}), 2,
+                     {"mdf eval: --in: expected a value, found none"});
+    expect_complaint(run_burnish({"render", "builtin:plane", "--camera-azimuth", "-30", "-o"}), 2,
+                     {"render: --output: expected a value, found none"});
     expect_complaint(run_burnish({"mdf", "eval", "--in", "no.csv", "--out", "b"}), 1,
                      {"no.csv: expected a readable file, found no such file or folder"});
 }

@@ -110,6 +110,14 @@ TEST_F(FindFile, NamesThatAreNoPathsFindNothing) {
     EXPECT_EQ(found(deep + "plain.png"), "plain.png: another folder");
 }
 
+TEST_F(FindFile, NamesOfOldEncodingsAreComparedAsText) {
+    folder_.write("model/K\xF6per.png", "x");      // Windows-1252
+    folder_.write("model/Gew\xC3\xB6lbe.png", "x");  // UTF-8
+    EXPECT_NE(found("K\xC3\xB6per.png"), "nothing");
+    EXPECT_NE(found("Gew\xF6lbe.png"), "nothing");
+    EXPECT_EQ(found("Gew\xC3\xB6lbe.png"), "Gew\xC3\xB6lbe.png");
+}
+
 TEST_F(FindFile, AFolderThatIsNotThereFindsNothing) {
     FileFinder finder(folder_ / "no such folder", {picture_endings(), kSubfolders});
     EXPECT_FALSE(finder.find("plain.png"));

@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "burnish/image_io.hpp"
 #include "formats/gltf/gltf_materials.hpp"
 #include "formats/model_textures.hpp"
 #include "gltf_support.hpp"
@@ -206,6 +207,80 @@ TEST(GltfTextures, ThatCannotBeReadAreLeftOut) {
         EXPECT_TRUE(warns(scene, "drawn without it: ")) << image;
         for (const Texture& texture : scene.textures) EXPECT_FALSE(texture.empty());
     }
+}
+
+// The resolver of OBJ (core/find_file.hpp), and nothing outside the folder.
+TEST(GltfTextures, OfOtherNamesAreFoundAndNamed) {
+    const TemporaryFolder folder;
+    folder.write("outside.png", png_gradient(4, 2));
+    folder.write("inner/textures/Wood.PNG", png_gradient(4, 2));
+    GlbWriter writer =
+        square_with({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    const struct {
+        const char *uri, *says;
+    } cases[] = {{"textures/Wood.PNG", ""},
+                 {"textures\\Wood.PNG", ""},
+                 {"textures/wood.png", "other letter case"},
+                 {"wood.png", "another folder and other letter case"},
+                 {"textures/Wood.jpg", "another ending"},
+                 {"C:/Users/me/textures/Wood.PNG", "another folder"},
+                 {"C:%5CUsers%5Cme%5CWood.PNG", "another folder"},
+                 {"file:///home/me/Wood.PNG", "another folder"},
+                 {"../textures/Wood.PNG", "another folder"}};
+    for (const auto& c : cases) {
+        writer.root["images"][0] = {{"uri", c.uri}};
+        const Scene scene = load_gltf(folder.write("inner/model.glb", writer.glb()));
+        EXPECT_TRUE(scene.materials.at(0).base_color_texture) << c.uri;
+        EXPECT_EQ(scene.warnings.size(), *c.says ? 1u : 0u) << c.uri;
+        EXPECT_TRUE(!*c.says || warns(scene, c.says)) << c.uri;
+        EXPECT_TRUE(!*c.says || warns(scene, "images[0].uri: ")) << c.uri;
+    }
+    const std::string absolute = (folder.path() / "outside.png").string();
+    for (const std::string& uri : {std::string("../outside.png"), absolute, "file://" + absolute,
+                                   "C:" + absolute, std::string("https://example.org/Wood.PNG")}) {
+        writer.root["images"][0] = {{"uri", uri}};
+        const Scene scene = load_gltf(folder.write("inner/model.glb", writer.glb()));
+        EXPECT_FALSE(scene.materials.at(0).base_color_texture) << uri;
+        EXPECT_TRUE(warns(scene, "a relative path inside the model's folder")) << uri;
+    }
+}
+
+TEST(GltfMaterialKeys, ThatTheSpecificationLacksAreNamed) {
+    GlbWriter writer = square_with({{"name", "m"},
+                                    {"doubleSide", true},
+                                    {"extras", {{"roughness", 1}}},
+                                    {"pbrMetallicRoughness", {{"roughness", 0.2}}},
+                                    {"normalTexture", {{"index", 0}, {"strength", 2}}}});
+    const Scene scene = load_bytes(writer);
+    EXPECT_TRUE(warns(scene,
+                      "materials[0]: the key \"doubleSide\" is not read (did you mean "
+                      "'doubleSided'?)"));
+    EXPECT_TRUE(warns(scene,
+                      "materials[0].pbrMetallicRoughness: the key \"roughness\" is not read "
+                      "(did you mean 'roughnessFactor'?)"));
+    EXPECT_TRUE(warns(scene, "materials[0].normalTexture: the key \"strength\" is not read"));
+    EXPECT_EQ(scene.warnings.size(), 3u);
+    writer.root["materials"][0]["alphaMode"] = 3;
+    EXPECT_NE(error_of(writer).find("alphaMode: expected a text, found \"3\""), std::string::npos);
+    writer.root["materials"][0] = {{"alphaCutoff", "0.1"}};
+    EXPECT_NE(error_of(writer).find("found \"0.1\""), std::string::npos) << "quoted once";
+}
+
+TEST(GltfTextures, GrayPicturesOfPackedMapsAreNamed) {
+    const TemporaryFolder folder;
+    Image gray(4, 2, 1);
+    write_image(folder.path() / "gray.png", gray, {});
+    GlbWriter writer =
+        square_with({{"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}}}}},
+                     {"occlusionTexture", {{"index", 0}}}});
+    EXPECT_FALSE(warns(load_gltf(folder.write("model.glb", writer.glb())), "gray"));
+    writer.root["images"][0] = {{"uri", "gray.png"}};
+    const Scene scene = load_gltf(folder.write("model.glb", writer.glb()));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(warns(scene,
+                      "gray.png: expected a metallic-roughness map with red, green and blue, "
+                      "found a gray picture: every property is drawn from its gray"));
+    EXPECT_TRUE(scene.materials.at(0).metallic_roughness_texture);
 }
 
 // --- sets of texture coordinates ----------------------------------------------------------------

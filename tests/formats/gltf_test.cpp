@@ -88,6 +88,9 @@ TEST(Gltf, UrisThatLeadElsewhereAreRefused) {
         EXPECT_NE(line.find("buffers[0].uri"), std::string::npos) << line;
         EXPECT_NE(line.find("model.gltf"), std::string::npos) << line;
     }
+    const Scene moved = load_gltf(folder.write("model.gltf", writer.gltf("C:\\work\\DATA.bin")));
+    EXPECT_EQ(moved.instances.size(), 1u);
+    EXPECT_TRUE(test::warns(moved, "buffers[0].uri: "));
     const auto missing = folder.write("model.gltf", writer.gltf("gone.bin"));
     const std::string line = error_line([&] { load_gltf(missing); });
     EXPECT_NE(line.find("model.gltf"), std::string::npos) << line;

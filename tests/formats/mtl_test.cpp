@@ -160,7 +160,8 @@ TEST(Mtl, PicturesOfOtherNamesAreFoundAndNamed) {
         ASSERT_EQ(scene.warnings.size(), *c.says ? 1u : 0u) << c.name;
         EXPECT_TRUE(!*c.says || warns(scene, c.says)) << c.name;
     }
-    EXPECT_TRUE(warns(model.load("map_Kd gone.png\n"), "texture \"gone.png\": no such picture"));
+    EXPECT_TRUE(warns(model.load("map_Kd gone.png\n"),
+                      "lib.mtl: \"m\": map_Kd \"gone.png\": no such picture"));
 }
 
 TEST(Mtl, APictureThatCannotBeReadIsAWarning) {
@@ -251,8 +252,35 @@ TEST(Mtl, KeysThatAreNotReadAreNamedOnce) {
     const Scene many = model.load(
         "disp d.png\nnewmtl b\ndisp d.png\nnewmtl c\ndisp d.png\n"
         "newmtl d\ndisp d.png\nnewmtl e\ndisp d.png\n");
-    EXPECT_EQ(many.warnings,
-              std::vector<std::string>{"\"m\", \"b\", \"c\" and 2 more: disp is not read"});
+    ASSERT_EQ(many.warnings.size(), 1u);
+    EXPECT_TRUE(warns(many, "lib.mtl: \"m\", \"b\", \"c\" and 2 more: disp is not read"));
+}
+
+// The rule of glTF's factors.
+TEST(Mtl, NumbersOutOfRangeAreClampedAndWordsAreNotRead) {
+    const ModelFolder model;
+    const Scene scene = model.load("Kd 0.5 2 -1\nPr 3\nPm -0.5\nd 7\nKe 1 nan 0\naniso much\n");
+    const Material& m = scene.materials.at(0);
+    EXPECT_EQ(m.base_color, glm::vec4(0.5f, 1.0f, 0.0f, 1.0f));
+    EXPECT_EQ(gltf_lobe_of(m)->roughness, 1.0f);
+    EXPECT_EQ(m.metallic, 0.0f);
+    EXPECT_EQ(m.emissive, glm::vec3(0.0f));
+    EXPECT_EQ(gltf_lobe_of(m)->anisotropy_strength, 0.0f);
+    EXPECT_EQ(scene.warnings.size(), 6u);
+    for (const char* line : {"Kd: 2 is not from 0 to 1: 1 is used", "Pr: 3 is not from 0 to 1: 1",
+                             "Pm: -0.5 is not from 0 to 1: 0", "d: 7 is not from 0 to 1: 1",
+                             "Ke: expected three numbers, found \"nan\": the key is not read",
+                             "aniso: expected a number, found \"much\": the key is not read"})
+        EXPECT_TRUE(warns(scene, std::string("lib.mtl: \"m\": ") + line)) << line;
+    EXPECT_EQ(gltf_lobe_of(model.load("Ns -5\n").materials.at(0))->roughness, 1.0f)
+        << "the exponent 0";
+    // Without its key a color is the default one.
+    EXPECT_EQ(model.load("Kd 0,5 0,5 0,5\n").materials.at(0).base_color,
+              glm::vec4(0.8f, 0.8f, 0.8f, 1.0f));
+    // One number stands for three.
+    const Scene one = model.load("Kd 0.25\nNs 10 # soft\n");
+    EXPECT_EQ(one.materials.at(0).base_color, glm::vec4(0.25f, 0.25f, 0.25f, 1.0f));
+    EXPECT_TRUE(one.warnings.empty());
 }
 
 TEST(Mtl, KeysMayBeInAnyLetterCase) {

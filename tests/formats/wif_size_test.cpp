@@ -85,7 +85,7 @@ TEST(WifSize, ValuesThatAreNotDrawnAreNotParsed) {
     sections["NOTES"] = std::string(70000, 'n') + "\n\n=\n";
     const WifFile file = read(text_of(sections));
     EXPECT_EQ(drawn(file.draft), cloth);
-    EXPECT_EQ(file.draft.name, "\xC4rmel \xE9t\xE9");
+    EXPECT_EQ(file.draft.name, "\xC3\x84rmel \xC3\xA9t\xC3\xA9") << "UTF-8";
     EXPECT_TRUE(file.warnings.empty()) << file.warnings.front();
 }
 

@@ -1,6 +1,7 @@
 // WIF files against drafts computed by hand, round trips, and errors.
 #include "burnish/wif.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <map>
 #include <random>
 
+#include "burnish/image_io.hpp"
 #include "core/files.hpp"
 #include "support/paths.hpp"
 #include "support/test_folder.hpp"
@@ -176,6 +178,20 @@ TEST(Wif, ColorsThatLackSomethingAreNamed) {
     sections["COLOR TABLE"] = "1=0,0,0\n";
     sections["WEFT"] = "Threads=3\nColor=1\n";
     EXPECT_TRUE(has(read(text_of(sections)).warnings, "does not say Range: taken as 0,255"));
+    // The least of the usual ranges that holds the highest value.
+    const std::pair<int, int> ranges[] = {{255, 255}, {256, 999}, {999, 999}, {1000, 65535}};
+    for (const auto& [highest, white] : ranges) {
+        sections["COLOR TABLE"] = fmt::format("1=0,{},0\n", highest);
+        const WifFile file = read(text_of(sections));
+        EXPECT_TRUE(has(file.warnings,
+                        fmt::format("does not say Range: taken as 0,{0}, as the highest value of "
+                                    "[COLOR TABLE] is {1} (a line Range=0,{0}",
+                                    white, highest)));
+        EXPECT_NEAR(file.draft.weft_colors.at(0).y,
+                    linear_from_srgb(static_cast<float>(highest) / static_cast<float>(white)),
+                    1e-6f);
+    }
+    sections["COLOR TABLE"] = "1=0,0,0\n";
     sections["COLOR PALETTE"] = "Entries=2\nRange=255,0\n";
     EXPECT_NE(complaint(text_of(sections)).find("\"255,0\""), std::string::npos);
     sections["COLOR PALETTE"] = "Entries=2\nRange=0,255\n";

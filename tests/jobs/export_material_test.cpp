@@ -47,6 +47,30 @@ nlohmann::json json_of(const std::filesystem::path& file) {
     return nlohmann::json::parse(in);
 }
 
+// A built-in mesh has no name for its material.
+TEST(ExportMaterial, MaterialsOfFlagsAreNamedByWhatTheFlagsName) {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / "rust_2k/textures");
+    write_image(folder / "rust_2k/textures/rust_color.png", Image(4, 4, 3, 0.5f), {});
+    const struct {
+        std::vector<std::pair<std::string, std::string>> parameters;
+        std::string name;
+    } cases[] = {{{{"metal", "gold"}}, "gold"},
+                 {{{"scratch", "brushed"}}, "brushed"},
+                 {{{"metal", "steel"}, {"scratch", "fine-random"}}, "steel-fine-random"},
+                 {{{"weave", "twill-2-2"}}, "twill-2-2"},
+                 {{{"maps", (folder / "rust_2k/textures").string() + "/"}}, "rust_2k"},
+                 {{{"roughness", "0.3"}}, "default"}};
+    for (const auto& c : cases) {
+        ExportMaterialRequest request = request_of(folder, {});
+        for (const auto& [name, value] : c.parameters) request.stage.values.set(name, value, name);
+        export_material(request, {});
+        EXPECT_EQ(json_of(folder / "out/material.json").at("name"), c.name);
+        EXPECT_EQ(read_back(folder).name, c.name);
+        std::filesystem::remove_all(folder / "out");
+    }
+}
+
 TEST(ExportMaterial, WhatGltfCannotSayComesBack) {
     const ScratchFolder folder;
     const ExportMaterialRequest request = request_of(folder, {{"metal", "gold"},
@@ -56,7 +80,8 @@ TEST(ExportMaterial, WhatGltfCannotSayComesBack) {
                                                               {"brdf", "cook-torrance"},
                                                               {"method", "rotate-arc"}});
     const ExportMaterialReport report = export_material(request, {});
-    EXPECT_EQ(report.warnings.size(), 3U) << "mdf, brdf and the metal are approximated in glTF";
+    EXPECT_EQ(report.warnings.size(), 5U)
+        << "mdf, brdf and the metal are approximated in glTF; mdf and method change nothing here";
     const Material from = source_of(request), to = read_back(folder);
     EXPECT_EQ(to.mdf, from.mdf);
     EXPECT_EQ(to.brdf, from.brdf);

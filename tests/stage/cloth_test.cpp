@@ -1,18 +1,23 @@
 // Woven cloth as a material: the effect of --weave and its parameters, and their errors.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "burnish/draft.hpp"
 #include "burnish/error.hpp"
 #include "burnish/layered_materials.hpp"
 #include "burnish/load_model.hpp"
+#include "burnish/wif.hpp"
+#include "support/test_folder.hpp"
 
 namespace burnish {
 namespace {
 
-Scene scene_with(std::initializer_list<std::pair<const char*, const char*>> parameters) {
+Scene scene_with(const std::vector<std::pair<std::string, std::string>>& parameters) {
     Scene scene = load_model("builtin:plane", 2);
     ParameterValues values;
     for (const auto& [name, text] : parameters) values.set(name, text, "");
@@ -20,7 +25,7 @@ Scene scene_with(std::initializer_list<std::pair<const char*, const char*>> para
     return scene;
 }
 
-std::string refusal_of(std::initializer_list<std::pair<const char*, const char*>> parameters) {
+std::string refusal_of(const std::vector<std::pair<std::string, std::string>>& parameters) {
     try {
         scene_with(parameters);
     } catch (const Error& error) {
@@ -73,12 +78,47 @@ TEST(ClothMaterial, WhatContradictsItselfIsRefused) {
               std::string::npos);
     EXPECT_NE(refusal_of({{"weave", "plain"}, {"scratch", "brushed"}}).find("two of them"),
               std::string::npos);
-    EXPECT_NE(refusal_of({{"weave_gap", "0.2"}}).find("a weave beside it"), std::string::npos);
     const std::string unknown = refusal_of({{"weave", "twil-2-2"}});
     EXPECT_NE(unknown.find("twil-2-2"), std::string::npos);
     EXPECT_NE(unknown.find("twill-2-2"), std::string::npos);
     EXPECT_EQ(unknown.find('\n'), std::string::npos);
     EXPECT_NE(refusal_of({{"weave", "missing.wif"}}).find("no such file"), std::string::npos);
+}
+
+// The rule of normal_scale without a normal map.
+TEST(ClothMaterial, ParametersOfAWeaveWithoutOneAreSaidToChangeNothing) {
+    const auto says = [](const Scene& scene, std::string_view line) {
+        return std::find(scene.warnings.begin(), scene.warnings.end(), line) !=
+               scene.warnings.end();
+    };
+    for (const char* name : {"weave_fuzz", "weave_crimp", "weave_gap", "weave_yarns_per_cm"}) {
+        const std::string line = std::string(name) + ": there is no weave: nothing changes";
+        EXPECT_TRUE(says(scene_with({{name, "0.2"}}), line));
+        EXPECT_FALSE(says(scene_with({{name, "0.2"}, {"weave", "plain"}}), line));
+    }
+    EXPECT_TRUE(says(scene_with({{"warp_color", "1,0,0"}}),
+                     "warp_color: there is no weave: nothing changes"));
+}
+
+TEST(ClothMaterial, ColorsOfADraftThatAMetalHidesAreSaid) {
+    const test::ScratchFolder folder;
+    Draft draft = builtin_draft("plain");
+    draft.warp_colors.assign(static_cast<std::size_t>(draft.ends), glm::vec3(1, 0, 0));
+    draft.weft_colors.assign(static_cast<std::size_t>(draft.picks), glm::vec3(0, 0, 1));
+    folder.write("colors.wif", wif_text(draft));
+    const std::string file = (folder / "colors.wif").string();
+    const auto says = [&](std::vector<std::pair<std::string, std::string>> words,
+                          std::string_view text) {
+        words.emplace_back("weave", file);
+        for (const std::string& warning : scene_with(words).warnings)
+            if (warning.find(text) != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_TRUE(says({{"metal", "gold"}},
+                     "metal: every yarn is of this metal: the colors of the "
+                     "draft are not drawn (--metal none draws them)"));
+    EXPECT_FALSE(says({{"metal", "none"}}, "metal:"));
+    EXPECT_TRUE(says({{"base_color", "1,0,0"}}, "base_color: the yarns have colors of their own"));
 }
 
 TEST(ClothMaterial, ColorsThatAMetalHidesAreSaid) {

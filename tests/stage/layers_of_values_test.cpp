@@ -117,11 +117,6 @@ TEST(LayersOfValues, FaultsOfTheFileNameItsPlace) {
     };
     EXPECT_EQ(line({{"normal_map", "no.png"}}, {}).find("s.json: objects[0]: no.png"), 0u);
     EXPECT_EQ(line({{"brdf", "phong"}, {"method", "deform-smooth"}}, {}).find("s.json: "), 0u);
-    EXPECT_EQ(line({{"weave_gap", "0.2"}}, {}).find("s.json: objects[0]: weave_gap: expected"), 0u);
-    EXPECT_EQ(error_line<UsageError>([] {
-                  material_of({}, {{"weave_gap", "0.2"}});
-              }),
-              "weave_gap: expected a weave beside it, found none");
     EXPECT_EQ(error_line<UsageError>([] {
                   material_of({{"brdf", "phong"}}, {{"method", "deform-smooth"}});
               }).find("method: "),

@@ -2,6 +2,7 @@
 #include "stage/map_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "burnish/image_io.hpp"
 #include "burnish/layered_materials.hpp"
 #include "burnish/load_model.hpp"
+#include "image/texel_value.hpp"
 #include "support/test_folder.hpp"
 
 namespace burnish {
@@ -55,6 +57,27 @@ TEST(MapSets, NamesOfLibrariesStateRoles) {
         {"metallic_roughness.png", MapRole::metallic_roughness},
         {"DefaultMaterial_Emissive.1001.png", MapRole::emissive},
         {"Door_ambient_occlusion.png", MapRole::occlusion},
+        // Unity
+        {"Rock_AlbedoTransparency.png", MapRole::base_color},
+        {"Rock_MetallicSmoothness.png", MapRole::metallic_smoothness},
+        {"Rock_Metallic_Gloss.tga", MapRole::metallic_smoothness},
+        {"Rock_MetallicGlossMap.png", MapRole::metallic_smoothness},
+        {"Rock_MaskMap.png", MapRole::mask_map},
+        {"Rock_SpecularSmoothness.png", std::nullopt},
+        {"Rock_Smoothness.png", MapRole::glossiness},
+        // Unreal
+        {"T_Rock_BC.png", MapRole::base_color},
+        {"T_Rock_N.png", MapRole::normal_directx},
+        {"T_Rock_Normal.png", MapRole::normal_directx},
+        {"T_Rock_NormalGL.png", MapRole::normal},
+        {"T_Rock_ORM.png", MapRole::orm},
+        {"T_Rock_ORDp.png", MapRole::occlusion_roughness},
+        {"T_Rock_R.png", MapRole::roughness},
+        {"T_Rock_M_2K.png", MapRole::metallic},
+        {"T_Rock_AO.png", MapRole::occlusion},
+        {"Rock_N.png", MapRole::normal},
+        {"n.png", std::nullopt},
+        {"Rock_B.png", std::nullopt},
         // burnish
         {"base_color.png", MapRole::base_color},
         {"orm.png", MapRole::orm},
@@ -62,6 +85,13 @@ TEST(MapSets, NamesOfLibrariesStateRoles) {
         {"preview.png", std::nullopt},
     };
     for (const Named& named : all) EXPECT_EQ(map_role_of(named.file), named.role) << named.file;
+}
+
+bool says(const std::vector<std::string>& lines, std::initializer_list<std::string_view> parts) {
+    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+        return std::all_of(parts.begin(), parts.end(),
+                           [&](std::string_view part) { return line.find(part) != line.npos; });
+    });
 }
 
 // A picture of one value.
@@ -83,6 +113,22 @@ TEST(MapSets, TwoCandidatesAreNamedAndNoneIsGuessed) {
     EXPECT_NE(line.find("roughness"), line.npos) << line;
     EXPECT_NE(line.find("a_Roughness.png"), line.npos) << line;
     EXPECT_NE(line.find("b_Roughness.png"), line.npos) << line;
+}
+
+// Formats that keep the same: neither is a better guess.
+TEST(MapSets, OneMapInTwoFormatsIsTheOneThatKeepsMoreAndTheOtherIsNamed) {
+    const ScratchFolder folder;
+    flat(folder / "a_Color.png", 0.5f, 0.5f, 0.5f);
+    flat(folder / "a_Color.jpg", 0.5f, 0.5f, 0.5f);
+    const MapSet set = find_map_set(folder / "");
+    EXPECT_EQ(set.files.at(MapRole::base_color).filename(), "a_Color.png");
+    ASSERT_EQ(set.notes.size(), 1u);
+    EXPECT_NE(set.notes[0].find("a_Color.jpg: passed over, a_Color.png is the same map"),
+              std::string::npos);
+    std::filesystem::rename(folder / "a_Color.png", folder / "a_Color.tga");
+    const std::string line = error_line([&] { find_map_set(folder / ""); });
+    EXPECT_NE(line.find("a_Color.jpg"), line.npos) << line;
+    EXPECT_NE(line.find("a_Color.tga"), line.npos) << line;
 }
 
 TEST(MapSets, OpenGlComesBeforeDirectX) {
@@ -124,6 +170,118 @@ TEST(MapSets, AFolderIsAWholeMaterial) {
     std::memcpy(&green, surface.texels.data() + 2, 2);
     // 8 bits of the picture.
     EXPECT_NEAR(green / 65535.0, 0.75, 0.003);
+}
+
+void flat_with_alpha(const std::filesystem::path& path, float r, float g, float b, float a) {
+    Image image(4, 4, 4);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = std::array{r, g, b, a}[i % 4];
+    write_image(path, image, {});
+}
+
+// Red, green and blue of the first texel.
+glm::vec3 first_texel(const Scene& scene, const TextureUse& use) {
+    const Texture& t = scene.textures[static_cast<std::size_t>(use.texture)];
+    return {texel_value(t, 0), texel_value(t, 1), texel_value(t, 2)};
+}
+
+// Half a code of 8 bits, and a little for rounding.
+constexpr float kHalfCode = 0.5f / 255.0f + 1e-5f;
+
+TEST(MapSets, UnitysMapsHaveMetallicInRedAndSmoothnessInAlpha) {
+    const ScratchFolder folder;
+    flat_with_alpha(folder / "x_MetallicSmoothness.png", 0.75f, 0.1f, 0.2f, 0.25f);
+    flat_with_alpha(folder / "x_AlbedoTransparency.png", 1.0f, 0.5f, 0.25f, 0.75f);
+    const Scene scene = plane_with(maps_of(folder));
+    const Material& m = scene.materials.front();
+    EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
+    EXPECT_EQ(m.metallic, 1.0f) << "the factor; the map has the value";
+    const glm::vec3 texel = first_texel(scene, m.metallic_roughness_texture);
+    EXPECT_NEAR(texel.y, 0.75f, kHalfCode) << "roughness: 1 - smoothness";
+    EXPECT_NEAR(texel.z, 0.75f, kHalfCode) << "metallic";
+    EXPECT_TRUE(scene.warnings.empty());
+    // Without an alpha there is no smoothness.
+    flat(folder / "x_MetallicSmoothness.png", 0.75f, 0.1f, 0.2f);
+    const Scene without = plane_with(maps_of(folder));
+    EXPECT_TRUE(
+        says(without.warnings, {"x_MetallicSmoothness.png: expected smoothness in the alpha "
+                                "channel, found 3 channels without alpha"}));
+    const Material& n = without.materials.front();
+    EXPECT_NEAR(first_texel(without, n.metallic_roughness_texture).z, 0.75f, kHalfCode);
+    EXPECT_EQ(gltf_lobe_of(n)->roughness, 1.0f);
+}
+
+TEST(MapSets, MaskMapsAndMegascansMapsAreReadByTheirChannels) {
+    const ScratchFolder folder;
+    flat_with_alpha(folder / "x_MaskMap.png", 0.75f, 0.5f, 0.1f, 0.25f);
+    const Scene mask = plane_with(maps_of(folder));
+    const Material& m = mask.materials.front();
+    const glm::vec3 texel = first_texel(mask, m.metallic_roughness_texture);
+    EXPECT_NEAR(texel.y, 0.75f, kHalfCode);
+    EXPECT_NEAR(texel.z, 0.75f, kHalfCode);
+    const Texture& occlusion = mask.textures[static_cast<std::size_t>(m.occlusion_texture.texture)];
+    EXPECT_NEAR(texel_value(occlusion, 0), 0.5f, kHalfCode);
+    const ScratchFolder second;
+    flat(second / "T_x_ORDp.png", 0.75f, 0.5f, 0.25f);
+    const Scene scan = plane_with(maps_of(second));
+    const Material& n = scan.materials.front();
+    EXPECT_NEAR(first_texel(scan, n.occlusion_texture).x, 0.75f, kHalfCode);
+    EXPECT_NEAR(first_texel(scan, n.metallic_roughness_texture).y, 0.5f, kHalfCode);
+    EXPECT_EQ(n.metallic, 0.0f) << "blue is a displacement";
+}
+
+// One rule for flags, folders and scene files, which all name maps by these parameters.
+TEST(MapSets, GrayPicturesOfPackedMapsAreNamed) {
+    const ScratchFolder folder;
+    write_image(folder / "gray.png", Image(4, 4, 1), {});
+    flat(folder / "rgb.png", 0.5f, 0.5f, 0.5f);
+    for (const char* name : {"orm_map", "anisotropy_map"}) {
+        ParameterValues values;
+        values.set(name, (folder / "gray.png").string(), name);
+        EXPECT_TRUE(says(plane_with(values).warnings,
+                         {"gray.png: expected a ", "found a gray picture: every property"}))
+            << name;
+        values.set(name, (folder / "rgb.png").string(), name);
+        EXPECT_TRUE(plane_with(values).warnings.empty()) << name;
+    }
+    ParameterValues one;
+    one.set("roughness_map", (folder / "gray.png").string(), "roughness_map");
+    EXPECT_TRUE(plane_with(one).warnings.empty()) << "a map of one property";
+}
+
+TEST(MapSets, AFlipOfADirectXMapIsSaidToChangeNothing) {
+    const ScratchFolder folder;
+    flat(folder / "x_Color.png", 0.5f, 0.5f, 0.5f);
+    flat(folder / "x_NormalDX.png", 0.5f, 0.5f, 1.0f);
+    ParameterValues values = maps_of(folder);
+    values.set("flip_green", "true", "--flip-green");
+    const Scene flipped = plane_with(values);
+    EXPECT_TRUE(flipped.materials.front().flip_green);
+    EXPECT_TRUE(says(flipped.warnings, {"flip_green: ", "--flip-green=false", "nothing changes"}));
+    values.set("flip_green", "false", "--flip-green");
+    const Scene plain = plane_with(values);
+    EXPECT_FALSE(plain.materials.front().flip_green);
+    EXPECT_TRUE(plain.warnings.empty());
+    // Another map in its place has a green of its own.
+    values.set("flip_green", "true", "--flip-green");
+    values.set("normal_map", "builtin:bumps", "--normal-map");
+    EXPECT_FALSE(says(plane_with(values).warnings, {"flip_green: "}));
+}
+
+TEST(MapSets, FoldersAroundAFolderOfMapsNameIt) {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / "rust_2k/textures");
+    folder.write("rust_2k/rust_metal.blend", "no picture");
+    flat(folder / "rust_2k/textures/rust_diff_2k.png", 0.5f, 0.5f, 0.5f);
+    const std::string wanted = "did you mean \"" + (folder / "rust_2k/textures").string() + "\"?";
+    const std::string line = error_line<UsageError>([&] { find_map_set(folder / "rust_2k"); });
+    EXPECT_NE(line.find(wanted), line.npos) << line;
+    ParameterValues values;
+    values.set("normal_map", (folder / "rust_2k").string(), "--normal-map");
+    const std::string map = error_line<UsageError>([&] { plane_with(values); });
+    EXPECT_NE(map.find("a folder with maps in \"" + (folder / "rust_2k/textures").string()),
+              map.npos)
+        << map;
 }
 
 TEST(MapSets, FlagsMultiplyAndReplace) {
@@ -210,13 +368,6 @@ TEST(MapSets, AMapOfItsOwnReplacesTheChannelOfAnOrmMap) {
 }
 
 // Whether a line of `lines` holds all of `parts`.
-bool says(const std::vector<std::string>& lines, std::initializer_list<std::string_view> parts) {
-    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-        return std::all_of(parts.begin(), parts.end(),
-                           [&](std::string_view part) { return line.find(part) != line.npos; });
-    });
-}
-
 TEST(MapSets, NotesAreNoWarningsAndNameWhatIsDrawn) {
     const ScratchFolder folder, other;
     for (const char* name : {"x_color.png", "x_roughness.png", "x_orm.png", "x_normal.png"})

@@ -153,7 +153,7 @@ TEST_F(EditorOfTwo, AnEditThatThrowsLeavesEverythingAsItWas) {
         set_parameter_text(d, "base_color_map", (folder_ / "missing.png").string());
     });
     refused([&](Document& d) { d.values.set_value("e_x", 3.0); });
-    refused([&](Document& d) { d.values.set_value("weave_gap", 0.3); });
+    refused([&](Document& d) { set_parameter_text(d, "weave", "twil"); });
     refused([&](Document& d) {
         d.material_values[1].set_value("e_x", 3.0);
         d.material_values[1].set_value("alpha_x", 0.3);

@@ -14,6 +14,7 @@
 #include "burnish/image_io.hpp"
 #include "capture/rig/rig_reading.hpp"
 #include "core/files.hpp"
+#include "core/utf8.hpp"
 
 namespace burnish {
 
@@ -68,10 +69,11 @@ Reading read_any(const std::filesystem::path& path, bool needs_images,
                     is_there(inside) ? fmt::format("a folder; {} is one", shown(inside.string()))
                                      : "a folder");
     }
-    const std::string text = read_text_file(path, kMostBytes);
+    std::string text = read_text_file(path, kMostBytes);
+    const std::string extension = lower_extension(path);
+    if (extension == ".lp") text = as_utf8(std::move(text));  // names of pictures, of old programs
     const Request request{
         path, text, needs_images, overrides.camera.has_value(), overrides.by_order, pictures};
-    const std::string extension = lower_extension(path);
     if (extension == ".lp") return read_lp(request);
     if (extension == ".dome") return read_dome(request);
     return read_rig_json(request);

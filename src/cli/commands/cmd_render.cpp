@@ -62,7 +62,7 @@ void add_parameter_flags(CLI::App& command, const std::shared_ptr<RenderFlags>& 
 }
 
 void set_size(ParameterValues& values, const std::string& size) {
-    const std::size_t x = size.find('x');
+    const std::size_t x = size.find_first_of("xX");
     if (x == std::string::npos)
         throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(size));
     if (values.is_set("width") || values.is_set("height"))

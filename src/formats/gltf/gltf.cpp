@@ -131,8 +131,9 @@ Scene load_gltf(const std::filesystem::path& path) {
     const GltfContainer container = open_gltf_container(path, report);
     const GltfDocument document = parse_gltf_document(container.json, report);
     const tinygltf::Model& model = *document.model;
-    GltfBuffers buffers(container, document, report);
-    GltfImages images(container, document, buffers, report);
+    ModelFiles files(container.folder);
+    GltfBuffers buffers(container, document, files, report);
+    GltfImages images(container, document, buffers, files, report);
     GltfAccessors accessors(model, buffers, report);
 
     Scene scene;
@@ -147,6 +148,7 @@ Scene load_gltf(const std::filesystem::path& path) {
     for (std::string& line : leave_out_textures(scene, pictures.failures))
         report.warn(std::move(line));
     for (std::string& line : complete_normal_maps(scene)) report.warn(std::move(line));
+    for (std::string& line : gray_packed_warnings(scene)) report.warn(std::move(line));
     for (const auto& [index, json] : document.extras)
         if (index < scene.materials.size())
             apply_gltf_extras(json, path.parent_path(),

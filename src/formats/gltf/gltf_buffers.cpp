@@ -64,9 +64,10 @@ std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri, std:
 }
 
 GltfBuffers::GltfBuffers(const GltfContainer& container, const GltfDocument& document,
-                         GltfReport& report)
+                         ModelFiles& files, GltfReport& report)
     : container_(container),
       document_(document),
+      files_(files),
       report_(report),
       owned_(document.buffers.size()),
       buffers_(document.buffers.size()),
@@ -95,7 +96,8 @@ std::vector<std::byte> GltfBuffers::read_uri(std::size_t index) {
     const std::string key = fmt::format("buffers[{}].uri", index);
     const std::string& uri = document_.buffers[index].uri;
     if (auto bytes = decode_data_uri(uri, key, report_)) return std::move(*bytes);
-    const auto path = resolve_gltf_uri(container_.folder, uri, key, report_);
+    const auto path =
+        resolve_gltf_uri(files_, container_.folder, GltfFile::buffer, uri, key, report_);
     std::vector<std::byte> bytes;
     try {
         bytes = read_file(path);

@@ -20,8 +20,9 @@ namespace burnish {
 class GltfBuffers {
   public:
     // Reads every buffer that has data. Throws Error for missing files, URIs outside the folder,
-    // and buffers shorter than declared. Keeps references to all three arguments.
-    GltfBuffers(const GltfContainer& container, const GltfDocument& document, GltfReport& report);
+    // and buffers shorter than declared. Keeps references to all arguments.
+    GltfBuffers(const GltfContainer& container, const GltfDocument& document, ModelFiles& files,
+                GltfReport& report);
 
     // The bytes of one view, valid for the lifetime of this object. `user` is the key that refers
     // to the view, for messages. EXT_meshopt_compression is decoded at the first use. Throws Error
@@ -36,6 +37,7 @@ class GltfBuffers {
 
     const GltfContainer& container_;
     const GltfDocument& document_;
+    ModelFiles& files_;
     GltfReport& report_;
     std::vector<std::vector<std::byte>> owned_;  // one per buffer; empty for the GLB's
     std::vector<std::span<const std::byte>> buffers_;

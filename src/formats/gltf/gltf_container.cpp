@@ -133,16 +133,26 @@ GltfContainer open_gltf_container(const std::filesystem::path& path, GltfReport&
     return container;
 }
 
-std::filesystem::path resolve_gltf_uri(const std::filesystem::path& folder, std::string_view uri,
-                                       std::string_view key, const GltfReport& report) {
+std::filesystem::path resolve_gltf_uri(ModelFiles& files, const std::filesystem::path& folder,
+                                       GltfFile kind, std::string_view uri, std::string_view key,
+                                       GltfReport& report) {
     constexpr std::string_view kExpected = "a relative path inside the model's folder";
-    if (uri.empty() || has_scheme(uri)) report.fail(key, kExpected, shown(uri));
-    const std::string decoded = percent_decoded(uri);
-    if (decoded.find('\0') != std::string::npos || decoded.find('\\') != std::string::npos)
+    constexpr std::string_view kFileScheme = "file://";
+    if (uri.empty()) report.fail(key, kExpected, shown(uri));
+    const bool file_scheme = uri.starts_with(kFileScheme);
+    const std::string name = percent_decoded(file_scheme ? uri.substr(kFileScheme.size()) : uri);
+    // "C:" is the drive of a path of Windows.
+    const bool drive = name.size() > 2 && name[1] == ':';
+    if ((has_scheme(uri) && !file_scheme && !drive) || name.find('\0') != std::string::npos)
         report.fail(key, kExpected, shown(uri));
-    const auto relative = std::filesystem::path(decoded).lexically_normal();
-    if (relative.empty() || relative.is_absolute() || *relative.begin() == "..")
-        report.fail(key, kExpected, shown(uri));
+    const FoundFile found = kind == GltfFile::picture ? files.find_picture(name) : files.find(name);
+    if (found && !found.is_exact())
+        report.warn(fmt::format("{}: {}", key, used_in_place(uri, found)));
+    if (found) return found.path;
+    const auto relative = std::filesystem::path(name).lexically_normal();
+    const bool outside = relative.empty() || relative.is_absolute() || *relative.begin() == "..";
+    if (outside || file_scheme || drive || name.find('\\') != std::string::npos)
+        report.fail(key, kExpected, fmt::format("{}, and no file of its name there", shown(uri)));
     return folder / relative;
 }
 

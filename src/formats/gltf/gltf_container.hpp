@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formats/gltf/gltf_report.hpp"
+#include "formats/model_files.hpp"
 
 namespace burnish {
 
@@ -22,9 +23,14 @@ struct GltfContainer {
 // glTF and files of another format.
 GltfContainer open_gltf_container(const std::filesystem::path& path, GltfReport& report);
 
-// The path of the file that a URI of a glTF file names. Percent-encoding is decoded. Throws Error
-// unless the URI is a relative path inside `folder`.
-std::filesystem::path resolve_gltf_uri(const std::filesystem::path& folder, std::string_view uri,
-                                       std::string_view key, const GltfReport& report);
+enum class GltfFile { picture, buffer };
+
+// The path of the file that a URI of a glTF file names, with percent-encoding decoded; `folder` is
+// that of the file, and of `files`. Paths of another machine are looked for in the folder
+// (ModelFiles); a warning names what was found in their place. Throws Error for other schemes than
+// file:, and for a path that leads outside and names nothing inside.
+std::filesystem::path resolve_gltf_uri(ModelFiles& files, const std::filesystem::path& folder,
+                                       GltfFile kind, std::string_view uri, std::string_view key,
+                                       GltfReport& report);
 
 }  // namespace burnish

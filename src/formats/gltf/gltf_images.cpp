@@ -74,7 +74,7 @@ Texture GltfImages::decode_one(int index, GltfReading reading,
     const std::string uri_key = key + ".uri";
     if (const auto bytes = decode_data_uri(image.uri, uri_key, report_))
         return decode_texture(*bytes, fmt::format("{}: {}", report_.file(), uri_key), space);
-    const auto path = resolve_gltf_uri(container_.folder, image.uri, uri_key, report_);
+    const std::filesystem::path& path = paths_.at(index);
     return decode_texture(read_file(path), path.string(), space);
 }
 
@@ -82,7 +82,7 @@ GltfImages::Tried GltfImages::try_versions(const Wanted& wanted) const {
     Tried tried;
     for (const GltfTexture::Version& version : wanted.versions) {
         try {
-            if (const auto it = broken_views_.find(version.image); it != broken_views_.end())
+            if (const auto it = broken_.find(version.image); it != broken_.end())
                 throw Error(it->second);
             const auto view = views_.find(version.image);
             tried.texture =
@@ -100,20 +100,24 @@ GltfImages::Tried GltfImages::try_versions(const Wanted& wanted) const {
     return tried;
 }
 
-GltfPictures GltfImages::decode() {
-    // Decompresses views on one thread, because decompression is not thread-safe.
-    for (const Wanted& wanted : used_) {
-        for (const GltfTexture::Version& version : wanted.versions) {
-            const int image = version.image;
-            const int view = document_.images[static_cast<std::size_t>(image)].buffer_view;
-            if (view < 0) continue;
-            try {
-                views_[image] = buffers_.view(view, fmt::format("images[{}].bufferView", image));
-            } catch (const Error& error) {
-                broken_views_[image] = error.what();
-            }
-        }
+void GltfImages::locate(int index) {
+    const GltfImage& image = document_.images[static_cast<std::size_t>(index)];
+    try {
+        if (image.buffer_view >= 0)
+            views_[index] =
+                buffers_.view(image.buffer_view, fmt::format("images[{}].bufferView", index));
+        else if (!image.uri.empty() && !image.uri.starts_with("data:"))
+            paths_[index] =
+                resolve_gltf_uri(files_, container_.folder, GltfFile::picture, image.uri,
+                                 fmt::format("images[{}].uri", index), report_);
+    } catch (const Error& error) {
+        broken_[index] = error.what();
     }
+}
+
+GltfPictures GltfImages::decode() {
+    for (const Wanted& wanted : used_)
+        for (const GltfTexture::Version& version : wanted.versions) locate(version.image);
     std::vector<Tried> tried(used_.size());
     std::atomic<std::uint64_t> total = 0;
     std::vector<std::exception_ptr> errors(used_.size());

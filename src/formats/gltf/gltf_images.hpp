@@ -26,8 +26,12 @@ struct GltfPictures {
 class GltfImages {
   public:
     GltfImages(const GltfContainer& container, const GltfDocument& document, GltfBuffers& buffers,
-               GltfReport& report)
-        : container_(container), document_(document), buffers_(buffers), report_(report) {}
+               ModelFiles& files, GltfReport& report)
+        : container_(container),
+          document_(document),
+          buffers_(buffers),
+          files_(files),
+          report_(report) {}
 
     // The index that the picture of texture `index` of the file will have among the textures; -1,
     // with a warning that names `user`, when the texture has no version that is read. Throws Error
@@ -49,17 +53,22 @@ class GltfImages {
         bool read = false;
     };
 
+    // Finds the bytes of an image, or why they are not there; on one thread.
+    void locate(int image);
     Texture decode_one(int image, GltfReading reading, std::span<const std::byte> view) const;
     Tried try_versions(const Wanted& wanted) const;
 
     const GltfContainer& container_;
     const GltfDocument& document_;
     GltfBuffers& buffers_;
+    ModelFiles& files_;
     GltfReport& report_;
     std::vector<Wanted> used_;
     std::map<std::pair<std::vector<int>, GltfReading>, int> slots_;
-    std::map<int, std::span<const std::byte>> views_;  // by image
-    std::map<int, std::string> broken_views_;          // by image: why
+    // By image: its view or its file, or why there is none.
+    std::map<int, std::span<const std::byte>> views_;
+    std::map<int, std::filesystem::path> paths_;
+    std::map<int, std::string> broken_;
 };
 
 }  // namespace burnish

@@ -106,6 +106,7 @@ std::string expectation(const Rule& rule) {
 std::string found_in(const json& value) {
     if (value.is_array()) return fmt::format("an array of {} items", value.size());
     if (value.is_object()) return "an object";
+    if (value.is_string()) return shown(value.get_ref<const std::string&>());
     return shown(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
@@ -155,15 +156,18 @@ void for_each_object(const json& node, std::string_view where, std::string& path
     path.resize(length);
 }
 
-bool is_of_extension(std::string_view where) {
-    return where.find("extensions.") != std::string_view::npos;
+// Materials and what is in them, and extensions everywhere: what says how a surface looks. Of
+// "extensions" itself the keys are those of others.
+bool is_held_to_its_keys(std::string_view where) {
+    if (where.ends_with("extensions")) return false;
+    return where.starts_with("materials[]") || where.find("extensions.") != where.npos;
 }
 
-// The keys of every object of an extension, by the object's path.
-std::map<std::string, std::vector<std::string_view>> keys_of_extensions() {
+// The keys of every object that is held to them, by the object's path.
+std::map<std::string, std::vector<std::string_view>> known_keys() {
     std::map<std::string, std::vector<std::string_view>> keys;
     const auto add = [&](std::string where, const Rule& rule) {
-        if (is_of_extension(where)) keys[where].push_back(rule.key);
+        if (is_held_to_its_keys(where)) keys[where].push_back(rule.key);
         // An extension without keys of its own is listed, too.
         if (where.ends_with("extensions")) keys[fmt::format("{}.{}", where, rule.key)];
     };
@@ -191,11 +195,12 @@ void check_gltf_schema(const json& root, const GltfReport& report) {
 
 void warn_of_unknown_gltf_keys(const json& root, GltfReport& report) {
     std::string path;
-    for (const auto& entry : keys_of_extensions()) {
+    for (const auto& entry : known_keys()) {
         const std::vector<std::string_view>& keys = entry.second;
         for_each_object(root, entry.first, path, [&](const json& object, const std::string& at) {
             for (const auto& [key, value] : object.items()) {
-                if (key == "extensions" || std::find(keys.begin(), keys.end(), key) != keys.end())
+                if (key == "extensions" || key == "extras" ||
+                    std::find(keys.begin(), keys.end(), key) != keys.end())
                     continue;
                 const std::string_view nearest = nearest_name(keys, key);
                 report.warn(fmt::format("{}: the key {} is not read{}", at, shown(key),

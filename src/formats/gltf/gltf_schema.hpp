@@ -12,8 +12,8 @@ namespace burnish {
 // tinygltf, which ignores wrong types and truncates large integers.
 void check_gltf_schema(const nlohmann::json& root, const GltfReport& report);
 
-// Warns of every key inside the objects of extensions that is none of the extension's, and names
-// the nearest one that is. The document has passed check_gltf_schema.
+// Warns of every key inside materials and extensions that is none of theirs, and names the nearest one
+// that is. The document has passed check_gltf_schema.
 void warn_of_unknown_gltf_keys(const nlohmann::json& root, GltfReport& report);
 
 }  // namespace burnish

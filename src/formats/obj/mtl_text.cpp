@@ -1,8 +1,14 @@
 #include "formats/obj/mtl_text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <optional>
 
+#include "burnish/error.hpp"
+#include "formats/obj/obj_numbers.hpp"
 #include "formats/obj/obj_text.hpp"
 
 namespace burnish {
@@ -40,15 +46,6 @@ std::string_view spelled(std::string_view key) {
     for (const Alias& alias : kAliases)
         if (same_letters(alias.other, key)) return alias.key;
     return key;
-}
-
-// Removes and returns the next word.
-std::string_view take_word(std::string_view& rest) {
-    rest = trimmed(rest);
-    const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
-    const std::string_view word = rest.substr(0, end);
-    rest = trimmed(rest.substr(end));
-    return word;
 }
 
 bool is_number(std::string_view word) {
@@ -119,6 +116,58 @@ bool is_map(std::string_view key) {
     return key.starts_with("map_") || key == "bump" || key == "norm" || key == "disp";
 }
 
+// --- numbers -------------------------------------------------------------------------------------
+
+struct NumberKey {
+    std::string_view name;
+    std::size_t count;
+    double low, high;
+};
+// Renderers sum light in half floats, which end at 65504.
+constexpr std::array<NumberKey, 10> kNumberKeys = {{{"Kd", 3, 0.0, 1.0},
+                                                    {"Ks", 3, 0.0, 1.0},
+                                                    {"Ke", 3, 0.0, 65504.0},
+                                                    {"Ns", 1, 0.0, 1e6},
+                                                    {"d", 1, 0.0, 1.0},
+                                                    {"Tr", 1, 0.0, 1.0},
+                                                    {"Pr", 1, 0.0, 1.0},
+                                                    {"Pm", 1, 0.0, 1.0},
+                                                    {"aniso", 1, 0.0, 1.0},
+                                                    {"anisor", 1, 0.0, 1.0}}};
+
+const NumberKey* number_key(std::string_view key) {
+    const auto at = std::find_if(kNumberKeys.begin(), kNumberKeys.end(),
+                                 [&](const NumberKey& row) { return row.name == key; });
+    return at == kNumberKeys.end() ? nullptr : &*at;
+}
+
+struct CheckedNumbers {
+    std::string text;    // within the range; empty: the key is not read
+    std::string remark;  // what the file says in place of it; empty: nothing else
+};
+
+// One number stands for three equal ones. What follows the numbers is passed over.
+CheckedNumbers checked_numbers(const NumberKey& key, std::string_view rest) {
+    CheckedNumbers checked;
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < key.count; ++i) {
+        const std::string_view word = take_word(rest);
+        if (i == 1 && (word.empty() || word.starts_with('#'))) break;
+        const std::optional<double> number = finite_number(word);
+        if (!number)
+            return {"", fmt::format("{}: expected {}, found {}: the key is not read", key.name,
+                                    key.count == 1 ? "a number" : "three numbers",
+                                    word.empty() ? "two" : shown(word))};
+        numbers.push_back(std::clamp(*number, key.low, key.high));
+        if (numbers.back() != *number && checked.remark.empty())
+            checked.remark = fmt::format("{}: {} is not from {} to {}: {} is used", key.name,
+                                         *number, key.low, key.high, numbers.back());
+    }
+    numbers.resize(key.count, numbers.front());
+    checked.text = fmt::format("{}", fmt::join(numbers, " "));
+    return checked;
+}
+
 bool says_none(const std::string& key, const std::string& value) {
     const std::string_view none = key == "Tf" ? "1" : "0";
     for (std::string_view rest = value; !rest.empty();) {
@@ -139,6 +188,7 @@ MtlText read_mtl_text(std::string_view text) {
     text = without_utf8_mark(text);
     out.text.reserve(text.size());
     MtlKeys* material = nullptr;  // keys before the first newmtl belong to none
+    std::string name;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
         const std::string_view line = trimmed(text.substr(0, end));
@@ -147,11 +197,19 @@ MtlText read_mtl_text(std::string_view text) {
         if (blank == std::string_view::npos || line.front() == '#') continue;
         const std::string_view key = spelled(line.substr(0, blank));
         const std::string_view rest = trimmed(line.substr(blank));
-        const std::string value = is_map(key) ? map_value(rest) : std::string(rest);
-        if (key == "newmtl")
+        std::string value = is_map(key) ? map_value(rest) : std::string(rest);
+        if (const NumberKey* numbers = number_key(key)) {
+            const CheckedNumbers checked = checked_numbers(*numbers, rest);
+            if (material && !checked.remark.empty()) out.remarks.emplace_back(name, checked.remark);
+            if (checked.text.empty()) continue;
+            value = checked.text;
+        }
+        if (key == "newmtl") {
+            name = value;
             material = &out.materials[value];
-        else if (material)
+        } else if (material) {
             material->insert_or_assign(std::string(key), value);
+        }
         out.text.append(key).append(" ").append(value).push_back('\n');
     }
     return out;

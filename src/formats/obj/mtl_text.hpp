@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace burnish {
 
@@ -15,6 +17,9 @@ struct MtlText {
     // the options of maps before the picture's name, with all of their numbers.
     std::string text;
     std::map<std::string, MtlKeys> materials;  // by name
+    // A material, and what its file says that is no number, or none in the range of its key: "Pr: 3
+    // is not from 0 to 1: 1 is used". What is used stands in `text` and `materials`.
+    std::vector<std::pair<std::string, std::string>> remarks;
 };
 
 MtlText read_mtl_text(std::string_view text);

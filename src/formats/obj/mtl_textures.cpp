@@ -3,23 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdint>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "core/parallel.hpp"
-#include "formats/obj/obj_text.hpp"
 #include "image/texel_value.hpp"
 
 namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 7> kSubfolders = {"textures", "texture",   "tex",   "maps",
-                                                         "images",   "materials", "source"};
 
 // As for glTF: sixty RGBA textures of 8192 x 8192, more than a renderer can upload.
 constexpr std::uint64_t kMostTexelBytes = std::uint64_t{16} << 30;
@@ -101,31 +96,6 @@ Texture joined_color_alpha(const Texture& color, const Texture& alpha) {
 }
 
 }  // namespace
-
-MtlTextures::MtlTextures(const fs::path& folder)
-    : finder_(folder, {picture_endings(), kSubfolders, false}) {}
-
-std::optional<fs::path> MtlTextures::find(std::string_view name, const fs::path& library_folder) {
-    name = trimmed(name);
-    const std::string key = (library_folder / "\n").string() + std::string(name);
-    const auto [known, fresh] = found_.try_emplace(key);
-    if (!fresh) return known->second;
-    FoundFile found = finder_.find(name);
-    if (!library_folder.empty() && (!found || !found.is_exact())) {
-        const FoundFile beside = finder_.find((library_folder / name).string());
-        if (beside && beside.is_exact()) found = beside;
-    }
-    if (!found) {
-        warn(fmt::format("texture {}: no such picture in the model's folder: not used",
-                         shown(name)));
-        return std::nullopt;
-    }
-    if (!found.is_exact())
-        warn(fmt::format("texture {}: {} is used, of {}", shown(name),
-                         one_line(found.path.string()), difference_of(found)));
-    known->second = found.path;
-    return found.path;
-}
 
 int MtlTextures::number_of(const Request& request) {
     const auto [at, fresh] = numbers_.try_emplace(request, static_cast<int>(requests_.size()));

@@ -3,13 +3,10 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "burnish/image.hpp"
-#include "core/find_file.hpp"
 
 namespace burnish {
 
@@ -22,13 +19,6 @@ struct MtlPicture {
 
 class MtlTextures {
   public:
-    explicit MtlTextures(const std::filesystem::path& folder);
-
-    // The picture of that name; looks in `library_folder` (relative to the model's) as well. Nothing,
-    // with a warning, when none is found; a warning names what was found in its place.
-    std::optional<std::filesystem::path> find(std::string_view name,
-                                              const std::filesystem::path& library_folder);
-
     // Numbers of textures, which decode() reads. Equal requests have one number.
     int plain(const std::filesystem::path& path, ColorSpace color_space);
     // Roughness into G, metallic into B; 1 where there is no picture.
@@ -53,8 +43,6 @@ class MtlTextures {
     void warn(std::string line) { warnings_.push_back(std::move(line)); }
     static Texture make(const Request& request, std::vector<std::string>& failures);
 
-    FileFinder finder_;
-    std::map<std::string, std::optional<std::filesystem::path>> found_;
     std::map<Request, int> numbers_;
     std::vector<Request> requests_;
     std::vector<std::string> warnings_;

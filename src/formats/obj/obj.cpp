@@ -16,6 +16,7 @@
 #include "burnish/error.hpp"
 #include "burnish/fit_tangents.hpp"
 #include "core/files.hpp"
+#include "core/utf8.hpp"
 #include "formats/far_model.hpp"
 #include "formats/model_limits.hpp"
 #include "formats/model_textures.hpp"
@@ -72,26 +73,12 @@ ParsedObj parse(const ObjText& text, const std::string& file) {
     return parsed;
 }
 
-// Throws Error for positions that are not finite or too far from the origin.
-void check_positions(const tinyobj::attrib_t& attributes, const std::string& file) {
-    for (std::size_t i = 0; i < attributes.vertices.size(); ++i) {
-        const double x = attributes.vertices[i];
-        if (std::abs(x) <= kFarthest) continue;  // false for NaN
-        throw Error(file, fmt::format("vertex {}", i / 3 + 1),
-                    fmt::format("finite numbers up to {:g}", kFarthest), fmt::format("{}", x));
-    }
-}
-
-// Throws Error for a missing position; missing normals and texture coordinates become -1.
-void check_index(index_t& index, const tinyobj::attrib_t& attributes, const std::string& file) {
+// Normals and texture coordinates that the file does not have become -1. Positions have been checked
+// (ObjNumbers).
+void check_index(index_t& index, const tinyobj::attrib_t& attributes) {
     const auto inside = [](int i, std::size_t count) {
         return i >= 0 && static_cast<std::size_t>(i) < count;
     };
-    const std::size_t vertices = attributes.vertices.size() / 3;
-    if (!inside(index.vertex_index, vertices)) {
-        throw Error(file, "f", fmt::format("vertex numbers from 1 to {}", vertices),
-                    fmt::format("{}", std::int64_t{index.vertex_index} + 1));
-    }
     if (!inside(index.normal_index, attributes.normals.size() / 3)) index.normal_index = -1;
     if (!inside(index.texcoord_index, attributes.texcoords.size() / 2)) index.texcoord_index = -1;
 }
@@ -126,11 +113,8 @@ void center_far_positions(tinyobj::attrib_t& attributes,
 // Collects the triangles of each material.
 class Triangulator {
   public:
-    Triangulator(ParsedObj& parsed, const ObjText& text, const std::string& file)
-        : attributes_(parsed.attributes),
-          text_(text),
-          file_(file),
-          by_material_(text.materials.size() + 1) {
+    Triangulator(ParsedObj& parsed, const ObjText& text)
+        : attributes_(parsed.attributes), text_(text), by_material_(text.materials.size() + 1) {
         for (tinyobj::shape_t& shape : parsed.shapes) take_shape(shape.mesh);
     }
 
@@ -160,7 +144,7 @@ class Triangulator {
         outline_.clear();
         triangles_.clear();
         for (std::size_t i = 0; i < count; ++i) {
-            check_index(indices[i], attributes_, file_);
+            check_index(indices[i], attributes_);
             outline_.push_back(position_of(attributes_, indices[i]));
         }
         triangulate(outline_, triangles_);
@@ -175,7 +159,6 @@ class Triangulator {
 
     const tinyobj::attrib_t& attributes_;
     const ObjText& text_;
-    const std::string& file_;
     std::vector<Corners> by_material_;
     std::uint32_t flat_faces_ = 0;
     std::vector<glm::vec3> outline_;
@@ -284,13 +267,12 @@ void add_part(Mesh mesh, const Material& material, Scene& scene) {
 
 Scene load_obj(const std::filesystem::path& path) {
     const std::string file = path.string();
-    const ObjText text = sort_obj_lines(read_text_file(path), file);
+    const ObjText text = sort_obj_lines(as_utf8(read_text_file(path)), file);
     ParsedObj parsed = parse(text, file);
-    check_positions(parsed.attributes, file);
     Scene scene;
     scene.warnings = text.warnings;
     center_far_positions(parsed.attributes, parsed.shapes, scene.warnings);
-    Triangulator triangulator(parsed, text, file);
+    Triangulator triangulator(parsed, text);
 
     ObjMaterials library = read_obj_materials(path, text.libraries);
     scene.name = path.stem().string();

@@ -13,7 +13,8 @@
 #include "burnish/error.hpp"
 #include "core/constants.hpp"
 #include "core/files.hpp"
-#include "core/find_file.hpp"
+#include "core/utf8.hpp"
+#include "formats/model_files.hpp"
 #include "formats/model_limits.hpp"
 #include "formats/obj/mtl_text.hpp"
 #include "formats/obj/mtl_textures.hpp"
@@ -24,16 +25,12 @@
 namespace burnish {
 namespace {
 
-float unit(double value, float otherwise) {
-    return std::isfinite(value) ? static_cast<float>(std::clamp(value, 0.0, 1.0)) : otherwise;
-}
-
-// Lines that hold for several materials, said once.
+// Lines that hold for several materials of a library, said once.
 class MaterialNotes {
   public:
-    void add(const std::string& text, const std::string& material) {
-        const auto [at, fresh] = places_.try_emplace(text, notes_.size());
-        if (fresh) notes_.push_back({text, {}, 0});
+    void add(const std::string& library, const std::string& material, const std::string& text) {
+        const auto [at, fresh] = places_.try_emplace({library, text}, notes_.size());
+        if (fresh) notes_.push_back({library, text, {}, 0});
         Note& note = notes_[at->second];
         constexpr std::size_t kNamed = 3;
         if (note.count++ < kNamed) note.names.push_back(shown(material));
@@ -42,7 +39,7 @@ class MaterialNotes {
     void append_to(std::vector<std::string>& lines) const {
         for (const Note& note : notes_) {
             const std::size_t more = note.count - note.names.size();
-            lines.push_back(fmt::format("{}{}: {}", fmt::join(note.names, ", "),
+            lines.push_back(fmt::format("{}: {}{}: {}", note.library, fmt::join(note.names, ", "),
                                         more > 0 ? fmt::format(" and {} more", more) : "",
                                         note.text));
         }
@@ -50,17 +47,18 @@ class MaterialNotes {
 
   private:
     struct Note {
-        std::string text;
+        std::string library, text;
         std::vector<std::string> names;  // the first ones
         std::size_t count;
     };
-    std::map<std::string, std::size_t> places_;
+    std::map<std::pair<std::string, std::string>, std::size_t> places_;
     std::vector<Note> notes_;
 };
 
 // A material before its pictures are read.
 struct UnreadMaterial {
     Material material;
+    std::string library;              // the file, for messages
     std::string bump_key, bump_name;  // the normal texture comes from this key: may be a height map
     bool has_black_kd = false;        // Kd 0 0 0 beside map_Kd
     bool has_alpha_map = false;
@@ -69,7 +67,7 @@ struct UnreadMaterial {
 class LibraryReader {
   public:
     LibraryReader(const std::filesystem::path& folder, ObjMaterials& out)
-        : folder_(folder), textures_(folder), libraries_(folder), out_(out) {}
+        : folder_(folder), files_(folder), out_(out) {}
 
     // One line of mtllib: a name, which may have blanks in it, or several names.
     void read_all(const std::string& line, const std::string& model);
@@ -86,14 +84,15 @@ class LibraryReader {
     void settle(UnreadMaterial& unread);
     std::filesystem::path find_library(const std::string& library, const std::string& model);
 
-    std::optional<std::filesystem::path> find(const std::string& name) {
-        if (trimmed(name).empty()) return std::nullopt;
-        return textures_.find(name, library_folder_);
-    }
+    // The picture of that name, which `material` has under `key`. Nothing, with a warning, where none
+    // is found; a warning names what was found in its place.
+    std::optional<std::filesystem::path> find(const std::string& key, const std::string& name,
+                                              const std::string& material);
 
     std::filesystem::path folder_, library_folder_;
+    std::string library_;  // the file that is read, for messages
+    ModelFiles files_;
     MtlTextures textures_;
-    FileFinder libraries_;
     ObjMaterials& out_;
     std::vector<UnreadMaterial> unread_;
     MaterialNotes notes_;
@@ -117,6 +116,23 @@ TextureUse use_of(int texture, const tinyobj::texture_option_t& options) {
     return use;
 }
 
+std::optional<std::filesystem::path> LibraryReader::find(const std::string& key,
+                                                         const std::string& written,
+                                                         const std::string& material) {
+    const std::string name(trimmed(written));
+    if (name.empty()) return std::nullopt;
+    const FoundFile found = files_.find_picture(name, library_folder_);
+    if (!found) {
+        notes_.add(library_, material,
+                   fmt::format("{} {}: no such picture in the model's folder: drawn without it",
+                               key, shown(name)));
+        return std::nullopt;
+    }
+    if (!found.is_exact())
+        notes_.add(library_, material, fmt::format("{} {}", key, used_in_place(name, found)));
+    return found.path;
+}
+
 // The channel that -imfchan names; the first one for its other values, which are for color pictures.
 int channel_of(const tinyobj::texture_option_t& options) {
     return options.imfchan == 'g' ? 1 : options.imfchan == 'b' ? 2 : 0;
@@ -125,21 +141,22 @@ int channel_of(const tinyobj::texture_option_t& options) {
 // Converts roughness and reflection: from the PBR keys where present, else from Phong's.
 void LibraryReader::convert_surface(const tinyobj::material_t& from, const MtlKeys& keys,
                                     Material& to, GltfLobe& lobe) {
-    to.metallic = keys.contains("Pm") ? unit(from.metallic, 0.0f) : 0.0f;
+    to.metallic = keys.contains("Pm") ? static_cast<float>(from.metallic) : 0.0f;
     if (keys.contains("Pr")) {
-        lobe.roughness = unit(from.roughness, 1.0f);
+        lobe.roughness = static_cast<float>(from.roughness);
         return;
     }
     const double strongest = std::max({from.specular[0], from.specular[1], from.specular[2]});
     if (keys.contains("Ks") && !(strongest > 0.0)) to.dielectric_f0 = 0.0f;
     // A Blinn-Phong lobe of exponent Ns has about the width of a Beckmann lobe with alpha^2 =
     // 2/(Ns+2).
-    if (keys.contains("Ns") && from.shininess >= 0.0 && std::isfinite(from.shininess))
+    if (keys.contains("Ns"))
         lobe.roughness = static_cast<float>(std::pow(2.0 / (from.shininess + 2.0), 0.25));
 }
 
 void LibraryReader::use_color(const tinyobj::material_t& from, UnreadMaterial& to) {
-    const auto color = find(from.diffuse_texname), alpha = find(from.alpha_texname);
+    const auto color = find("map_Kd", from.diffuse_texname, from.name);
+    const auto alpha = find("map_d", from.alpha_texname, from.name);
     Material& material = to.material;
     const auto& options = color ? from.diffuse_texopt : from.alpha_texopt;
     if (alpha) {
@@ -157,7 +174,8 @@ void LibraryReader::use_color(const tinyobj::material_t& from, UnreadMaterial& t
 // A map replaces the number of its key: exporters write both, and the number is a default.
 void LibraryReader::use_metallic_roughness(const tinyobj::material_t& from, Material& to,
                                            GltfLobe& lobe) {
-    const auto roughness = find(from.roughness_texname), metallic = find(from.metallic_texname);
+    const auto roughness = find("map_Pr", from.roughness_texname, to.name);
+    const auto metallic = find("map_Pm", from.metallic_texname, to.name);
     if (!roughness && !metallic) return;
     const auto picture = [](const auto& path, const tinyobj::texture_option_t& options) {
         return path ? MtlPicture{*path, channel_of(options)} : MtlPicture{};
@@ -181,11 +199,12 @@ void LibraryReader::use_normals(const tinyobj::material_t& from, const MtlKeys& 
     };
     for (const char* key : {"map_Bump", "map_bump", "bump"})
         if (keys.contains(key)) to.bump_key = key;
-    if (const auto normals = find(from.normal_texname)) {
+    if (const auto normals = find("norm", from.normal_texname, from.name)) {
         use(*normals, from.normal_texopt);
-        if (!to.bump_key.empty()) notes_.add(to.bump_key + " is not read beside norm", from.name);
+        if (!to.bump_key.empty())
+            notes_.add(library_, from.name, to.bump_key + " is not read beside norm");
         to.bump_key.clear();
-    } else if (const auto bumps = find(from.bump_texname)) {
+    } else if (const auto bumps = find(to.bump_key, from.bump_texname, from.name)) {
         use(*bumps, from.bump_texopt);
         to.bump_name = one_line(bumps->filename().string());
     } else {
@@ -193,25 +212,25 @@ void LibraryReader::use_normals(const tinyobj::material_t& from, const MtlKeys& 
     }
 }
 
+// Numbers have been held against their ranges (MtlText::remarks).
 UnreadMaterial LibraryReader::convert(const tinyobj::material_t& from, const MtlKeys& keys) {
     UnreadMaterial unread;
     Material& to = unread.material = default_obj_material();
     to.name = from.name;
+    unread.library = library_;
     for (int i = 0; i < 3; ++i) {
-        to.base_color[i] = unit(from.diffuse[i], 0.0f);
-        to.emissive[i] = std::isfinite(from.emission[i])
-                             ? static_cast<float>(std::clamp(from.emission[i], 0.0, 65504.0))
-                             : 0.0f;
+        to.base_color[i] = static_cast<float>(from.diffuse[i]);
+        to.emissive[i] = static_cast<float>(from.emission[i]);
     }
     if (!keys.contains("Kd")) to.base_color = glm::vec4(keys.contains("map_Kd") ? 1.0f : 0.8f);
-    to.base_color.a = unit(from.dissolve, 1.0f);
+    to.base_color.a = static_cast<float>(from.dissolve);
     if (to.base_color.a < 1.0f) to.alpha_mode = AlphaMode::blend;
     GltfLobe lobe = *gltf_lobe_of(to);
     convert_surface(from, keys, to, lobe);
-    lobe.anisotropy_strength = unit(from.anisotropy, 0.0f);
-    to.anisotropy_rotation = static_cast<float>(kTwoPi) * unit(from.anisotropy_rotation, 0.0f);
+    lobe.anisotropy_strength = static_cast<float>(from.anisotropy);
+    to.anisotropy_rotation = static_cast<float>(kTwoPi * from.anisotropy_rotation);
     use_color(from, unread);
-    if (const auto emissive = find(from.emissive_texname)) {
+    if (const auto emissive = find("map_Ke", from.emissive_texname, from.name)) {
         to.emissive_texture =
             use_of(textures_.plain(*emissive, ColorSpace::srgb), from.emissive_texopt);
         if (!keys.contains("Ke")) to.emissive = glm::vec3(1.0f);
@@ -221,15 +240,15 @@ UnreadMaterial LibraryReader::convert(const tinyobj::material_t& from, const Mtl
     to.lobe = lobe;
     for (const auto& [key, value] : keys)
         if (is_lost_mtl_key(key, value))
-            notes_.add(one_line(key.substr(0, 40)) + " is not read", to.name);
+            notes_.add(library_, to.name, one_line(key.substr(0, 40)) + " is not read");
     return unread;
 }
 
 // Looks for the model's own name where the library's is not found.
 std::filesystem::path LibraryReader::find_library(const std::string& library,
                                                   const std::string& model) {
-    FoundFile found = libraries_.find(library);
-    if (!found) found = libraries_.find(model + ".mtl");
+    FoundFile found = files_.find(library);
+    if (!found) found = files_.find(model + ".mtl");
     if (!found) throw Error("no such file in the model's folder");
     if (found.path.filename() != std::filesystem::path(library).filename() || !found.is_exact())
         out_.warnings.push_back(fmt::format("mtllib {}: {} is read in its place", shown(library),
@@ -238,7 +257,7 @@ std::filesystem::path LibraryReader::find_library(const std::string& library,
 }
 
 void LibraryReader::read_all(const std::string& line, const std::string& model) {
-    if (line.find_first_of(" \t") == line.npos || libraries_.find(line)) return read(line, model);
+    if (line.find_first_of(" \t") == line.npos || files_.find(line)) return read(line, model);
     std::istringstream names(line);
     for (std::string name; names >> name;) read(name, model);
 }
@@ -248,7 +267,8 @@ void LibraryReader::read(const std::string& library, const std::string& model) {
     try {
         const std::filesystem::path path = find_library(library, model);
         constexpr std::uintmax_t kLargestLibrary = std::uintmax_t{64} << 20;
-        text = read_text_file(path, kLargestLibrary);
+        text = as_utf8(read_text_file(path, kLargestLibrary));
+        library_ = one_line(path.string());
         library_folder_ = path.parent_path().lexically_relative(folder_);
         if (library_folder_ == ".") library_folder_.clear();
     } catch (const Error& error) {
@@ -261,6 +281,7 @@ void LibraryReader::read(const std::string& library, const std::string& model) {
     std::string warnings;
     std::string errors;
     const MtlText sorted = read_mtl_text(text);
+    for (const auto& [name, remark] : sorted.remarks) notes_.add(library_, name, remark);
     std::istringstream stream(sorted.text);
     tinyobj::LoadMtl(&names, &parsed, &stream, &warnings, &errors);
     for (const tinyobj::material_t& material : parsed) {
@@ -287,21 +308,21 @@ void LibraryReader::settle(UnreadMaterial& unread) {
         const bool normals = looks_like_normal_map(bump) || normal_map_without_z(bump).has_value();
         const std::string what = fmt::format("{} {}", unread.bump_key, unread.bump_name);
         if (normals) {
-            notes_.add(what + " looks like a tangent-space normal map: it is drawn as one",
-                       material.name);
+            notes_.add(unread.library, material.name,
+                       what + " looks like a tangent-space normal map: it is drawn as one");
         } else {
             material.normal_texture = TextureUse();
-            notes_.add(what +
+            notes_.add(unread.library, material.name,
+                       what +
                            " does not look like a tangent-space normal map: height maps are not "
-                           "drawn; name a normal map by norm in the .mtl, or give --normal-map",
-                       material.name);
+                           "drawn; name a normal map by norm in the .mtl, or give --normal-map");
         }
     }
     if (!material.normal_texture) material.normal_scale = 1.0f;
     if (unread.has_black_kd && material.base_color_texture) {
         material.base_color = glm::vec4(1.0f, 1.0f, 1.0f, material.base_color.a);
-        notes_.add("Kd 0 0 0 would make map_Kd black: the picture is drawn as it is",
-                   material.name);
+        notes_.add(unread.library, material.name,
+                   "Kd 0 0 0 would make map_Kd black: the picture is drawn as it is");
     }
     if (!unread.has_alpha_map || !material.base_color_texture) return;
     const Texture& color = texture(material.base_color_texture);
@@ -309,7 +330,7 @@ void LibraryReader::settle(UnreadMaterial& unread) {
         const bool whole = material.base_color.a == 1.0f;
         material.alpha_mode = whole && is_cut_out(color) ? AlphaMode::mask : AlphaMode::blend;
     } else {
-        notes_.add("map_d has no alpha: it is drawn opaque", material.name);
+        notes_.add(unread.library, material.name, "map_d has no alpha: it is drawn opaque");
     }
 }
 

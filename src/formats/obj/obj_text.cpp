@@ -6,14 +6,13 @@
 #include <array>
 #include <map>
 
-#include "burnish/error.hpp"
+#include "formats/obj/obj_numbers.hpp"
 
 namespace burnish {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
-constexpr std::size_t kMostCorners = 255;
-constexpr std::array<std::string_view, 5> kGeometry = {"v", "vn", "vt", "f", "s"};
+constexpr std::array<std::string_view, 4> kNumbers = {"v", "vn", "vt", "f"};
 
 // Returns one line without its end and advances `rest` past it.
 std::string_view take_line(std::string_view& rest, char line_end) {
@@ -23,18 +22,9 @@ std::string_view take_line(std::string_view& rest, char line_end) {
     return line;
 }
 
-std::size_t count_words(std::string_view text) {
-    std::size_t words = 0;
-    for (std::size_t i = text.find_first_not_of(kBlanks); i != std::string_view::npos; ++words) {
-        i = text.find_first_of(kBlanks, i);
-        i = text.find_first_not_of(kBlanks, i);
-    }
-    return words;
-}
-
 class LineSorter {
   public:
-    LineSorter(ObjText& out, const std::string& file) : out_(out), file_(file) {}
+    LineSorter(ObjText& out, const std::string& file) : out_(out), geometry_(out.geometry, file) {}
 
     void take(std::string_view line, std::size_t number) {
         line = trimmed(line);
@@ -46,9 +36,10 @@ class LineSorter {
             out_.libraries.emplace_back(rest);
         } else if (word == "usemtl") {
             use_material(std::string(rest));
-        } else if (std::find(kGeometry.begin(), kGeometry.end(), word) != kGeometry.end()) {
-            if (word == "f") check_face(rest, number);
-            out_.has_smoothing = out_.has_smoothing || word == "s";
+        } else if (std::find(kNumbers.begin(), kNumbers.end(), word) != kNumbers.end()) {
+            geometry_.take(word, rest, number);
+        } else if (word == "s") {
+            out_.has_smoothing = true;
             out_.geometry.append(line).push_back('\n');
         } else if (word == "l" || word == "p") {
             warn("lines and points are not drawn");
@@ -57,16 +48,9 @@ class LineSorter {
         }
     }
 
-  private:
-    void check_face(std::string_view rest, std::size_t number) const {
-        const std::size_t corners = count_words(rest);
-        if (corners > kMostCorners) {
-            throw Error(file_, fmt::format("line {}", number),
-                        fmt::format("a face of at most {} corners", kMostCorners),
-                        fmt::format("{}", corners));
-        }
-    }
+    void finish() { geometry_.finish(out_.warnings); }
 
+  private:
     // Replaces the name by a number, because the parser would cut names at blanks.
     void use_material(std::string name) {
         const auto [known, fresh] = numbers_.try_emplace(name, out_.materials.size());
@@ -80,8 +64,8 @@ class LineSorter {
     }
 
     ObjText& out_;
+    ObjNumbers geometry_;
     std::map<std::string, std::size_t> numbers_;  // by material name
-    const std::string& file_;
 };
 
 }  // namespace
@@ -119,6 +103,7 @@ ObjText sort_obj_lines(std::string_view text, const std::string& file) {
             joined.clear();
         }
     }
+    sorter.finish();
     return out;
 }
 

@@ -14,11 +14,12 @@ struct ObjText {
     std::vector<std::string> materials;
     std::vector<std::string> libraries;  // file names after mtllib
     bool has_smoothing = false;          // the file has s lines
-    std::vector<std::string> warnings;   // for lines that describe elements that are not drawn
+    // For lines that describe elements that are not drawn, and for numbers that are none.
+    std::vector<std::string> warnings;
 };
 
-// Joins continued lines and sorts the lines. Throws Error naming `file` and the line for faces with
-// more than 255 corners (the parser counts them in a byte).
+// Joins continued lines and sorts the lines. Throws Error naming `file` and the line for positions
+// and faces that cannot be read (ObjNumbers).
 ObjText sort_obj_lines(std::string_view text, const std::string& file);
 
 // `text` without the mark of UTF-8 at its start.

@@ -279,10 +279,10 @@ class Reader {
 }  // namespace
 
 WifFile read_wif(const std::filesystem::path& path) {
-    std::string text = read_text_file(path, kMostDraftBytes);
+    const std::string text = read_text_file(path, kMostDraftBytes);
     bool cut = ends_within_line(text);
     try {
-        WifText parsed(std::move(text), path.string());
+        WifText parsed(text, path.string());
         cut = cut || announces_more(parsed);
         return Reader(path, std::move(parsed), cut).result();
     } catch (const Interrupted&) {
@@ -295,7 +295,8 @@ WifFile read_wif(const std::filesystem::path& path) {
 
 Draft load_wif(const std::filesystem::path& path, std::vector<std::string>& warnings) {
     WifFile file = read_wif(path);
-    warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+    for (const std::string& line : file.warnings)
+        warnings.push_back(fmt::format("{}: {}", one_line(path.string()), line));
     return std::move(file.draft);
 }
 

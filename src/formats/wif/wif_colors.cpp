@@ -38,10 +38,7 @@ void WifColors::read_range() {
         if (!word.empty() && word != "RGB") palette.fail(*form, "RGB", shown(form->value));
     }
     const auto range = palette.find("Range");
-    if (!range || without_comment(range->value).empty()) {
-        warnings_.emplace_back("[COLOR PALETTE] does not say Range: taken as 0,255");
-        return;
-    }
+    if (!range || without_comment(range->value).empty()) return guess_range();
     constexpr int kFarthestCode = 1 << 24;  // floats represent integers exactly up to here
     const std::vector<int> ends =
         palette.numbers(*range, -kFarthestCode, kFarthestCode, "black and white");
@@ -49,6 +46,25 @@ void WifColors::read_range() {
         palette.fail(*range, "the numbers of black and white, such as 0,255", shown(range->value));
     black_ = ends[0];
     white_ = ends[1];
+}
+
+// The least of the usual ranges that the values of the table fit into.
+void WifColors::guess_range() {
+    int highest = 0;
+    for (const WifEntry* row : table_.by_number) {
+        std::string_view rest = row ? without_comment(row->value) : std::string_view();
+        while (!rest.empty()) {
+            const std::size_t comma = std::min(rest.find(','), rest.size());
+            const double value = real_number(rest.substr(0, comma)).value_or(0.0);
+            highest = std::max(highest, static_cast<int>(std::min(value, 65535.0)));
+            rest.remove_prefix(std::min(comma + 1, rest.size()));
+        }
+    }
+    white_ = highest <= 255 ? 255 : highest <= 999 ? 999 : 65535;
+    warnings_.push_back(
+        fmt::format("[COLOR PALETTE] does not say Range: taken as 0,{0}, as the highest value of "
+                    "[COLOR TABLE] is {1} (a line Range=0,{0} in the file states it)",
+                    white_, highest));
 }
 
 std::vector<int> WifColors::numbers(std::string_view family, int threads) {

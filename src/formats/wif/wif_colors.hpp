@@ -41,6 +41,7 @@ class WifColors {
     void warn_of_missing(std::string_view family, std::span<const int> numbers, bool has_usual);
     glm::vec3 parse(const WifEntry& row) const;
     void read_range();
+    void guess_range();
 
     const WifText& text_;
     WifRows table_;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "burnish/error.hpp"
+#include "core/utf8.hpp"
 #include "formats/obj/obj_text.hpp"
 
 namespace burnish {
@@ -126,6 +127,13 @@ void require_text(std::string_view text, const std::string& file) {
     throw Error(file, fmt::format("byte {}", before.size() + 1), kExpected,
                 *bad == '\0' ? std::string("a NUL byte")
                              : fmt::format("a byte {:#04x}", static_cast<unsigned char>(*bad)));
+}
+
+// The text in UTF-8, without what follows the Ctrl-Z that old systems end files with.
+std::string checked_text(std::string_view text, const std::string& file) {
+    text = text.substr(0, text.find('\x1A'));
+    require_text(text, file);
+    return as_utf8(std::string(text));
 }
 
 }  // namespace
@@ -267,12 +275,10 @@ std::optional<double> real_number(std::string_view value) {
 
 // --- the whole file -----------------------------------------------------------------------------
 
-WifText::WifText(std::string text, std::string file)
+WifText::WifText(std::string_view text, std::string file)
     : file_(std::make_shared<const std::string>(std::move(file))),
-      text_(std::make_shared<const std::string>(std::move(text))) {
+      text_(std::make_shared<const std::string>(checked_text(text, *file_))) {
     std::string_view rest = *text_;
-    rest = rest.substr(0, rest.find('\x1A'));  // old systems end files with Ctrl-Z
-    require_text(rest, *file_);
     for (const KnownSection& section : kSections)
         sections_.emplace_back(file_, section.name, section.is_drawn);
     if (rest.starts_with(kUtf8Mark)) rest.remove_prefix(kUtf8Mark.size());

@@ -100,7 +100,7 @@ class WifText {
     // for bytes that are not text, a section head without its bracket, text before the first
     // section, and in sections that are drawn for a line of more than 64 KiB and one that is not
     // key=value; throws Error without a [WIF] section.
-    WifText(std::string text, std::string file);
+    WifText(std::string_view text, std::string file);
 
     // A section by its name in capital letters; empty when the file lacks it.
     const WifSection& section(std::string_view name) const;

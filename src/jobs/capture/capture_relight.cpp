@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
@@ -44,15 +43,6 @@ std::string stem_of(const RigLight& light) {
     return fs::path(name).stem().string();
 }
 
-// rig.json is text in UTF-8, and names of old systems may be other bytes.
-bool is_utf8(const std::string& name) {
-    try {
-        return !nlohmann::json(name).dump().empty();
-    } catch (const nlohmann::json::exception&) {
-        return false;
-    }
-}
-
 // The names of the pictures to be written: those of the rig's, where each light has one of its own;
 // else numbers.
 std::vector<std::string> picture_names(const Rig& rig, std::vector<std::string>& warnings) {
@@ -68,8 +58,6 @@ std::vector<std::string> picture_names(const Rig& rig, std::vector<std::string>&
         if (!is_new && !stem.empty() && reason.empty())
             reason = fmt::format("two pictures of the rig are named {}, those of {} and {}",
                                  shown(stem), rig.lights[first->second].where, rig.lights[k].where);
-        if (!is_utf8(stem) && reason.empty())
-            reason = fmt::format("{}: the name of the picture is not UTF-8", rig.lights[k].where);
         names.push_back(stem + ".exr");
     }
     const bool all_named = !lights.contains("");

@@ -62,25 +62,14 @@ std::string described(const MapSet& set) {
     return text;
 }
 
-// Folders in `folder` that are ones of Burnish's or of maps: a library of them.
-std::vector<std::string> materials_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
-        if (entry->is_directory(error) && folder_hint(entry->path().string()) != "a folder")
-            names.push_back(one_line(entry->path().filename().string()));
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 std::string described_set(const fs::path& folder, const std::optional<OwnFolder>& own) {
     try {
         const std::string maps = described(find_map_set(folder));
         return own ? maps : fmt::format("{}: folder of maps\n{}", folder.string(), maps);
     } catch (const UsageError&) {
         if (own) return "";
-        const std::vector<std::string> inner = materials_in(folder);
+        std::vector<std::string> inner = map_folders_in(folder.string());
+        for (std::string& name : inner) name = one_line(name);
         if (inner.empty())
             throw Error(folder.string(), "",
                         "a file, or a folder of maps, of burnish scratch, weave, export or capture",

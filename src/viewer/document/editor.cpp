@@ -81,7 +81,7 @@ Editor::Change Editor::change_to(const Document& document) const {
     }
     warn_of_idle_values(change.values,
                         change.environment ? *change.environment : stage_.environment,
-                        change.value_warnings);
+                        change.lights, change.value_warnings);
     for (std::string& line : warnings_of_missing(document, stage_))
         change.value_warnings.push_back(std::move(line));
     return change;

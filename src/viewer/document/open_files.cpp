@@ -75,8 +75,11 @@ std::string_view parameter_of_role(MapRole role) {
             return "height_map";
         case MapRole::emissive:
             return "emissive_map";
+        case MapRole::mask_map:
         case MapRole::metallic_roughness:
-            throw Error("a map of metallic and roughness", "",
+        case MapRole::metallic_smoothness:
+        case MapRole::occlusion_roughness:
+            throw Error(fmt::format("a {} map", map_role_name(role)), "",
                         "the folder that it is in: no parameter names such a map alone",
                         "the picture");
         case MapRole::normal:
