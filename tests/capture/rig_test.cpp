@@ -194,7 +194,61 @@ TEST(RigJson, WarnsOfWhatIsAllowedAndOdd) {
         warns(read(rig_of(std::string(kCamera) +
                           R"(, "lights": [{"direction":[0,0,1]},{"direction":[9,0,300]}])")),
               "lights[1].direction: a direction of length 300.1: is it a position?"));
-    EXPECT_TRUE(read(rig_of(std::string(kCamera) + ", " + kLights)).warnings.empty());
+    EXPECT_TRUE(
+        read(rig_of(std::string(kCamera) +
+                    R"(, "lights": [{"direction":[0,0,1]},{"direction":[0,1,1],"intensity":1}])"))
+            .warnings.empty());
+}
+
+std::string sample_rig(const std::string& size, const std::string& camera,
+                       const std::string& light) {
+    return R"({"format": "burnish-rig", "version": 1, "sample": )" + size + R"(, "camera": )" +
+           camera + R"(, "lights": [{"direction": [1, 0, 1], "intensity": 1}, )" + light + "]}";
+}
+
+// The same rig in millimeters is silent; in meters, or with one of its lengths in meters, it warns.
+TEST(RigJson, WarnsOfLengthsInMeters) {
+    const std::string in_mm = R"({"width": 40, "height": 30})", in_m = R"({"width": 0.04,
+        "height": 0.03})",
+                      far_camera = R"({"position": [0, 0, 300]})",
+                      light = R"({"position": [0, 200, 300], "intensity": 1e5})";
+    EXPECT_TRUE(read(sample_rig(in_mm, far_camera, light)).warnings.empty());
+    const char* advice = "multiply all of them by 1000 if they are in meters";
+    const Rig small = read(sample_rig(in_m, R"({"position": [0, 0, 0.3]})",
+                                      R"({"position": [0, 0.2, 0.3], "intensity": 1})"));
+    EXPECT_TRUE(warns(small, "sample: 0.04 x 0.03 mm"));
+    EXPECT_TRUE(warns(small, advice));
+    EXPECT_FALSE(warns(small, "from the middle"));  // its proportions are right
+    const Rig near_camera = read(sample_rig(in_mm, R"({"position": [0, 0, 0.3]})", light));
+    EXPECT_TRUE(
+        warns(near_camera, "camera: 0.3 mm from the middle of a sample that is 40 mm wide"));
+    const Rig near_light =
+        read(sample_rig(in_mm, far_camera, R"({"position": [0, 0.3, 0.4], "intensity": 1e5})"));
+    EXPECT_TRUE(warns(near_light, "lights[1]: the light is 0.5 mm from the middle"));
+    EXPECT_TRUE(warns(near_light, advice));
+    const Rig large = read(sample_rig(R"({"width": 40000, "height": 30000})", far_camera,
+                                      R"({"position": [0, 0, 30000], "intensity": 1e9})"));
+    EXPECT_TRUE(warns(large, "divide all of them by 1000 if they are in micrometers"));
+    // The width that the caller states is that of the sample.
+    RigOverrides overrides;
+    overrides.width_mm = 40.0;
+    EXPECT_FALSE(warns(read(sample_rig(in_m, far_camera, light), overrides), "sample:"));
+}
+
+TEST(RigJson, WarnsOfALightWithoutAnIntensityAmongOthersThatStateOne) {
+    const auto lights = [](const char* first, const char* second) {
+        return rig_of(std::string(kCamera) + R"(, "lights": [{"direction": [0, 0, 1])" + first +
+                      R"(}, {"direction": [0, 1, 1])" + second + "}]");
+    };
+    EXPECT_TRUE(warns(read(lights("", R"(, "intensity": 0.8)")),
+                      "lights[0]: no intensity, which 1 of 2 lights state: taken as 1"));
+    EXPECT_TRUE(
+        warns(read(lights(R"(, "intensity": [1, 1, 0.9])", "")), "lights[1]: no intensity"));
+    for (const char* stated : {"", R"(, "intensity": 1)"})
+        EXPECT_TRUE(read(lights("", stated)).warnings.empty());
+    // 1 at a distance of 100 mm arrives as 1e-4.
+    EXPECT_TRUE(warns(read(rig_of(std::string(kCamera) + ", " + kLights)),
+                      "1 have a position and 1 a direction"));
 }
 
 TEST(RigJson, StacksNeedTheirPictures) {

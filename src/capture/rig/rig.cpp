@@ -223,6 +223,7 @@ Rig read_rig(const std::filesystem::path& path, bool needs_images, const RigOver
     check_places(rig);
     check_duplicates(rig);
     find_size(rig, needs_images, overrides);
+    warn_of_scale(rig);
     return rig;
 }
 

@@ -1,6 +1,7 @@
 // Reads our rig JSON; docs/reference/rig-file.md has the schema.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -150,12 +151,28 @@ class Reader {
         return exposures;
     }
 
+    // A light without an intensity among lights that state other ones than 1.
+    void warn_of_unstated(const std::vector<std::size_t>& unstated) {
+        const bool differ =
+            std::any_of(rig_.lights.begin(), rig_.lights.end(), [](const RigLight& light) {
+                return light.intensity != Vec3d{1.0, 1.0, 1.0};
+            });
+        if (unstated.empty() || !differ) return;
+        rig_.warnings.push_back(fmt::format(
+            "{}: no intensity, which {} of {} lights state: taken as 1{}",
+            rig_.lights[unstated.front()].where, rig_.lights.size() - unstated.size(),
+            rig_.lights.size(),
+            unstated.size() == 1 ? std::string()
+                                 : fmt::format("; so are {} more", unstated.size() - 1)));
+    }
+
     void read_lights(const JsonPlace& place) {
         constexpr std::array<std::string_view, 8> kKeys = {
             "image",     "exposures",     "position",          "direction",
             "intensity", "emission_axis", "emission_exponent", "camera"};
         place.require_array(kMostLights);
         if (place.size() == 0) place.fail("at least one light");
+        std::vector<std::size_t> unstated;
         for (std::size_t i = 0; i < place.size(); ++i) {
             const JsonPlace entry = place.at(i);
             entry.require_object(kKeys);
@@ -166,11 +183,14 @@ class Reader {
             if (entry.has("intensity")) {
                 light.intensity = read_intensity(entry.at("intensity"));
                 rig_.intensity_stated = true;
+            } else {
+                unstated.push_back(i);
             }
             read_emission(entry, light);
             if (entry.has("camera")) light.camera = read_camera(entry.at("camera"));
             rig_.lights.push_back(std::move(light));
         }
+        warn_of_unstated(unstated);
     }
 
     const Request& request_;

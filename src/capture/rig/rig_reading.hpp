@@ -51,4 +51,8 @@ Reading read_lp(const Request& request);
 Reading read_dome(const Request& request);
 Reading read_rig_json(const Request& request);
 
+// Warns of a sample, of lights and of cameras whose lengths look as if they were in another unit than
+// millimeters, and of lights whose intensities have two units.
+void warn_of_scale(Rig& rig);
+
 }  // namespace burnish::rig_reading

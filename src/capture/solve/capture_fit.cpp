@@ -8,7 +8,6 @@
 #include "burnish/coverage.hpp"
 #include "burnish/error.hpp"
 #include "capture/solve/texel_fit.hpp"
-#include "capture/solve/training_points.hpp"
 #include "capture/stack/stage_file.hpp"
 #include "core/constants.hpp"
 #include "formats/tabulated/tabulated_parts.hpp"
@@ -19,9 +18,12 @@ namespace {
 
 // Version of the method. Raise it if the same settings give other numbers or if the layout of a
 // stage changes: stages of other versions are computed again.
-constexpr int kMethodVersion = 5;
+constexpr int kMethodVersion = 6;
 // Interval between writes of finished bands: an interruption loses at most this time and one band.
 constexpr std::chrono::seconds kSaveEvery{20};
+// Training points of the trial of normals where a flat fit leaves much unexplained: enough for a few
+// exemplars, a sixteenth of the usual number.
+constexpr std::size_t kTrialPoints = 512;
 
 // Calls use(member) for every member that the stage of exemplars stores.
 template <typename Found, typename Report, typename Use>
@@ -36,6 +38,8 @@ void for_each_of_exemplar_stage(Found& exemplars, Report& report, Use use) {
     use(report.exemplars);
     use(report.eta);
     use(report.training_error);
+    use(report.start);
+    use(report.tilted_error);
 }
 
 bool is_whole(const Exemplars& found) {
@@ -110,27 +114,48 @@ void CaptureFit::start() {
 
 CaptureFit::~CaptureFit() = default;
 
+FoundExemplars CaptureFit::search(const TrainingPoints& points, NormalStart start,
+                                  std::optional<double> eta) const {
+    return burnish::find_exemplars(
+        context_, points.pixels, points.values,
+        {.exemplars = settings_.exemplars, .eta = eta, .seed = settings_.seed, .normals = start},
+        progress_);
+}
+
+FoundExemplars CaptureFit::search_tilted(const TrainingPoints& points, std::optional<double> eta,
+                                         NormalStart& start) const {
+    start = NormalStart::shading;
+    FoundExemplars found = search(points, start, eta);
+    if (std::sqrt(found.mean_error) <= kMuchUnexplained) return found;
+    FoundExemplars other = search(points, NormalStart::highlight, eta);
+    if (other.mean_error >= found.mean_error) return found;
+    start = NormalStart::highlight;
+    return other;
+}
+
 void CaptureFit::find_exemplars() {
     if (load_exemplars()) return;
     const TrainingPoints points = training_points(*stack_, settings_.training_points, progress_);
-    FoundExemplars found = burnish::find_exemplars(context_, points.pixels, points.values,
-                                                   {.exemplars = settings_.exemplars,
-                                                    .eta = settings_.eta,
-                                                    .seed = settings_.seed,
-                                                    .normals = settings_.normals},
-                                                   progress_);
+    report_.start = NormalStart::none;
+    FoundExemplars found = settings_.normals ? search_tilted(points, settings_.eta, report_.start)
+                                             : search(points, NormalStart::none, settings_.eta);
     exemplars_ = std::move(found.exemplars);
     report_.completion = found.completion;
     report_.training_points = static_cast<int>(points.pixels.size());
     report_.exemplars = exemplars_.count;
     report_.eta = found.eta;
     report_.training_error = std::sqrt(found.mean_error);
+    if (!settings_.normals && report_.training_error > kTriedUnexplained) {
+        NormalStart ignored;
+        const TrainingPoints few = some_of(points, kTrialPoints, stack_->lights());
+        report_.tilted_error = std::sqrt(search_tilted(few, found.eta, ignored).mean_error);
+    }
     save_exemplars();
 }
 
 TexelFitter CaptureFit::texel_fitter() const {
     return TexelFitter(context_, *stack_, exemplars_, lobes_of(exemplars_),
-                       {.normals = settings_.normals,
+                       {.normals = report_.start,
                         .models = settings_.models,
                         .eta = report_.eta,
                         .training_error = report_.training_error});

@@ -20,12 +20,21 @@
 #include "burnish/tabulated_material.hpp"
 #include "capture/solve/exemplar_search.hpp"
 #include "capture/solve/texels.hpp"
+#include "capture/solve/training_points.hpp"
 #include "capture/stack/image_stack.hpp"
 #include "capture/stack/light_level.hpp"
 
 namespace burnish {
 
 class TexelFitter;
+
+// Unexplained share of the light, as a root mean square, above which a fit is doubted: 5 % of noise
+// in each channel leaves less.
+inline constexpr double kMuchUnexplained = 0.05;
+
+// The same, above which a flat fit is compared with one with normals: less is the noise of the best
+// pictures.
+inline constexpr double kTriedUnexplained = 0.005;
 
 struct CaptureFitReport {
     StackCensus census;
@@ -37,6 +46,10 @@ struct CaptureFitReport {
     double eta = 0.0;
     CompletionReport completion;
     double training_error = 0.0;  // root of the mean of the training points' PointFit::error
+    NormalStart start = NormalStart::none;  // of the fit with the lower training_error
+    // training_error of some of the points with normals of their own, where a fit without them
+    // leaves more than kTriedUnexplained; else 1.
+    double tilted_error = 1.0;
 };
 
 // One value for each light: 1 takes part, 0 is held out.
@@ -84,6 +97,12 @@ class CaptureFit {
     double unexplained() const;
 
   private:
+    FoundExemplars search(const TrainingPoints& points, NormalStart start,
+                          std::optional<double> eta) const;
+    // Normals start at the diffuse light; where that leaves more than kMuchUnexplained, as on metals,
+    // they start at the highlight too, and the start of the lower error counts.
+    FoundExemplars search_tilted(const TrainingPoints& points, std::optional<double> eta,
+                                 NormalStart& start) const;
     void start();  // continues construction once the stack is ready
     TexelFitter texel_fitter() const;
     bool load_exemplars();

@@ -26,8 +26,10 @@ constexpr int kEtaTrialRounds = 3, kEtaLastRounds = 2;
 // Trials of the golden section after its first two: they reduce the bracket of sqrt(F(1)) from 0.51
 // to 0.018.
 constexpr int kEtaTrials = 7;
-// Initial number of training points for each exemplar.
+// Initial numbers of training points and of their samples for each exemplar: at least as many samples
+// as a table of the usual grid has cells. With 16 points under 25 lights, tables fit any normals.
 constexpr int kPointsPerExemplar = 16;
+constexpr std::size_t kSamplesPerExemplar = 3072;
 
 // `start` with the normals of `now`: they hardly depend on the index and improve with every trial.
 SearchState restarted(const SearchState& start, const SearchState& now) {
@@ -75,7 +77,9 @@ SearchState estimate_eta(const SearchInput& input, const PartialTables& partial,
 }
 
 SearchState clustered(const SearchInput& input, const PartialTables& partial, SearchState state) {
-    const int most = std::max(1, static_cast<int>(partial.count) / kPointsPerExemplar);
+    const std::size_t samples = partial.count * input.context.geometry->lights();
+    const int most = std::max(1, std::min(static_cast<int>(partial.count) / kPointsPerExemplar,
+                                          static_cast<int>(samples / kSamplesPerExemplar)));
     const int wanted = std::clamp(input.settings.exemplars, 1, most);
     std::vector<Candidate> assigned;
     state.exemplars = cluster_points(input.context.grid, partial.masked(),
@@ -104,7 +108,7 @@ FoundExemplars find_exemplars(const SampleContext& context, const std::vector<st
     PartialTables partial;
     SearchState state = solve_partial(input, settings.eta.value_or(kFirstEta), partial);
     state = clustered(input, partial, std::move(state));
-    const int rounds = settings.normals ? kTiltedRounds : kSolveRounds;
+    const int rounds = settings.normals != NormalStart::none ? kTiltedRounds : kSolveRounds;
     for (int round = 0; round < rounds; ++round) {
         progress.step("solving exemplars", static_cast<double>(round) / rounds);
         state = solve_round(input, partial, std::move(state), true);

@@ -9,6 +9,7 @@
 #include "burnish/progress.hpp"
 #include "capture/solve/exemplar_solve.hpp"
 #include "capture/solve/exemplars.hpp"
+#include "capture/solve/peak_normal.hpp"
 #include "capture/solve/sample_context.hpp"
 
 namespace burnish {
@@ -17,7 +18,8 @@ struct ExemplarSearchSettings {
     int exemplars = 64;         // at most
     std::optional<double> eta;  // none: estimated
     std::uint64_t seed = 1;
-    bool normals = false;  // the normals of points may tilt
+    // Of the points' normals; unless none, they may tilt.
+    NormalStart normals = NormalStart::none;
 };
 
 struct FoundExemplars {

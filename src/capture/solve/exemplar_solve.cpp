@@ -20,6 +20,10 @@ constexpr int kMostSteps = 200;
 // Ratio of the squared norms of the residual and the right side at which the steps end: tables are
 // single precision.
 constexpr double kLeastStep = 1e-8;
+// Damping of SlideAlong: share of the light of `mimic` that no diffuse light imitates. Stacks of 100
+// and more lights have shares of 0.03 to 0.1. In 25 lights a table imitates diffuse light to a share
+// of 1e-8, and the step without damping is that of the noise, many times the table.
+constexpr double kSlideDamping = 1e-3;
 
 std::size_t at(const NdfGrid& grid, int ring, int column) {
     const int c = (column % grid.azimuths + grid.azimuths) % grid.azimuths;
@@ -241,6 +245,12 @@ void SlideAlong::add(const PointSamples& samples, const PointFitter& fitter,
     if (uu <= 0.0) return;
     bend_ += vv - uv * uv / uu;
     slope_ += vy - uv * uy / uu;
+    light_ += vv;
+}
+
+float SlideAlong::distance() const {
+    const double damped = bend_ + kSlideDamping * light_;
+    return damped > 0.0 ? static_cast<float>(slope_ / damped) : 0.0f;
 }
 
 }  // namespace burnish

@@ -44,15 +44,18 @@ class TableEquations {
 };
 
 // Computes the step of the table along `mimic` (TableEquations::diffuse_mimic) when the points'
-// diffuse strengths may change with it: least squares over the added points.
+// diffuse strengths may change with it: least squares over the added points. The step is damped, so
+// that it is near 0 where diffuse light imitates that of `mimic` within noise: under few lights the
+// samples do not tell the two apart.
 class SlideAlong {
   public:
     void add(const PointSamples& samples, const PointFitter& fitter, const ExemplarTables& tables,
              const float* mimic, const PointFit& fit);
-    float distance() const { return bend_ > 0.0 ? static_cast<float>(slope_ / bend_) : 0.0f; }
+    float distance() const;
 
   private:
     double bend_ = 0.0, slope_ = 0.0;
+    double light_ = 0.0;  // weighted square of the light of `mimic`
 };
 
 // Completes the cells that no sample determines. They are taken from similar exemplars, rotated and

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "burnish/f32.hpp"
+#include "capture/solve/shading_normal.hpp"
 
 namespace burnish {
 
@@ -115,6 +116,21 @@ Vec3f peak_normal(const SampleContext& context, const PartialNdfSolver& solver, 
         if (round == kRounds) return normal;
         normal = tilted_normal(normal, peak_slope(context.grid, table, weights, kLeastPointBend));
     }
+}
+
+Vec3f first_normal(NormalStart start, const SampleContext& context, const PartialNdfSolver& solver,
+                   std::size_t pixel, const float* values, PixelWork& work, PartialNdfWork& partial,
+                   float* table, float* weights) {
+    if (start == NormalStart::highlight)
+        return peak_normal(context, solver, pixel, values, work, partial, table, weights);
+    Vec3f normal = {0.0f, 0.0f, 1.0f};
+    context.gather(pixel, normal, values, work);
+    if (start == NormalStart::shading) {
+        normal = shading_normal(work.samples);
+        context.gather(pixel, normal, values, work);
+    }
+    solver.solve(work.samples, partial, table, weights);
+    return normal;
 }
 
 Vec3f refined_normal(const KnownPixel& known, Vec3f normal, PixelWork& work, PointFit& fit) {

@@ -24,6 +24,19 @@ std::array<float, 2> peak_slope(const NdfGrid& grid, const float* table, const f
 // The normal with this slope in the frame of `normal`, at most kMostTilt from +z.
 Vec3f tilted_normal(const Vec3f& normal, const std::array<float, 2>& slope);
 
+// How the search for a point's normal starts.
+enum class NormalStart {
+    none,       // the sample is flat: the normal is +z
+    shading,    // shading_normal
+    highlight,  // peak_normal: for points without diffuse light
+};
+
+// The first normal of a pixel, and its partial distribution: `work`, `table` and `weights` end in
+// the frame of that normal. `values`: lights x 3.
+Vec3f first_normal(NormalStart start, const SampleContext& context, const PartialNdfSolver& solver,
+                   std::size_t pixel, const float* values, PixelWork& work, PartialNdfWork& partial,
+                   float* table, float* weights);
+
 // Estimates the normal of a pixel, at most kMostTilt from +z: the center of its partial
 // distribution along the axes in which the distribution is narrow. `work`, `table` and `weights`
 // end in the frame of that normal. Distributions of grooves and yarns are centered on their normal;

@@ -11,6 +11,9 @@ namespace {
 // Fewest points of an exemplar: a split drops exemplars with fewer. It splits only exemplars with
 // at least four times as many.
 constexpr std::size_t kFewestPoints = 4;
+// Fewest samples of an exemplar that is split, half as many as a table of the usual grid has cells:
+// tables of fewer fit any normals and strengths.
+constexpr std::size_t kFewestSplitSamples = 1536;
 // Least ratio of the mean errors of the worse and the better half of an exemplar's points for a
 // split; noise alone gives 1.1.
 constexpr double kSplitRatio = 1.8;
@@ -157,7 +160,9 @@ SearchState split_exemplars(const SearchInput& input, SearchState state) {
         }
         const Halves halves = halves_of(state, own);
         const int kept = next.append(state.exemplars, static_cast<int>(e));
-        const bool splits = own.size() >= 4 * kFewestPoints && room > 0 && halves.differ;
+        const bool splits = own.size() >= 4 * kFewestPoints &&
+                            own.size() * input.context.geometry->lights() >= kFewestSplitSamples &&
+                            room > 0 && halves.differ;
         const int fresh = splits ? next.append(state.exemplars, static_cast<int>(e)) : kept;
         room -= splits ? 1 : 0;
         for (std::size_t k = 0; k < own.size(); ++k)
@@ -196,7 +201,8 @@ SearchState merge_exemplars(const SearchInput& input, SearchState state) {
         }
         own.clear();
     }
-    return solve_tables(input, keep_exemplars(std::move(state), std::move(alive)));
+    state = keep_exemplars(std::move(state), std::move(alive));
+    return solve_tables(input, refit_points(input, std::move(state)));
 }
 
 SearchState join_alike(const SearchInput& input, SearchState state, float alike) {
@@ -223,9 +229,9 @@ SearchState join_alike(const SearchInput& input, SearchState state, float alike)
             own.shift += next.shift;
             own.exemplar = next.exemplar;
         }
-        point.fit.shift = own.shift;
     }
-    return solve_tables(input, keep_exemplars(std::move(state), std::move(alive)));
+    state = keep_exemplars(std::move(state), std::move(alive));
+    return solve_tables(input, refit_points(input, std::move(state)));
 }
 
 }  // namespace burnish

@@ -56,7 +56,7 @@ void fit_point(const SearchInput& input, const SearchState& state, std::size_t p
     if (!assign_best(state, work, point)) return;
     const auto eta = static_cast<float>(state.eta);
     const ExemplarTables own = state.tables_of(point.assigned.exemplar);
-    if (input.settings.normals) {
+    if (input.settings.normals != NormalStart::none) {
         point.normal =
             refined_normal({input.context, input.pixels[p], input.values_of(p), eta, own},
                            point.normal, work, point.fit);
@@ -135,13 +135,8 @@ SearchState solve_partial(const SearchInput& input, double eta, PartialTables& p
             float* table = partial.tables.data() + p * cells;
             float* weights = partial.weights.data() + p * cells;
             Vec3f& normal = state.points[p].normal;
-            if (input.settings.normals) {
-                normal = peak_normal(input.context, solver, input.pixels[p], input.values_of(p),
-                                     work, partial_work, table, weights);
-                continue;
-            }
-            input.context.gather(input.pixels[p], normal, input.values_of(p), work);
-            solver.solve(work.samples, partial_work, table, weights);
+            normal = first_normal(input.settings.normals, input.context, solver, input.pixels[p],
+                                  input.values_of(p), work, partial_work, table, weights);
         }
     });
     return state;
@@ -156,7 +151,23 @@ SearchState solve_round(const SearchInput& input, const PartialTables& partial, 
         for (std::size_t p = begin; p < end; ++p) fit_point(input, state, p, work, state.points[p]);
     });
     state = solve_tables(input, std::move(state));
-    return input.settings.normals ? center_exemplars(input, std::move(state)) : state;
+    return input.settings.normals != NormalStart::none ? center_exemplars(input, std::move(state))
+                                                       : state;
+}
+
+SearchState refit_points(const SearchInput& input, SearchState state) {
+    parallel_for(state.points.size(), kPointTile, [&](std::size_t begin, std::size_t end) {
+        input.progress.throw_if_cancelled();
+        PixelWork work;
+        for (std::size_t p = begin; p < end; ++p) {
+            PointState& point = state.points[p];
+            if (point.assigned.exemplar < 0) continue;
+            input.context.gather(input.pixels[p], point.normal, input.values_of(p), work);
+            point.fit = PointFitter(work.samples, static_cast<float>(state.eta))
+                            .at(state.tables_of(point.assigned.exemplar), point.assigned.shift);
+        }
+    });
+    return state;
 }
 
 SearchState solve_tables(const SearchInput& input, SearchState state) {

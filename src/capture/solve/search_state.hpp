@@ -69,7 +69,10 @@ SearchState solve_partial(const SearchInput& input, double eta, PartialTables& p
 // tables; otherwise keeps them.
 SearchState solve_round(const SearchInput& input, const PartialTables& partial, SearchState state,
                         bool match);
-// Solves for every exemplar from the samples of its points and completes the table.
+// Finds the strengths of every point with the exemplar and rotation that it is assigned, after a step
+// that assigned others.
+SearchState refit_points(const SearchInput& input, SearchState state);
+// Solves for every exemplar from the samples of its points, at their fits, and completes the table.
 SearchState solve_tables(const SearchInput& input, SearchState state);
 
 // ---- search_changes.cpp: steps that change the set of exemplars. They clear the candidates, which

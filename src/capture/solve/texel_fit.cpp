@@ -187,12 +187,9 @@ void TexelFitter::gather_tile(const StackBand& band, std::size_t begin, std::siz
         tile.normals[k] = {0.0f, 0.0f, 1.0f};
         if (!stack_.mask()[pixel]) {
             std::fill_n(known, cells, 0.0f);
-        } else if (settings_.normals) {
-            tile.normals[k] = peak_normal(context_, shared_->solver, pixel, values, tile.pixels[k],
-                                          tile.partial, table, known);
         } else {
-            context_.gather(pixel, tile.normals[k], values, tile.pixels[k]);
-            shared_->solver.solve(tile.pixels[k].samples, tile.partial, table, known);
+            tile.normals[k] = first_normal(settings_.normals, context_, shared_->solver, pixel,
+                                           values, tile.pixels[k], tile.partial, table, known);
         }
     }
 }
@@ -220,7 +217,7 @@ void TexelFitter::fit_texel(std::size_t pixel, std::size_t k,
     if (best.exemplar < 0) return;
     const ExemplarTables own = tables_of(best.exemplar);
     Vec3f normal = tile.normals[k];
-    if (settings_.normals) {
+    if (settings_.normals != NormalStart::none) {
         for (int pass = 0; pass < kNormalPasses; ++pass)
             normal = refined_normal({context_, pixel, values, shared_->eta, own}, normal, work,
                                     best.fit);

@@ -8,6 +8,7 @@
 #include "burnish/lobe_fit.hpp"
 #include "burnish/progress.hpp"
 #include "capture/solve/exemplars.hpp"
+#include "capture/solve/peak_normal.hpp"
 #include "capture/solve/point_fit.hpp"
 #include "capture/solve/sample_context.hpp"
 #include "capture/solve/texels.hpp"
@@ -16,9 +17,9 @@
 namespace burnish {
 
 struct TexelFitSettings {
-    bool normals = false;  // the normals of pixels may tilt
-    bool models = true;    // also fits the analytic models to every pixel
-    double eta = 0.0;      // index of refraction; 0: no Fresnel factor
+    NormalStart normals = NormalStart::none;  // unless none, the normals of pixels may tilt
+    bool models = true;                       // also fits the analytic models to every pixel
+    double eta = 0.0;                         // index of refraction; 0: no Fresnel factor
     // Root of the mean of PointFit::error over the training points. Pixels with much larger errors
     // are tried again.
     double training_error = 0.0;

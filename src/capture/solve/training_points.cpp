@@ -46,6 +46,19 @@ std::vector<std::size_t> spread_pixels(const ImageStack& stack, int wanted) {
 
 }  // namespace
 
+TrainingPoints some_of(const TrainingPoints& points, std::size_t most, std::size_t lights) {
+    const std::size_t all = points.pixels.size(), count = std::min(all, most);
+    const std::size_t per_point = 3 * lights;
+    TrainingPoints out;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t p = k * all / count;
+        out.pixels.push_back(points.pixels[p]);
+        const auto from = points.values.begin() + static_cast<std::ptrdiff_t>(p * per_point);
+        out.values.insert(out.values.end(), from, from + static_cast<std::ptrdiff_t>(per_point));
+    }
+    return out;
+}
+
 TrainingPoints training_points(const ImageStack& stack, int wanted, const Progress& progress) {
     TrainingPoints out;
     out.pixels = spread_pixels(stack, wanted);

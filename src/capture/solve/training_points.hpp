@@ -19,4 +19,7 @@ struct TrainingPoints {
 // for a stack. Throws Error, Interrupted.
 TrainingPoints training_points(const ImageStack& stack, int wanted, const Progress& progress);
 
+// At most `most` of the points, spread evenly over them. `lights`: those of the stack.
+TrainingPoints some_of(const TrainingPoints& points, std::size_t most, std::size_t lights);
+
 }  // namespace burnish

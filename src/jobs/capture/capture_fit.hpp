@@ -25,12 +25,21 @@ struct CaptureFitRequest {
     std::string command;
 };
 
+// An exemplar whose peak lies beside the normal.
+struct HollowLobe {
+    double at_normal = 0.0, at_peak = 0.0;  // D
+    double peak_deg = 0.0;                  // from the normal
+};
+
 // Numbers of exemplars with limited reliability, among those that texels use.
 struct ExemplarJudgement {
     int used = 0;           // by some texel
     int one_direction = 0;  // all grain within kOneDirectionDeg: completion is impossible
     int narrow = 0;         // narrower than the lights resolve (narrowest_alpha)
     int dark = 0;           // without a highlight under any light
+    int hollow = 0;         // their peak lies beside the normal
+    HollowLobe first_hollow;
+    double dark_unexplained = 0.0;  // of the light of the dark ones' texels, 0 to 1
     double narrowest_alpha = 0.0;
 };
 inline constexpr double kOneDirectionDeg = 15.0;
