@@ -23,6 +23,10 @@ bool differ_in(ParameterGroup group, const ParameterValues& a, const ParameterVa
     return false;
 }
 
+double aspect_of(const RenderSettings& settings) {
+    return static_cast<double>(settings.width) / settings.height;
+}
+
 std::vector<std::optional<TangentSource>> tangents_of(const Scene& scene) {
     std::vector<std::optional<TangentSource>> sources;
     sources.reserve(scene.meshes.size());
@@ -68,11 +72,9 @@ Editor::Change Editor::change_to(const Document& document) const {
                            change.settings.height == stage_.settings.height &&
                            change.settings.ground == stage_.settings.ground &&
                            !differ_in(ParameterGroup::camera, change.values, stage_.values);
-    change.camera =
-        same_view
-            ? stage_.camera
-            : place_camera(stage_.scene, change.values,
-                           static_cast<double>(change.settings.width) / change.settings.height);
+    change.camera = same_view ? stage_.camera
+                              : place_camera(stage_.scene, change.values,
+                                             aspect_.value_or(aspect_of(change.settings)));
     change.environment_warnings = stage_.warnings.environment;
     if (document.environment != old.environment) {
         change.environment_warnings.clear();
@@ -155,6 +157,7 @@ void Editor::update_to(const Document& document) {
 // Takes a stage in which its document hides what it hides.
 void Editor::adopt(Stage stage) {
     stage_ = std::move(stage);
+    if (aspect_) stage_.camera = camera_for(stage_.values, stage_.settings);
     new_warnings_ = stage_.scene.warnings;
     checked_normal_maps_ = normal_maps_of(stage_.scene);
     for (std::uint64_t* revision :
@@ -162,6 +165,26 @@ void Editor::adopt(Stage stage) {
           &revisions_.lights, &revisions_.environment, &revisions_.camera, &revisions_.settings,
           &revisions_.display})
         ++*revision;
+}
+
+// All instances count, as in change_to.
+Camera Editor::camera_for(const ParameterValues& values, const RenderSettings& settings) {
+    std::vector<int> meshes;
+    for (const Instance& instance : stage_.scene.instances) meshes.push_back(instance.mesh);
+    hide_instances(stage_, {});
+    const Camera camera = place_camera(stage_.scene, values, aspect_.value_or(aspect_of(settings)));
+    for (std::size_t i = 0; i < meshes.size(); ++i) stage_.scene.instances[i].mesh = meshes[i];
+    return camera;
+}
+
+void Editor::set_aspect(double aspect) {
+    if (aspect_ == aspect) return;
+    aspect_ = aspect;
+    if (stage_.scene.instances.empty()) return;
+    const Camera camera = camera_for(stage_.values, stage_.settings);
+    if (camera == stage_.camera) return;
+    stage_.camera = camera;
+    ++revisions_.camera;
 }
 
 void Editor::go_to(const Document& document) {

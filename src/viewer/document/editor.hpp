@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -79,6 +80,11 @@ class Editor {
     bool undo_loaded(Stage stage);
     bool redo_loaded(Stage stage);
 
+    // Width over height of the picture that is shown: a camera that neither document nor input states
+    // frames the scene in it. At first that of the settings.
+    void set_aspect(double aspect);
+    std::optional<double> aspect() const { return aspect_; }
+
     // Files have changed on disk: reads everything that the document names again.
     void reload(const Progress& progress = {});
     void reloaded(Stage stage);
@@ -91,10 +97,12 @@ class Editor {
     void update_to(const Document& document);
     void apply_materials(const Document& document, const ParameterValues& values);
     void replace_warnings();
+    Camera camera_for(const ParameterValues& values, const RenderSettings& settings);
 
     History history_;
     Stage stage_;
     Revisions revisions_;
+    std::optional<double> aspect_;
     std::vector<std::string> new_warnings_;
     std::vector<std::pair<int, bool>> checked_normal_maps_;  // texture, flip_green
 };

@@ -248,6 +248,7 @@ void App::update() {
     generator.settle(*this);
     if (refused_ != editor.revisions()) {
         try {
+            editor.set_aspect(static_cast<double>(picture_width) / picture_height);
             picture.follow(editor);
             if (second) second->follow(editor);
         } catch (const std::exception& error) {

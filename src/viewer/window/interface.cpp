@@ -119,6 +119,7 @@ float menu_bar(App& app) {
     if (ImGui::BeginMenu("Compare")) compare_menu(app), ImGui::EndMenu();
     if (ImGui::BeginMenu("Help")) {
         ImGui::MenuItem("Keys", "?", &app.panels.keys);
+        ImGui::MenuItem("Guide: docs/guide/viewer.md", nullptr, false, false);
         ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();
@@ -468,11 +469,9 @@ void draw_interface(App& app) {
     handle_keys(app);
     const float top = menu_bar(app);
     const float height = screen.y - top - m.status;
-    const float left = left_side(app, top, m.panel, height);
-    // The lobe inspector has a column for each method, where the window leaves the picture as much.
-    const bool wide = app.panels.inspector && screen.x - left - m.wide > m.panel;
-    const float side = wide ? m.wide : m.panel;
-    const float right = right_side(app, screen.x - side, top, side, height);
+    const float left = left_side(app, top, m.left, height);
+    // One width for all tabs: the picture stays where it is when another is opened.
+    const float right = right_side(app, screen.x - m.right, top, m.right, height);
     app.picture_x = static_cast<int>(left);
     app.picture_y = static_cast<int>(top);
     app.picture_width = std::max(16, static_cast<int>(screen.x - left - right));

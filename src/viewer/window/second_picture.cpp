@@ -9,6 +9,7 @@ SecondPicture::SecondPicture(gpu::Context& context, const Editor& now, const Mat
     : picture(context), other_(OtherMaterial(now, pair)), editor_(other_->editor_of(now)) {}
 
 void SecondPicture::follow(const Editor& now) {
+    if (now.aspect()) editor_.set_aspect(*now.aspect());
     editor_.set(other_ ? other_->of(now.document()) : seen_as(editor_.document(), now.document()),
                 "follow");
     picture.follow(editor_);

@@ -73,7 +73,7 @@ void set_theme(float scale) {
 }
 
 Measures measures(float scale) {
-    return {300.0f * scale, 460.0f * scale, 24.0f * scale};
+    return {300.0f * scale, 380.0f * scale, 24.0f * scale};
 }
 
 }  // namespace burnish::viewer

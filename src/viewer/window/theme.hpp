@@ -7,9 +7,10 @@ namespace burnish::viewer {
 // changes. Without the DejaVu fonts ImGui's own font is used.
 void set_theme(float scale);
 
-// Widths of a side panel and of the wide one, and height of the status bar, in device pixels.
+// Widths of the panels at the sides and height of the status bar, in device pixels. The right panel has room
+// for the numbers of four methods.
 struct Measures {
-    float panel = 300, wide = 460, status = 24;
+    float left = 300, right = 380, status = 24;
 };
 Measures measures(float scale);
 

@@ -25,7 +25,8 @@ bool is_used(const Compare& compare, Method method) {
 void method_row(Compare& compare, std::size_t i) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.75f);
-    if (ImGui::BeginCombo("##method", std::string(name_of(compare.methods[i])).c_str())) {
+    if (ImGui::BeginCombo("##method", std::string(name_of(compare.methods[i])).c_str(),
+                          ImGuiComboFlags_HeightLarge)) {
         for (std::size_t m = 0; m < method_names().size(); ++m) {
             const auto method = static_cast<Method>(m);
             if (ImGui::Selectable(std::string(method_names()[m]).c_str(),

@@ -30,6 +30,10 @@ void point_rows(const App& app) {
     point_row("material", material_name(app.scene(), app.picked->hit.material));
     point_row("n~", fmt::format("{:.3f} {:.3f} {:.3f}, tilt {:.1f} deg, |d| {:.3f}", r.normal.x,
                                 r.normal.y, r.normal.z, r.tilt_deg, r.tilt));
+    if (app.scene().lights.empty())
+        point_row("light", "none in the scene: as if one shone along n");
+    else
+        point_row("light", fmt::format("{} of {}", app.light + 1, app.scene().lights.size()));
     if (r.surface.exemplar && r.surface.exemplar->exemplar < 0)
         point_row("exemplar", "none: this texel was not measured");
     else if (r.surface.exemplar)

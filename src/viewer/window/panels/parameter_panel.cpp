@@ -78,6 +78,13 @@ std::string label_of(std::string_view name) {
     return label;
 }
 
+// The text, or its beginning and two dots, no wider than `width`.
+std::string fitted(std::string text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    while (!text.empty() && ImGui::CalcTextSize((text + "..").c_str()).x > width) text.pop_back();
+    return text + "..";
+}
+
 // Words that a text parameter takes beside files.
 std::vector<std::string> words_of(std::string_view name) {
     std::vector<std::string> words{"none"};
@@ -146,6 +153,8 @@ void tooltip(const Parameter& p, bool set, const std::string& idle) {
     if (!p.default_text.empty())
         facts += fmt::format("{}default {}", facts.empty() ? "" : ", ", p.default_text);
     if (!facts.empty()) ImGui::TextDisabled("%s", facts.c_str());
+    if (p.kind == ParameterKind::color)
+        ImGui::TextDisabled("sRGB here, as displays have it; linear in scripts, flags and files");
     ImGui::TextDisabled("%s%s", flag_of(p.name).c_str(), set ? " (set)" : "");
     const std::string_view paper = paper_of(p.name);
     if (!paper.empty()) ImGui::TextDisabled("%s", std::string(paper).c_str());
@@ -215,7 +224,7 @@ bool widget(const Parameter& p, ParameterValue& value) {
             auto& v = std::get<ParameterChoice>(value);
             bool changed = false;
             const std::string now(p.choices[static_cast<std::size_t>(v.index)]);
-            if (ImGui::BeginCombo("##v", now.c_str())) {
+            if (ImGui::BeginCombo("##v", now.c_str(), ImGuiComboFlags_HeightLarge)) {
                 for (std::size_t i = 0; i < p.choices.size(); ++i)
                     if (ImGui::Selectable(std::string(p.choices[i]).c_str(),
                                           static_cast<int>(i) == v.index)) {
@@ -286,7 +295,7 @@ void row(App& app, const Parameter& p) {
     const float label_width = ImGui::GetFontSize() * 8.6f;
     if (!idle.empty()) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f);
     ImGui::AlignTextToFramePadding();
-    const std::string label = label_of(name);
+    const std::string label = fitted(label_of(name), label_width - ImGui::GetStyle().ItemSpacing.x);
     if (set_here)
         ImGui::TextUnformatted(label.c_str());
     else
