@@ -28,6 +28,21 @@ TEST_F(ViewerWindow, FilesOfAllKindsAreOpenedIntoTheScene) {
                     model, path("sky.png"), path("part_normal.png")));
 }
 
+// A rig without a material beside it is fitted first.
+TEST_F(ViewerWindow, ARigIsFittedAndItsMaterialShown) {
+    const std::string stack = path("stack");
+    const Outcome made = run_burnish(
+        {"capture", "simulate", "isotropic", "-o", stack, "--size", "8", "--lights", "6x5"});
+    ASSERT_EQ(made.exit_code, 0) << made.complaint;
+    const std::map<std::string, std::string> seen =
+        play(fmt::format("set samples 1\nwait rest\nopen {}\nwait rest\nlog tabulated\n",
+                         stack + "/rig.json"),
+             {"--state", path("state")});
+    const std::string& material = seen.at("tabulated");
+    EXPECT_TRUE(material.starts_with(path("state") + "/captures/stack-")) << material;
+    EXPECT_TRUE(std::filesystem::is_regular_file(material));
+}
+
 TEST_F(ViewerWindow, AMissingOrBrokenFileIsSaidAndTheSessionGoesOn) {
     folder_.write("broken.glb", "glTF, but not really");
     play(fmt::format(

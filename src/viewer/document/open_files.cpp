@@ -136,9 +136,8 @@ void put_folder(Document& document, const std::string& path, std::optional<int> 
     put_material(document, scratches ? "scratch" : "maps", path, material);
 }
 
-// The material that `burnish capture fit` has made of the rig's pictures: the one in the folder of the
-// rig, of several the one that was written last.
-std::string fitted_beside(const std::string& rig, std::vector<std::string>* notes) {
+// Materials that `burnish capture fit` has made, in the folder of the rig, and when.
+std::vector<std::pair<fs::file_time_type, std::string>> materials_beside(const std::string& rig) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, std::string>> found;
     const fs::path folder = fs::path(rig).parent_path();
@@ -149,6 +148,13 @@ std::string fitted_beside(const std::string& rig, std::vector<std::string>* note
         if (is_tabulated_material(entry->path()))
             found.emplace_back(entry->last_write_time(unreadable), entry->path().string());
     }
+    return found;
+}
+
+// Of several the one that was written last.
+std::string fitted_beside(const std::string& rig, std::vector<std::string>* notes) {
+    const auto found = materials_beside(rig);
+    const fs::path folder = fs::path(rig).parent_path();
     if (found.empty())
         throw Error(
             rig, "", "a material, which a rig is not yet",
@@ -163,6 +169,12 @@ std::string fitted_beside(const std::string& rig, std::vector<std::string>* note
 }
 
 }  // namespace
+
+bool is_unfitted_rig(const std::string& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error) && is_rig_file(path) &&
+           materials_beside(fs::absolute(path, error).string()).empty();
+}
 
 Document first_document() {
     Document document;

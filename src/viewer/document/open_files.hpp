@@ -35,6 +35,10 @@ Document opened(Document document, const std::string& path,
                 std::optional<int> material = std::nullopt,
                 std::vector<std::string>* notes = nullptr);
 
+// Whether the file is a rig with no fitted material beside it: what `opened` refuses, and what can be
+// fitted first.
+bool is_unfitted_rig(const std::string& path);
+
 // All files opened, models and scene files first; without any, first_document().
 Document document_for(std::span<const std::string> paths,
                       std::vector<std::string>* notes = nullptr);

@@ -234,6 +234,7 @@ bool App::at_rest() const {
 
 void App::update() {
     loader_.poll();
+    fit_rig();
     if (turntable) {
         const double step = std::min(seconds_since(last_turn_), 0.2);
         if (step > 0 && !scene().instances.empty()) {

@@ -63,7 +63,7 @@ class App {
 
     // --- files
     void open_first(std::vector<std::string> paths);  // of the command line
-    void open(const std::vector<std::string>& paths);
+    void open(const std::vector<std::string>& dropped);
     void open_document(Document document, const std::string& name);
     void save_scene(const std::filesystem::path& path);
     void save_picture(const std::filesystem::path& path, std::optional<Size> size);
@@ -74,7 +74,7 @@ class App {
     void copy_command_line();
     // Of `burnish render`, for the scene as it was saved last.
     CommandLine command_line() const;
-    bool loading() const { return loader_.running(); }
+    bool loading() const { return loader_.running() || rig_to_fit_; }
     Background& loader() { return loader_; }
 
     // --- changes. `key` joins the changes of one drag into a step; errors become messages.
@@ -196,6 +196,10 @@ class App {
   private:
     // The refined picture in the view that is shown, as a display has it or linear.
     Image drawn(const Camera& camera, int width, int height, bool linear);
+    // Fits a rig that was opened, once nothing else is read, and opens the material.
+    void fit_rig();
+    // The paths without unfitted rigs, of which the last is fitted.
+    std::vector<std::string> without_rigs(std::vector<std::string> paths);
     void load(Document document, std::string name, std::function<void(Document, Stage)> adopt);
     void after_change();
     void step_history(bool forward);
@@ -208,6 +212,7 @@ class App {
     bool has_view(const std::string& name);
 
     Background loader_;
+    std::optional<std::string> rig_to_fit_;
     Picker picker_;
     std::optional<Revisions> picker_revisions_, picked_revisions_;
     std::uint64_t reports_made_ = 0;

@@ -5,6 +5,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
+#include "jobs/capture/capture_fit.hpp"
 #include "jobs/export_material.hpp"
 #include "jobs/render.hpp"
 #include "viewer/document/load_stage.hpp"
@@ -40,8 +41,58 @@ void App::open_document(Document document, const std::string& name) {
     });
 }
 
+std::vector<std::string> App::without_rigs(std::vector<std::string> paths) {
+    std::erase_if(paths, [this](const std::string& path) {
+        if (!is_unfitted_rig(path)) return false;
+        rig_to_fit_ = std::filesystem::absolute(path).string();
+        add_recent(remembered, *rig_to_fit_);
+        return true;
+    });
+    return paths;
+}
+
+// The file is kept with the state, under a name that tells rigs and their changes apart.
+void App::fit_rig() {
+    if (!rig_to_fit_ || loader_.running()) return;
+    const std::filesystem::path rig = *std::exchange(rig_to_fit_, std::nullopt);
+    const std::filesystem::path folder =
+        (state_folder.empty() ? std::filesystem::temp_directory_path() / "burnish-view"
+                              : state_folder) /
+        "captures";
+    std::error_code error;
+    const auto changed = std::filesystem::last_write_time(rig, error).time_since_epoch().count();
+    const std::size_t number =
+        std::hash<std::string>()(fmt::format("{} {}", rig.string(), changed));
+    const std::filesystem::path fitted =
+        folder / fmt::format("{}-{:016x}.exr", rig.parent_path().filename().string(), number);
+    // In place of the scene of the start, or onto what is shown.
+    const auto show = [this, fitted] {
+        if (editor.history().can_undo()) return open({fitted.string()});
+        open_document(document_for(std::vector{fitted.string()}), fitted.string());
+    };
+    if (std::filesystem::exists(fitted, error)) return show();
+    std::filesystem::create_directories(folder, error);
+    say(fmt::format("{}: fitted in the background; its material is shown when it is done",
+                    rig.string()));
+    CaptureFitRequest request;
+    request.stack = rig;
+    request.output = fitted;
+    request.command = "burnish view";
+    loader_.start<CaptureFitResult>(
+        "fit of " + rig.filename().string(),
+        [request](const Progress& progress) { return capture_fit(request, progress); },
+        [this, show, fitted](const CaptureFitResult& result) {
+            for (const std::string& line : result.warnings) say(line);
+            say(fmt::format("fitted: {:.2g} % of the light unexplained, in {}",
+                            100 * result.unexplained, fitted.string()));
+            show();
+        },
+        [this](const std::string& line) { say(line, true); });
+}
+
 void App::open_first(std::vector<std::string> paths) {
     try {
+        paths = without_rigs(std::move(paths));
         std::vector<std::string> notes;
         Document document = document_for(paths, &notes);
         for (const std::string& path : paths) add_recent(remembered, path);
@@ -53,8 +104,10 @@ void App::open_first(std::vector<std::string> paths) {
     }
 }
 
-void App::open(const std::vector<std::string>& paths) {
+void App::open(const std::vector<std::string>& dropped) {
     try {
+        const std::vector<std::string> paths = without_rigs(dropped);
+        if (paths.empty()) return;
         std::vector<std::string> notes;
         Document next = document();
         for (const std::string& path : paths) next = opened(next, path, material, &notes);
