@@ -8,6 +8,7 @@
 #include "burnish/image_io.hpp"
 #include "core/text.hpp"
 #include "support/program.hpp"
+#include "viewer/document/editor.hpp"
 #include "viewer/document/save_scene.hpp"
 #include "viewer/random_documents.hpp"
 
@@ -129,6 +130,38 @@ TEST(CommandLineOfTheViewer, NamesTheReasonForAScene) {
     EXPECT_EQ(reason(), "materials of their own");
     EXPECT_EQ(render_command(document, load_stage(document), "a b.json", "-p.png").text(),
               "burnish render 'a b.json' -o ./-p.png");
+}
+
+TEST(CommandLineOfTheViewer, WhatTheOpenSceneFileSaysNeedsNoFlagAndNoOtherScene) {
+    const test::ScratchFolder folder;
+    Document document{.input = "builtin:plane", .environment = "none"};
+    document.lights = {Light{.color = {1, 0, 0}}, parse_light("30,40,2")};
+    document.dark = {1};
+    document.hidden = {0};
+    document.material_values[0].set_value("alpha_x", 0.2);
+    document.compare.mode = CompareMode::split;
+    const std::string file = (folder / "saved.json").string();
+    save_scene(document, load_stage(document), file);
+    Editor editor;
+    editor.open({.input = file});
+    ASSERT_TRUE(editor.document().dark.contains(1));
+    const auto text = [&](const Document& d) {
+        const CommandLine command = render_command(d, editor.stage(), "other.json", "picture.png");
+        EXPECT_EQ(command.needs_scene, !command.reason.empty());
+        return command.text();
+    };
+    EXPECT_EQ(text(editor.document()),
+              "burnish render " + file + " --compare normal-map,follow-grain -o picture.png");
+    Document changed = editor.document();
+    changed.compare = {};
+    changed.bookmarks.push_back({.name = "a view"});
+    set_parameter(changed, "alpha_x", 0.3);
+    EXPECT_EQ(text(changed), "burnish render " + file + " --alpha-x 0.3 -o picture.png");
+    changed.dark.clear();
+    EXPECT_EQ(text(changed), "burnish render other.json -o picture.png");
+    changed.dark = editor.document().dark;
+    changed.hidden.clear();
+    EXPECT_EQ(text(changed), "burnish render other.json -o picture.png");
 }
 
 TEST(CommandLineOfTheViewer, TheProgramTakesIt) {

@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <ctime>
 #include <random>
 
 #include "support/test_folder.hpp"
 #include "viewer/document/load_stage.hpp"
+#include "viewer/document/save_scene.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -97,12 +99,12 @@ TEST(Autosave, OfALivingProcessIsNotLeftBehindAndOfADeadOneIs) {
     Document document{.input = "builtin:plane", .environment = "none"};
     set_parameter(document, "alpha_x", 0.2);
     const Stage stage = load_stage(document);
-    autosave(folder / "state", document, stage);
+    autosave(folder / "state", document, stage, "/models/part.glb");
     EXPECT_TRUE(autosaves_left_behind(folder / "state").empty());
     const pid_t child = ::fork();
     if (child == 0) {  // it "crashes": nothing is removed
         try {
-            autosave(folder / "state", document, stage);
+            autosave(folder / "state", document, stage, "/models/part.glb");
         } catch (...) {
             ::_exit(1);
         }
@@ -114,12 +116,43 @@ TEST(Autosave, OfALivingProcessIsNotLeftBehindAndOfADeadOneIs) {
     const std::vector<LeftBehind> left = autosaves_left_behind(folder / "state");
     ASSERT_EQ(left.size(), 1u);
     EXPECT_NE(left[0].file.string().find("-" + std::to_string(child) + "-"), std::string::npos);
+    EXPECT_EQ(left[0].scene, "/models/part.glb");
+    // The offer says what the scene is and when it was kept: now, or the minute before.
+    const std::string offer = text_of_offer(left[0]);
+    EXPECT_NE(offer.find("/models/part.glb"), std::string::npos) << offer;
+    const auto minute = [](std::time_t at) {
+        char text[32];
+        std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", std::localtime(&at));
+        return std::string(text);
+    };
+    const std::time_t time = std::time(nullptr);
+    EXPECT_TRUE(offer.ends_with(minute(time)) || offer.ends_with(minute(time - 60))) << offer;
     StageRequest request;
     request.input = left[0].file.string();
     EXPECT_EQ(stated_alpha(set_stage(request).scene.materials.at(0)), glm::vec2(0.2f));
     remove_autosave(folder / "state");
     EXPECT_FALSE(std::filesystem::exists(autosave_path(folder / "state")));
     EXPECT_EQ(autosaves_left_behind(folder / "state").size(), 1u);
+}
+
+TEST(Autosave, ARecoveredSceneHasItsFormerNameUntilItIsSaved) {
+    const ScratchFolder folder;
+    Document document{.input = "builtin:plane", .environment = "none"};
+    Stage stage = load_stage(document);
+    EXPECT_EQ(scene_name(document, stage).path, "builtin:plane");
+    EXPECT_FALSE(scene_name(document, stage).recovered);
+    for (int crash = 0; crash < 2; ++crash) {  // the second one is of a recovered scene
+        const std::string name =
+            crash == 0 ? "/models/a \"part\".glb" : scene_name(document, stage).path;
+        autosave(folder / "state", document, stage, name);
+        document = {.input = autosave_path(folder / "state").string()};
+        stage = load_stage(document);
+        EXPECT_EQ(scene_name(document, stage).path, "/models/a \"part\".glb");
+        EXPECT_TRUE(scene_name(document, stage).recovered);
+    }
+    save_scene(document, stage, folder / "saved.json");
+    document = {.input = (folder / "saved.json").string()};
+    EXPECT_FALSE(scene_name(document, load_stage(document)).recovered);
 }
 
 TEST(Autosave, ANumberOfAProcessThatIsUsedAgainDoesNotHideAScene) {

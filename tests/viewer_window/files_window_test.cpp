@@ -72,13 +72,30 @@ TEST_F(ViewerWindow, AFileThatIsDeletedStaysOpen) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         std::filesystem::remove(model);
     });
-    play(fmt::format("set samples 1\nwait rest\nwait seconds 1.2\nscreenshot {}\nwait seconds 2.5\n"
-                     "set roughness 0.3\nwait rest\nexpect materials = 2\n"
-                     "save scene {}\nset alpha_x 0.2\nundo\nwait rest\n",
-                     path("read.png"), path("kept.json")),
-         {model});
+    const auto logged = play(
+        fmt::format(
+            "set samples 1\nwait rest\nwait seconds 1.2\nscreenshot {}\nwait seconds 2.5\n"
+            "set roughness 0.3\nwait rest\nexpect materials = 2\nlog message title missing_files\n"
+            "save scene {}\nset alpha_x 0.2\nundo\nwait rest\n",
+            path("read.png"), path("kept.json")),
+        {model});
     deletes.join();
     EXPECT_FALSE(std::filesystem::exists(model));
+    EXPECT_EQ(logged.at("missing_files"), "two.glb is gone from disk: what was read stays");
+    EXPECT_EQ(logged.at("message"), logged.at("missing_files"));
+    EXPECT_EQ(logged.at("title"), "two.glb (gone from disk)");
+}
+
+TEST_F(ViewerWindow, AFolderOfMapsSaysWhatItTakesBack) {
+    std::filesystem::create_directory(path("rust"));
+    folder_.write("rust/rust_Color.png", text_of(png_gradient(16, 16)));
+    const auto logged = play(
+        fmt::format("set samples 1\nset metal copper\nset scratch fine-random\nwait rest\nopen {}\n"
+                    "wait rest\nlog message\nexpect metal = none\nundo\nexpect metal = copper\n",
+                    path("rust")),
+        {"builtin:plane"});
+    EXPECT_NE(logged.at("message").find("metal and scratch were taken back"), std::string::npos)
+        << logged.at("message");
 }
 
 TEST_F(ViewerWindow, AFileThatChangesIsReadAgain) {

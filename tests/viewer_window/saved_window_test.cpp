@@ -103,6 +103,21 @@ TEST_F(SavedWindow, TheWindowAtRestShowsWhatRenderGives) {
     EXPECT_LE(least, kOneLevel);
 }
 
+// What the panel shows of a parameter is what `log` prints.
+TEST_F(SavedWindow, ASceneThatIsOpenedAgainShowsItsValues) {
+    const std::string scene =
+        folder_.write("scene.json", R"({"format": "burnish-scene", "version": 1,
+            "objects": [{"model": "builtin:sphere"}], "environment": "none",
+            "parameters": {"metal": "copper", "scratch": "fine-random", "samples": 3,
+                           "exposure": 0.5, "ground": true}})");
+    const auto logged = play(
+        "wait rest\nexpect metal = copper\nexpect samples = 3\n"
+        "expect scratch = fine-random\nlog alpha_x\nexpect alpha_x > 0.1\n"
+        "key ]\nexpect exposure > 0.8\nkey g\nexpect ground = false\n",
+        {scene});
+    EXPECT_NE(logged.at("alpha_x"), "the input's");
+}
+
 TEST_F(SavedWindow, TurntableFramesMapsAndModelsAreWritten) {
     play(fmt::format("set samples 1\nwait rest\nturntable 3 {}\nsave gltf {}\n", path("turn.png"),
                      path("exported")),

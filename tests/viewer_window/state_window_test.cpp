@@ -99,12 +99,14 @@ class CrashedWindow : public ViewerWindow {
 
 TEST_F(CrashedWindow, WhatACrashLeavesIsOpenedAndThenGone) {
     crash();
-    play(fmt::format("wait rest\nexpect recovered = 1\nrecover open\nset samples 1\nwait rest\n"
-                     "save scene {}\nrecover open\n"
-                     "expect error = \"no scene of an earlier session\"\n",
-                     path("recovered.json")),
-         {"--state", state()});
+    const auto logged =
+        play(fmt::format("wait rest\nexpect recovered = 1\nrecover open\nset samples 1\nwait rest\n"
+                         "expect alpha_x = 0.37\nlog title\nsave scene {}\nrecover open\n"
+                         "expect error = \"no scene of an earlier session\"\n",
+                         path("recovered.json")),
+             {"--state", state()});
     EXPECT_NE(contents_of(path("recovered.json")).find("0.37"), std::string::npos);
+    EXPECT_EQ(logged.at("title"), "builtin:sphere (recovered)");
     EXPECT_TRUE(autosaved().empty()) << "an orderly end removes what was recovered";
     play("wait rest\nexpect recovered = 0\n", {"--state", state()});
 }

@@ -8,7 +8,9 @@
 #include <glm/trigonometric.hpp>
 #include <set>
 
+#include "burnish/error.hpp"
 #include "core/text.hpp"
+#include "viewer/document/load_stage.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -34,10 +36,24 @@ void add_values(std::vector<std::string>& words, const ParameterValues& values, 
     }
 }
 
-std::string why_a_scene(const Document& document, const Stage& stage) {
+// The document that opening the input alone gives: what its file says needs no flag.
+Document as_opened(const Document& document, const Stage& stage) {
+    try {
+        return with_state_of_input({.input = document.input}, stage);
+    } catch (const Error&) {  // the file was changed, and its part for the viewer is broken
+        return {.input = document.input};
+    }
+}
+
+bool has_its_lights(const Document& document, const Document& opened) {
+    return document.lights == opened.lights && document.dark == opened.dark;
+}
+
+std::string why_a_scene(const Document& document, const Document& opened, const Stage& stage) {
     if (!document.material_values.empty()) return "materials of their own";
     const std::set<int> hidden(stage.file.hidden.begin(), stage.file.hidden.end());
     if (document.hidden != hidden) return "hidden parts";
+    if (has_its_lights(document, opened)) return "";
     if (!document.dark.empty()) return "lights that are switched off";
     if (!document.lights) return "";
     for (const Light& light : *document.lights)
@@ -83,15 +99,17 @@ std::string light_word(const Light& light) {
 CommandLine render_command(const Document& document, const Stage& stage,
                            const std::string& scene_file, const std::string& picture) {
     CommandLine command;
-    command.reason = why_a_scene(document, stage);
+    const Document opened = as_opened(document, stage);
+    command.reason = why_a_scene(document, opened, stage);
     command.needs_scene = !command.reason.empty();
     const bool compares = document.compare.mode != CompareMode::off && !document.compare.materials;
     std::vector<std::string>& words = command.words;
     words = {"render", command.needs_scene ? scene_file : document.input};
     if (!command.needs_scene) {
         if (!document.environment.empty()) add_flag(words, "--env", document.environment);
-        if (document.lights && document.lights->empty()) add_flag(words, "--light", "none");
-        if (document.lights)
+        const bool says_lights = document.lights && !has_its_lights(document, opened);
+        if (says_lights && document.lights->empty()) add_flag(words, "--light", "none");
+        if (says_lights)
             for (const Light& light : *document.lights)
                 add_flag(words, "--light", light_word(light));
         add_values(words, document.values, compares);

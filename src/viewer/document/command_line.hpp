@@ -14,8 +14,9 @@ namespace burnish::viewer {
 struct CommandLine {
     // Words after "burnish": {"render", "model.glb", "--alpha-x", "0.2", "-o", "picture.png"}.
     std::vector<std::string> words;
-    // True: flags cannot say everything (materials of their own, hidden parts, lights with a color, a
-    // range or a cone): `words` name the scene file, which has to be saved there first.
+    // True: flags cannot say everything that differs from the input (materials of their own, hidden
+    // parts, lights with a color, a range or a cone): `words` name the scene file, which has to be saved
+    // there first.
     bool needs_scene = false;
     std::string reason;  // why, for the person who copies it: "materials of their own"; else ""
     std::string text() const;  // "burnish render ...", quoted for a POSIX shell

@@ -126,23 +126,6 @@ void unset_parameter(Document& document, std::string_view name, std::optional<in
     if (own->second.set_values().empty()) document.material_values.erase(own);
 }
 
-std::optional<ParameterValue> parameter_of(const Document& document, std::string_view name,
-                                           std::optional<int> material) {
-    const Parameter& parameter = parameter_named(name, "");
-    const auto find_in = [&](const ParameterValues& values) -> std::optional<ParameterValue> {
-        const auto found = values.set_values().find(name);
-        if (found == values.set_values().end()) return std::nullopt;
-        return found->second;
-    };
-    if (material) {
-        const auto own = document.material_values.find(*material);
-        if (own != document.material_values.end())
-            if (const auto value = find_in(own->second)) return value;
-    }
-    if (const auto value = find_in(document.values)) return value;
-    return parameter.default_value;
-}
-
 void set_camera(Document& document, const glm::vec3& position, const glm::vec3& target,
                 double fov_deg) {
     if (position == target)

@@ -97,11 +97,6 @@ void set_parameter_text(Document& document, std::string_view name, std::string_v
 // `material` single materials keep theirs.
 void unset_parameter(Document& document, std::string_view name,
                      std::optional<int> material = std::nullopt);
-// The value that holds: the material's, else that of `values`, else the table's default; none where
-// nothing is set and the table has no default (the input decides).
-std::optional<ParameterValue> parameter_of(const Document& document, std::string_view name,
-                                           std::optional<int> material = std::nullopt);
-
 // Puts the camera into `values` so that place_camera gives position, target and field of view again:
 // erases the other parameters of the camera. Throws UsageError for numbers out of range and for a
 // position that is the target.

@@ -8,7 +8,9 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,7 @@
 #include "formats/json_text.hpp"
 #include "viewer/document/file_names.hpp"
 #include "viewer/document/save_scene.hpp"
+#include "viewer/document/viewer_section.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -26,6 +29,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kFile = "view.json";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 20;
+constexpr std::uintmax_t kMostSceneBytes = std::uintmax_t{64} << 20;
 constexpr int kLeastWindow = 320, kLargestWindow = 16384, kFarthest = 1000000;
 constexpr std::size_t kMostPanels = 100;
 
@@ -131,6 +135,17 @@ std::optional<Process> process_of(const std::string& file_name) {
     return process;
 }
 
+// What an autosaved scene was; "" where the file does not say.
+std::string scene_of(const fs::path& file) {
+    try {
+        const nlohmann::json json =
+            parse_json(file.string(), read_text_file(file, kMostSceneBytes));
+        return json.at("viewer").at("scene").get<std::string>();
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
@@ -195,9 +210,34 @@ fs::path autosave_path(const fs::path& folder) {
            fmt::format("{}{}-{}-{}{}", kPrefix, host_name(), process, start_of(process), kEnding);
 }
 
-void autosave(const fs::path& folder, const Document& document, const Stage& stage) {
+void autosave(const fs::path& folder, const Document& document, const Stage& stage,
+              const std::string& scene) {
     make_folder(folder);
-    save_scene(document, stage, autosave_path(folder));
+    save_scene(document, stage, autosave_path(folder), {}, scene);
+}
+
+SceneName scene_name(const Document& document, const Stage& stage) {
+    try {
+        const std::string of = read_viewer_section(stage.file.viewer, document.input).scene;
+        if (!of.empty()) return {of, true};
+    } catch (const std::exception&) {
+        // A broken section is said where the file is opened.
+    }
+    return {document.input, false};
+}
+
+std::string text_of_offer(const LeftBehind& left) {
+    const auto since = left.written - fs::file_time_type::clock::now();
+    const std::time_t written = std::chrono::system_clock::to_time_t(
+        std::chrono::system_clock::now() +
+        std::chrono::duration_cast<std::chrono::system_clock::duration>(since));
+    std::tm local{};
+    ::localtime_r(&written, &local);
+    std::array<char, 32> when{};
+    std::strftime(when.data(), when.size(), "%Y-%m-%d %H:%M", &local);
+    const std::string scene =
+        left.scene.empty() ? std::string() : "The scene: " + one_line(left.scene) + "\n";
+    return scene + "Kept: " + when.data();
 }
 
 void remove_autosave(const fs::path& folder) {
@@ -215,7 +255,7 @@ std::vector<LeftBehind> autosaves_left_behind(const fs::path& folder) {
         std::error_code unreadable;
         if (!process || lives(*process) || !entry->is_regular_file(unreadable)) continue;
         const fs::file_time_type written = entry->last_write_time(unreadable);
-        if (!unreadable) all.push_back({entry->path(), written});
+        if (!unreadable) all.push_back({entry->path(), written, scene_of(entry->path())});
     }
     std::sort(all.begin(), all.end(),
               [](const LeftBehind& a, const LeftBehind& b) { return a.written > b.written; });

@@ -43,15 +43,27 @@ void save_remembered(const std::filesystem::path& folder, const Remembered& reme
 
 // The autosave file of this process in `folder`: autosave-<host>-<pid>-<start of the process>.json.
 std::filesystem::path autosave_path(const std::filesystem::path& folder);
-// Writes the scene there, whole or not at all. Throws Error.
-void autosave(const std::filesystem::path& folder, const Document& document, const Stage& stage);
+// Writes the scene there, whole or not at all. `scene`: what it is (SceneName::path). Throws Error.
+void autosave(const std::filesystem::path& folder, const Document& document, const Stage& stage,
+              const std::string& scene);
 // To be called at an orderly end. Never throws.
 void remove_autosave(const std::filesystem::path& folder);
+
+// What a document is called: its input, or, of a recovered one, the scene that was autosaved.
+struct SceneName {
+    std::string path;  // absolute or builtin:<name>; "": nothing is open
+    bool recovered = false;
+};
+// Never throws.
+SceneName scene_name(const Document& document, const Stage& stage);
 
 struct LeftBehind {
     std::filesystem::path file;  // a scene file
     std::filesystem::file_time_type written;
+    std::string scene;  // as SceneName::path; "": the file does not say
 };
+// For the person: "The scene: /models/part.glb" and "Kept: 2026-11-30 16:53", a line each.
+std::string text_of_offer(const LeftBehind& left);
 // Autosave files of processes of this host that no longer live, the latest first. Never throws.
 std::vector<LeftBehind> autosaves_left_behind(const std::filesystem::path& folder);
 

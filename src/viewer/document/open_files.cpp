@@ -9,6 +9,7 @@
 #include "burnish/builtin_meshes.hpp"
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
+#include "burnish/layered_materials.hpp"
 #include "burnish/rig.hpp"
 #include "burnish/scene_file.hpp"
 #include "burnish/stage.hpp"
@@ -112,6 +113,11 @@ void need_input(Document& document) {
 void put_material(Document& document, std::string_view name, const std::string& file,
                   std::optional<int> material) {
     need_input(document);
+    // A whole material takes the place of what the same layer says, as it does of lower layers.
+    ParameterValues& layer = material ? document.material_values[*material] : document.values;
+    ParameterValues put;
+    put.set_value(name, file);
+    if (name == "maps" || name == "weave") layer = values_over(layer, put, std::nullopt);
     set_parameter(document, name, file, material);
 }
 

@@ -272,7 +272,8 @@ void write_json(const Json& json, int indent, std::string& out) {
     out += "\n" + margin.substr(2) + (json.is_array() ? "]" : "}");
 }
 
-std::string text_of_scene(const Document& document, const Stage& stage, const FileNames& files) {
+std::string text_of_scene(const Document& document, const Stage& stage, const FileNames& files,
+                          const std::string& autosave_of = {}) {
     require_valid(document);
     MaterialSets materials(stage, files);
     Json root;
@@ -290,8 +291,9 @@ std::string text_of_scene(const Document& document, const Stage& stage, const Fi
         root["parameters"] = std::move(parameters);
     const auto file_name = [&](const std::string& file) { return files.name(file); };
     const std::vector<Light> lights = all_lights(document, stage);
-    if (Json viewer = viewer_section(document, lights, file_name); !viewer.is_null())
-        root["viewer"] = std::move(viewer);
+    Json viewer = viewer_section(document, lights, file_name);
+    if (!autosave_of.empty()) viewer["scene"] = in_utf8(autosave_of);
+    if (!viewer.is_null()) root["viewer"] = std::move(viewer);
     std::string text;
     write_json(root, 0, text);
     return text + "\n";
@@ -304,9 +306,9 @@ std::string scene_text(const Document& document, const Stage& stage, const fs::p
 }
 
 void save_scene(const Document& document, const Stage& stage, const fs::path& where,
-                const fs::path& cache) {
+                const fs::path& cache, const std::string& autosave_of) {
     const FileNames files(where, cache);
-    const std::string text = text_of_scene(document, stage, files);
+    const std::string text = text_of_scene(document, stage, files, autosave_of);
     for (const auto& [from, to] : files.copies()) copy_scratches(from, to);
     write_text_file(where, text);
 }

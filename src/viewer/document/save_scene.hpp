@@ -22,8 +22,9 @@ std::string scene_text(const Document& document, const Stage& stage,
 // Written whole or not at all. Throws Error when it cannot be written. `cache`: folders of generated
 // scratches, of which the scene gets copies of its own, so that it lives without the cache:
 // "<name of the scene>.scratch/<name of the folder>" beside it. Without `cache` it names them where
-// they are.
+// they are. `autosave_of`: what the scene is that is autosaved here (SceneName::path), for the offer to
+// recover it; "": this is no autosave.
 void save_scene(const Document& document, const Stage& stage, const std::filesystem::path& where,
-                const std::filesystem::path& cache = {});
+                const std::filesystem::path& cache = {}, const std::string& autosave_of = {});
 
 }  // namespace burnish::viewer

@@ -99,7 +99,8 @@ ViewerSection read_viewer_section(const std::string& text, const std::string& fi
     const std::string where = file + ": viewer";
     const nlohmann::json json = parse_json(where, text);
     const JsonPlace root(where, json);
-    constexpr std::array<std::string_view, 3> kKeys = {"bookmarks", "compare", "dark_lights"};
+    constexpr std::array<std::string_view, 4> kKeys = {"bookmarks", "compare", "dark_lights",
+                                                       "scene"};
     root.require_object(kKeys);
     try {
         if (root.has("bookmarks")) {
@@ -114,6 +115,7 @@ ViewerSection read_viewer_section(const std::string& text, const std::string& fi
             section.compare =
                 read_compare(root.at("compare"), std::filesystem::absolute(file).parent_path());
         require_valid(section.compare);
+        if (root.has("scene")) section.scene = root.at("scene").text();
         if (root.has("dark_lights")) section.dark = read_dark(root.at("dark_lights"));
     } catch (const UsageError& error) {  // of the file, not of the command line
         const std::string line = error.what();

@@ -1,4 +1,4 @@
-// The member "viewer" of a scene file: bookmarks and compare settings. `burnish render` passes over
+// The member "viewer" of a scene file: bookmarks, compare settings, and what an autosaved scene was. `burnish render` passes over
 // it.
 //
 // Threads: functions may be called from any thread.
@@ -18,7 +18,8 @@ struct ViewerSection {
     std::vector<Bookmark> bookmarks;
     Compare compare;
     std::map<int, float>
-        dark;  // lights that are off, by index, and their intensities when they are on
+        dark;           // lights that are off, by index, and their intensities when they are on
+    std::string scene;  // of an autosaved scene: what it was, an absolute path or builtin:<name>
 };
 
 // Reads the text of the member; "" gives the defaults. Files that it names are relative to the folder of

@@ -20,7 +20,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kAutosave_s = 30.0;
-constexpr double kLook_s = 1.0;    // between looks at the files on disk
 constexpr double kSettle_s = 0.2;  // after the last motion the picture refines
 constexpr std::size_t kMostMessages = 200;
 constexpr double kMessage_s = 6.0;  // in the status bar
@@ -28,25 +27,6 @@ constexpr double kTurn_s = 12.0;    // a turn of the turntable
 
 double seconds_since(Clock::time_point t) {
     return std::chrono::duration<double>(Clock::now() - t).count();
-}
-
-// Files that the document names and that may change on disk.
-std::vector<std::string> files_of(const Document& document) {
-    std::vector<std::string> files;
-    const auto add = [&](const std::string& name) {
-        std::error_code error;
-        if (!name.empty() && std::filesystem::exists(name, error)) files.push_back(name);
-    };
-    add(document.input);
-    add(document.environment);
-    const auto add_values = [&](const ParameterValues& values) {
-        for (const auto& [name, value] : values.set_values())
-            if (const auto* text = std::get_if<std::string>(&value)) add(*text);
-    };
-    add_values(document.values);
-    for (const auto& [index, values] : document.material_values) add_values(values);
-    if (document.compare.materials) add(document.compare.materials->other);
-    return files;
 }
 
 }  // namespace
@@ -127,7 +107,7 @@ void App::require_context() {
     if (!window.context_was_reset()) return;
     std::string kept = "nothing was changed";
     if (!state_folder.empty() && editor.history().can_undo()) {
-        autosave(state_folder, document(), editor.stage());
+        autosave(state_folder, document(), editor.stage(), name_of_scene().path);
         keeps_autosave_ = true;
         kept = "the scene is kept, and the next start offers it";
     }
@@ -168,9 +148,11 @@ bool App::edit(std::string_view key, std::string_view name,
 void App::set_parameter(std::string_view name, const ParameterValue& value) {
     const Parameter* parameter = find_parameter(name);
     const bool own = parameter != nullptr && parameter->group == ParameterGroup::material;
-    edit(name, name, [&](Document& d) {
+    const std::vector<ParameterValues> before = editor.stage().materials.values();
+    const bool done = edit(name, name, [&](Document& d) {
         viewer::set_parameter(d, name, value, own ? material : std::nullopt);
     });
+    if (done && std::holds_alternative<std::string>(value)) say_taken_back(before);
     last_motion_ = Clock::now();
 }
 
@@ -211,7 +193,6 @@ void App::after_change() {
     if (material && static_cast<std::size_t>(*material) >= scene().materials.size())
         material.reset();
     if (object && static_cast<std::size_t>(*object) >= scene().instances.size()) object.reset();
-    watched_.clear();
 }
 
 // --- once a frame ---------------------------------------------------------------------------------
@@ -276,6 +257,7 @@ void App::update() {
     picture.set_moving(moving);
     if (second) second->picture.set_moving(moving);
     follow_files();
+    name_window();
     autosave_now_and_then();
 }
 
@@ -316,26 +298,6 @@ void App::reload_shaders() {
     }
 }
 
-void App::follow_files() {
-    if (seconds_since(last_look_) < kLook_s || loader_.running()) return;
-    last_look_ = Clock::now();
-    const bool known = !watched_.empty();
-    std::vector<std::pair<std::string, std::filesystem::file_time_type>> now;
-    for (const std::string& file : files_of(document())) {
-        std::error_code error;
-        const auto time = std::filesystem::last_write_time(file, error);
-        if (!error) now.emplace_back(file, time);
-    }
-    if (known && now != watched_ && now.size() == watched_.size()) {
-        say("a file has changed: read again");
-        load(document(), "reload",
-             [this](const Document&, Stage stage) { editor.reloaded(std::move(stage)); });
-    } else if (known && now.size() < watched_.size()) {
-        say("a file that is open is gone from disk: what was read stays");
-    }
-    watched_ = std::move(now);
-}
-
 void App::autosave_now_and_then() {
     if (state_folder.empty() || seconds_since(last_autosave_) < kAutosave_s) return;
     // Nothing to lose, or nothing new. The first change is kept at once.
@@ -343,7 +305,7 @@ void App::autosave_now_and_then() {
     if (dragging_ != Drag::none) return;
     last_autosave_ = Clock::now();
     try {
-        autosave(state_folder, document(), editor.stage());
+        autosave(state_folder, document(), editor.stage(), name_of_scene().path);
         autosaved_ = document();
     } catch (const Error& error) {
         say(error.what(), true);

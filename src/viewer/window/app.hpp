@@ -17,6 +17,7 @@
 #include "viewer/document/command_line.hpp"
 #include "viewer/document/editor.hpp"
 #include "viewer/document/keep.hpp"
+#include "viewer/document/watched_files.hpp"
 #include "viewer/inspect/inspector.hpp"
 #include "viewer/inspect/pick.hpp"
 #include "viewer/motion/navigation.hpp"
@@ -71,6 +72,12 @@ class App {
     void save_gltf(const std::filesystem::path& folder);
     // The folder that `burnish scratch` or `burnish weave` makes with the material's settings.
     void save_maps(const std::filesystem::path& folder);
+    // Of the window: "part.glb", "part.json (recovered)", "part.glb (gone from disk)".
+    const std::string& title() const { return title_; }
+    // What was saved under a name is called by it from then on.
+    SceneName name_of_scene();
+    // Files of the document that are not on disk, in a line; "" where all are there.
+    std::string missing_files() const { return line_of_missing(watched_.missing()); }
     void copy_command_line();
     // Of `burnish render`, for the scene as it was saved last.
     CommandLine command_line() const;
@@ -205,6 +212,8 @@ class App {
     void step_history(bool forward);
     void autosave_now_and_then();
     void follow_files();
+    void name_window();
+    void say_taken_back(const std::vector<ParameterValues>& before);
     void report_new_warnings();
     // Whether there is such a one; else a message says so.
     bool has_object(int index);
@@ -219,10 +228,14 @@ class App {
     Drag dragging_ = Drag::none;
     std::chrono::steady_clock::time_point last_motion_{}, last_autosave_{}, last_look_{},
         last_turn_{};
-    std::vector<std::pair<std::string, std::filesystem::file_time_type>> watched_;
+    WatchedFiles watched_;
+    std::string title_;                   // of the window now
+    SceneName input_name_;                // of the input
+    std::optional<std::uint64_t> named_;  // Revisions::scene, of which it is
     // What `second` was made of last, whether or not it could be.
     std::optional<std::pair<MaterialPair, std::uint64_t>> second_of_;
-    std::string saved_scene_;
+    std::string saved_scene_;                 // of this input; "": it was not saved
+    std::optional<Document> saved_document_;  // what the saved scene shows
     std::optional<Document> autosaved_;
     std::size_t errors_said_ = 0;
     std::string last_error_;

@@ -3,18 +3,30 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "burnish/builtin_meshes.hpp"
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "jobs/capture/capture_fit.hpp"
 #include "jobs/export_material.hpp"
 #include "jobs/render.hpp"
+#include "viewer/document/file_names.hpp"
 #include "viewer/document/load_stage.hpp"
 #include "viewer/document/open_files.hpp"
 #include "viewer/document/save_scene.hpp"
+#include "viewer/document/taken_back.hpp"
 #include "viewer/generate/save_maps.hpp"
 #include "viewer/window/app.hpp"
 
 namespace burnish::viewer {
+namespace {
+
+constexpr double kLook_s = 1.0;  // between looks at the files on disk
+
+double seconds_since(std::chrono::steady_clock::time_point t) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
+}
+
+}  // namespace
 
 void App::load(Document document, std::string name, std::function<void(Document, Stage)> adopt) {
     generator.cancel(*this);
@@ -23,7 +35,12 @@ void App::load(Document document, std::string name, std::function<void(Document,
         name, [wanted](const Progress& progress) { return load_stage(*wanted, progress); },
         [this, wanted, adopt = std::move(adopt)](Stage stage) {
             try {
+                const std::string before = this->document().input;
                 adopt(*wanted, std::move(stage));
+                if (this->document().input != before) {
+                    saved_scene_.clear();
+                    saved_document_.reset();
+                }
                 report_new_warnings();
                 after_change();
             } catch (const std::exception& error) {
@@ -120,8 +137,10 @@ void App::open(const std::vector<std::string>& dropped) {
                 picked.reset();
             });
         } else {
+            const std::vector<ParameterValues> before = editor.stage().materials.values();
             editor.set(std::move(next), {}, "open");
             report_new_warnings();
+            say_taken_back(before);
             after_change();
         }
     } catch (const std::exception& error) {
@@ -132,6 +151,7 @@ void App::open(const std::vector<std::string>& dropped) {
 void App::save_scene(const std::filesystem::path& path) {
     viewer::save_scene(document(), editor.stage(), path, generator.cache());
     saved_scene_ = path.string();
+    saved_document_ = document();
     add_recent(remembered, path.string());
     say("saved " + path.string());
 }
@@ -210,6 +230,42 @@ void App::save_maps(const std::filesystem::path& folder) {
         [this](const std::string& line) { say(line, true); });
 }
 
+SceneName App::name_of_scene() {
+    if (!saved_scene_.empty()) return {absolute_name(saved_scene_), false};
+    if (named_ != editor.revisions().scene) input_name_ = scene_name(document(), editor.stage());
+    named_ = editor.revisions().scene;
+    return input_name_;
+}
+
+void App::name_window() {
+    const SceneName scene = name_of_scene();
+    const bool is_file = !is_builtin(scene.path);
+    std::string title =
+        is_file ? std::filesystem::path(scene.path).filename().string() : scene.path;
+    if (scene.recovered) title += " (recovered)";
+    if (!watched_.missing().empty()) title += " (gone from disk)";
+    if (title == title_) return;
+    title_ = std::move(title);
+    window.set_title(title_.empty() ? "Burnish" : one_line(title_) + " - Burnish");
+}
+
+void App::follow_files() {
+    if (seconds_since(last_look_) < kLook_s || loader_.running()) return;
+    last_look_ = std::chrono::steady_clock::now();
+    const WatchedFiles::Changes changes = watched_.look(files_of(document(), editor.stage()));
+    if (!changes.gone.empty()) say(missing_files());
+    if (!changes.changed && changes.back.empty()) return;
+    say(changes.back.empty() ? "a file has changed: read again"
+                             : "a file is back on disk: read again");
+    load(document(), "reload",
+         [this](const Document&, Stage stage) { editor.reloaded(std::move(stage)); });
+}
+
+void App::say_taken_back(const std::vector<ParameterValues>& before) {
+    std::string line = line_of_taken_back(before, editor.stage().materials.values());
+    if (!line.empty()) say(std::move(line));
+}
+
 CommandLine App::command_line() const {
     const std::string scene = saved_scene_.empty() ? "scene.json" : saved_scene_;
     return render_command(document(), editor.stage(), scene, "picture.png");
@@ -218,7 +274,7 @@ CommandLine App::command_line() const {
 void App::copy_command_line() {
     const CommandLine command = command_line();
     window.set_clipboard(command.text());
-    if (command.needs_scene)
+    if (command.needs_scene && saved_document_ != document())
         say(fmt::format("copied: {} (save the scene there first: flags cannot say {})",
                         command.text(), command.reason));
     else

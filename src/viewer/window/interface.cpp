@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/text.hpp"
-#include "viewer/document/open_files.hpp"
+#include "viewer/document/value_in_effect.hpp"
 #include "viewer/window/file_dialog.hpp"
 #include "viewer/window/panels.hpp"
 #include "viewer/window/theme.hpp"
@@ -146,6 +146,10 @@ void status_bar(App& app) {
             last.text.c_str());
         return;
     }
+    if (const std::string missing = app.missing_files(); !missing.empty()) {
+        ImGui::TextColored({1.0f, 0.55f, 0.45f, 1}, "%s", missing.c_str());
+        return;
+    }
     const char* orbit = app.remembered.navigation == Navigation::blender ? "middle drag" : "drag";
     const std::string hint =
         app.editor.history().can_undo()
@@ -176,6 +180,7 @@ void recovery(App& app) {
         ImGuiCond_Appearing, {0.5f, 0.5f});
     if (!ImGui::BeginPopupModal("Recover", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
     ImGui::TextUnformatted("The last session ended without saving. Its scene was kept.");
+    ImGui::TextUnformatted(text_of_offer(*app.recovered).c_str());
     static constexpr std::pair<const char*, App::Recovery> kChoices[] = {
         {"Open it", App::Recovery::open},
         {"Later", App::Recovery::later},
@@ -217,7 +222,8 @@ void cycle_view(App& app) {
 
 void cycle_method(App& app) {
     const Parameter& p = *find_parameter("method");
-    const auto now = parameter_of(app.document(), "method", app.material);
+    const auto now =
+        value_in_effect(app.document(), app.editor.stage(), "method", app.material).value;
     const int index = now ? std::get<ParameterChoice>(*now).index : 0;
     app.set_parameter("method", ParameterChoice{(index + 1) % static_cast<int>(p.choices.size())});
     app.editor.close_step();
@@ -271,18 +277,16 @@ const std::vector<KeyBinding>& bindings() {
          [](App& a) { a.show_background(!a.shows_background()); }},
         {"g", "the ground's shadow",
          [](App& a) {
-             a.set_parameter("ground", !a.document().values.boolean("ground"));
+             a.set_parameter("ground", !a.editor.stage().settings.ground);
              a.editor.close_step();
          }},
         {"[", "darker by 1/3 EV",
          [](App& a) {
-             a.set_parameter("exposure",
-                             std::max(-20.0, a.document().values.real("exposure") - 1.0 / 3));
+             a.set_parameter("exposure", std::max(-20.0, a.editor.stage().exposure_ev - 1.0 / 3));
          }},
         {"]", "brighter by 1/3 EV",
          [](App& a) {
-             a.set_parameter("exposure",
-                             std::min(20.0, a.document().values.real("exposure") + 1.0 / 3));
+             a.set_parameter("exposure", std::min(20.0, a.editor.stage().exposure_ev + 1.0 / 3));
          }},
         {"tab", "panels away and back", [](App& a) { a.show_panels = !a.show_panels; }},
         {"1", "parameters", toggle<&Panels::parameters>},

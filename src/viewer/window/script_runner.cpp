@@ -18,6 +18,7 @@
 #include "core/machine.hpp"
 #include "scene/parameters/parameter_text.hpp"
 #include "viewer/document/file_names.hpp"
+#include "viewer/document/value_in_effect.hpp"
 #include "viewer/window/panels.hpp"
 
 namespace burnish::viewer {
@@ -300,8 +301,15 @@ void ScriptRunner::log(const std::string& name) const {
     std::string text;
     if (name == "command_line") {
         text = app_.command_line().text();
+    } else if (name == "title") {
+        text = app_.title();
+    } else if (name == "message") {
+        if (!app_.messages.empty()) text = app_.messages.back().text;
+    } else if (name == "missing_files") {
+        text = app_.missing_files();
     } else if (const Parameter* parameter = find_parameter(name)) {
-        const auto value = parameter_of(app_.document(), name, app_.material);
+        const auto value =
+            value_in_effect(app_.document(), app_.editor.stage(), name, app_.material).value;
         text = value ? text_of(*parameter, *value) : "the input's";
     } else {
         text = fmt::format("{:.6g}", measured(name));
@@ -317,7 +325,9 @@ void ScriptRunner::expect(const ExpectCommand& command) {
                     command.value);
     if (command.name == "error") fail("expected an error of the command before, found none");
     if (find_parameter(command.name) != nullptr) {
-        const auto value = parameter_of(app_.document(), command.name, app_.material);
+        const auto value =
+            value_in_effect(app_.document(), app_.editor.stage(), command.name, app_.material)
+                .value;
         const std::string text = value ? text_of(*find_parameter(command.name), *value) : "";
         if (!meets(command, text) &&
             !(command.number && value && std::holds_alternative<double>(*value) &&

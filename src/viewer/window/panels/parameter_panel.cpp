@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/trigonometric.hpp>
 #include <map>
 
 #include "burnish/draft.hpp"
 #include "burnish/image_io.hpp"
 #include "burnish/scratch_settings.hpp"
+#include "viewer/document/value_in_effect.hpp"
 #include "viewer/window/panels.hpp"
 
 namespace burnish::viewer {
@@ -87,7 +87,8 @@ std::string fitted(std::string text, float width) {
 
 // Words that a text parameter takes beside files.
 std::vector<std::string> words_of(std::string_view name) {
-    std::vector<std::string> words{"none"};
+    std::vector<std::string> words;
+    if (name != "scratch") words.emplace_back("none");  // the one that has no such word
     const auto add = [&](std::span<const std::string_view> names) {
         words.insert(words.end(), names.begin(), names.end());
     };
@@ -95,34 +96,6 @@ std::vector<std::string> words_of(std::string_view name) {
     if (name == "weave") add(draft_names());
     if (name == "normal_map") words.emplace_back("builtin:bumps");
     return words;
-}
-
-// The value that the file gives where nobody has set one.
-std::optional<ParameterValue> of_file(const App& app, std::string_view name) {
-    const Scene& scene = app.scene();
-    if (scene.materials.empty()) return std::nullopt;
-    const auto index = static_cast<std::size_t>(app.material.value_or(0));
-    const Material& m = scene.materials[index];
-    if (name == "alpha_x" || name == "alpha_y")
-        if (const auto alpha = stated_alpha(m))
-            return static_cast<double>(name == "alpha_x" ? alpha->x : alpha->y);
-    if (const GltfLobe* lobe = gltf_lobe_of(m)) {
-        if (name == "roughness") return static_cast<double>(lobe->roughness);
-        if (name == "anisotropy") return static_cast<double>(lobe->anisotropy_strength);
-    }
-    if (name == "anisotropy_rotation")
-        return glm::degrees(static_cast<double>(m.anisotropy_rotation));
-    if (name == "metallic") return static_cast<double>(m.metallic);
-    if (name == "base_color") return glm::vec3(m.base_color);
-    if (name == "f0") return static_cast<double>(m.dielectric_f0);
-    if (name == "normal_scale") return static_cast<double>(m.normal_scale);
-    if (name == "flip_green") return m.flip_green;
-    if (name == "double_sided") return m.double_sided;
-    if (name == "uv_scale") return 1.0;
-    if (name == "metal") return ParameterChoice{0};
-    if (name == "camera_position") return app.editor.stage().camera.position;
-    if (name == "camera_target") return app.editor.stage().camera.target;
-    return std::nullopt;
 }
 
 // Whether a warning says that the value changes nothing now: "name: why: nothing changes".
@@ -142,7 +115,7 @@ std::string idle_reason(const App& app, std::string_view name) {
     return {};
 }
 
-void tooltip(const Parameter& p, bool set, const std::string& idle) {
+void tooltip(const App& app, const Parameter& p, bool set, const std::string& idle) {
     if (!ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
@@ -156,6 +129,8 @@ void tooltip(const Parameter& p, bool set, const std::string& idle) {
     if (p.kind == ParameterKind::color)
         ImGui::TextDisabled("sRGB here, as displays have it; linear in scripts, flags and files");
     ImGui::TextDisabled("%s%s", flag_of(p.name).c_str(), set ? " (set)" : "");
+    if (!app.material && materials_differ(app.editor.stage(), p))
+        ImGui::TextDisabled("materials have different values: this is one of them");
     const std::string_view paper = paper_of(p.name);
     if (!paper.empty()) ImGui::TextDisabled("%s", std::string(paper).c_str());
     if (!idle.empty()) ImGui::TextColored({0.95f, 0.75f, 0.4f, 1}, "%s", idle.c_str());
@@ -188,11 +163,11 @@ bool real_widget(const Parameter& p, double& value) {
     return changed;
 }
 
-bool text_widget(const Parameter& p, std::string& value) {
+bool text_widget(const Parameter& p, const char* hint, std::string& value) {
     const float button = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - button - ImGui::GetStyle().ItemInnerSpacing.x);
-    bool changed = ImGui::InputTextWithHint("##v", "drop a file, or pick", &value,
-                                            ImGuiInputTextFlags_EnterReturnsTrue);
+    bool changed =
+        ImGui::InputTextWithHint("##v", hint, &value, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("##words", ImGuiDir_Down)) ImGui::OpenPopup("words");
     if (ImGui::BeginPopup("words")) {
@@ -206,7 +181,7 @@ bool text_widget(const Parameter& p, std::string& value) {
     return changed;
 }
 
-bool widget(const Parameter& p, ParameterValue& value) {
+bool widget(const Parameter& p, const char* hint, ParameterValue& value) {
     switch (p.kind) {
         case ParameterKind::real:
             return real_widget(p, std::get<double>(value));
@@ -250,29 +225,25 @@ bool widget(const Parameter& p, ParameterValue& value) {
                                      static_cast<float>(p.high), "%.3g");
         }
         case ParameterKind::text:
-            return text_widget(p, std::get<std::string>(value));
+            return text_widget(p, hint, std::get<std::string>(value));
     }
     return false;
 }
 
-ParameterValue start_value(const Parameter& p) {
-    switch (p.kind) {
-        case ParameterKind::real:
-            return std::clamp(p.low > 0 ? std::sqrt(p.low * p.high) : 0.0, p.low, p.high);
-        case ParameterKind::integer:
-            return static_cast<int>(p.low);
-        case ParameterKind::boolean:
-            return false;
-        case ParameterKind::choice:
-            return ParameterChoice{};
-        case ParameterKind::color:
-            return glm::vec3(0.5f);
-        case ParameterKind::vector:
-            return glm::vec3(0.0f);
-        case ParameterKind::text:
-            return std::string();
-    }
-    return 0.0;
+// What stands in the line of a text that names no file.
+const char* hint_of(const App& app, const ValueInEffect& now) {
+    if (now.value) return "drop a file, or pick";
+    const auto index = static_cast<std::size_t>(app.material.value_or(0));
+    const std::vector<ParameterValues>& values = app.editor.stage().materials.values();
+    return index < values.size() && names_one(values[index], "maps") ? "of the folder of maps"
+                                                                     : "the model's own";
+}
+
+// What holds once the document does not set the parameter.
+std::string below(const App& app, const Parameter& p) {
+    const bool of_input = p.group == ParameterGroup::material || p.default_text.empty() ||
+                          app.editor.stage().file.values.is_set(p.name);
+    return of_input ? "what the input says" : "the default, " + p.default_text;
 }
 
 void row(App& app, const Parameter& p) {
@@ -280,16 +251,13 @@ void row(App& app, const Parameter& p) {
     ImGui::PushID(name.c_str());
     const bool material = p.group == ParameterGroup::material;
     const std::optional<int> own = material ? app.material : std::nullopt;
-    const Document& document = app.document();
-    const auto layer = own ? document.material_values.find(*own) : document.material_values.end();
-    const bool set_here =
-        own ? layer != document.material_values.end() && layer->second.is_set(name)
-            : document.values.is_set(name);
-    std::optional<ParameterValue> value = parameter_of(document, name, own);
-    const bool known = value.has_value();
-    if (!value) value = of_file(app, name);
-    const bool shown = value.has_value();
-    ParameterValue edited = shown ? *value : start_value(p);
+    const ValueInEffect now = value_in_effect(app.document(), app.editor.stage(), name, own);
+    const bool set_here = now.set_here;
+    ParameterValue edited =
+        now.value ? *now.value : start_value(app.document(), app.editor.stage(), p, own);
+    // Where no file is named the line is empty, with its hint.
+    if (!set_here && p.kind == ParameterKind::text && edited == ParameterValue(std::string("none")))
+        edited = std::string();
 
     const std::string idle = idle_reason(app, name);
     const float label_width = ImGui::GetFontSize() * 8.6f;
@@ -300,30 +268,27 @@ void row(App& app, const Parameter& p) {
         ImGui::TextUnformatted(label.c_str());
     else
         ImGui::TextDisabled("%s", label.c_str());
-    tooltip(p, set_here, idle);
+    tooltip(app, p, set_here, idle);
     ImGui::SameLine(label_width);
     const float reset = set_here ? ImGui::GetFrameHeight() : 0.0f;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - reset -
                             (set_here ? ImGui::GetStyle().ItemInnerSpacing.x : 0.0f));
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - reset -
                          (set_here ? ImGui::GetStyle().ItemInnerSpacing.x : 0.0f));
-    if (!known && !shown && p.kind == ParameterKind::real) {
-        // Nobody states it: a press begins to.
+    if (!now.value && p.kind == ParameterKind::real) {
+        // No number says what is drawn: a press begins with one that is close to it.
         if (ImGui::Button("not set", {ImGui::CalcItemWidth(), 0})) app.set_parameter(name, edited);
-    } else if (widget(p, edited)) {
+    } else if (widget(p, hint_of(app, now), edited)) {
         app.set_parameter(name, edited);
     }
     ImGui::PopItemWidth();
     if (ImGui::IsItemDeactivated()) app.editor.close_step();
-    tooltip(p, set_here, idle);
+    tooltip(app, p, set_here, idle);
     if (!idle.empty()) ImGui::PopStyleVar();
     if (set_here) {
         ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0})) app.unset_parameter(name);
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("back to %s", p.default_text.empty()
-                                                ? "what the file says"
-                                                : ("the default, " + p.default_text).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to %s", below(app, p).c_str());
     }
     ImGui::PopID();
 }
@@ -344,10 +309,11 @@ bool matches(const Parameter& p, const std::string& search) {
 // Parameters that belong to another which says nothing are left out: yarns without a weave.
 bool is_reachable(const App& app, const Parameter& p) {
     if (p.belongs_to.empty()) return true;
-    const auto above = parameter_of(app.document(), p.belongs_to, app.material);
+    const std::optional<ParameterValue> above =
+        value_in_effect(app.document(), app.editor.stage(), p.belongs_to, app.material).value;
     if (above)
         if (const auto* text = std::get_if<std::string>(&*above))
-            return !text->empty() && *text != "none";
+            if (!text->empty() && *text != "none") return true;
     if (p.belongs_to == "weave")
         return std::ranges::any_of(app.scene().materials,
                                    [](const Material& m) { return cloth_of(m) != nullptr; });

@@ -215,8 +215,11 @@ bool is_panorama_file(const std::string& path) {
 void environment_choice(App& app) {
     const std::string now = app.document().environment;
     std::string name = now;
-    const std::string shown = now.empty() ? "of the file, else builtin:studio"
-                                          : std::filesystem::path(now).filename().string();
+    const std::string of_file = app.editor.stage().file.environment;
+    const std::string used = !now.empty()      ? now
+                             : of_file.empty() ? std::string(kDefaultEnvironment)
+                                               : of_file;
+    const std::string shown = std::filesystem::path(used).filename().string();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 4.2f * ImGui::GetFontSize());
     if (ImGui::BeginCombo("##environment", shown.c_str())) {
         if (ImGui::Selectable("of the file, else builtin:studio", now.empty())) name.clear();
@@ -230,7 +233,9 @@ void environment_choice(App& app) {
         }
         ImGui::EndCombo();
     }
-    if (ImGui::IsItemHovered() && !now.empty()) ImGui::SetTooltip("%s", now.c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s%s", used.c_str(),
+                          now.empty() ? " (of the file, or the default)" : "");
     if (name != now) app.set_environment(name);
     ImGui::SameLine();
     if (ImGui::Button("file ...", {-1, 0}))
@@ -240,7 +245,7 @@ void environment_choice(App& app) {
 void environment(App& app) {
     environment_choice(app);
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
-    const ParameterValues& values = app.document().values;
+    const ParameterValues& values = app.editor.stage().values;  // those of a scene file too
     auto turn = static_cast<float>(values.real("environment_rotation"));
     if (ImGui::SliderFloat("rotation", &turn, -180, 180, "%.1f deg"))
         app.set_parameter("environment_rotation", static_cast<double>(turn));
@@ -297,8 +302,8 @@ void scene_panel(App& app) {
     for (const Instance& i : scene.instances)
         if (i.mesh >= 0)
             triangles += scene.meshes[static_cast<std::size_t>(i.mesh)].indices.size() / 3;
-    ImGui::TextUnformatted(std::filesystem::path(app.document().input).filename().c_str());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", app.document().input.c_str());
+    ImGui::TextUnformatted(app.title().c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", app.name_of_scene().path.c_str());
     ImGui::TextDisabled("%s, %s", plural(scene.instances.size(), "object").c_str(),
                         plural(triangles, "triangle").c_str());
     constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
@@ -322,6 +327,12 @@ void scene_panel(App& app) {
 }
 
 void message_panel(App& app) {
+    if (const std::string missing = app.missing_files(); !missing.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1});
+        ImGui::TextWrapped("true now: %s", missing.c_str());
+        ImGui::PopStyleColor();
+        ImGui::Separator();
+    }
     for (auto it = app.messages.rbegin(); it != app.messages.rend(); ++it) {
         if (it->is_error) ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1});
         ImGui::TextWrapped("%s", it->text.c_str());
