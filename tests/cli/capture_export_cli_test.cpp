@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "burnish/load_model.hpp"
 #include "burnish/image_io.hpp"
+#include "burnish/load_model.hpp"
 #include "burnish/relight.hpp"
 #include "burnish/tabulated_file.hpp"
 #include "capture/tabulate_sample.hpp"

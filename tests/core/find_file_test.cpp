@@ -111,7 +111,7 @@ TEST_F(FindFile, NamesThatAreNoPathsFindNothing) {
 }
 
 TEST_F(FindFile, NamesOfOldEncodingsAreComparedAsText) {
-    folder_.write("model/K\xF6per.png", "x");      // Windows-1252
+    folder_.write("model/K\xF6per.png", "x");        // Windows-1252
     folder_.write("model/Gew\xC3\xB6lbe.png", "x");  // UTF-8
     EXPECT_NE(found("K\xC3\xB6per.png"), "nothing");
     EXPECT_NE(found("Gew\xF6lbe.png"), "nothing");

@@ -27,8 +27,7 @@ Stage load_stage(const Document& document, const Progress& progress) {
     stage.environment = load_environment_of(stage, document.input, document.environment,
                                             stage.warnings.environment);
     set_values_of_picture(stage, false);
-    warn_of_idle_values(stage.values, stage.environment, stage.scene.lights,
-                        stage.warnings.values);
+    warn_of_idle_values(stage.values, stage.environment, stage.scene.lights, stage.warnings.values);
     for (std::string& line : warnings_of_missing(document, stage))
         stage.warnings.values.push_back(std::move(line));
     hide_instances(stage, document.hidden);
