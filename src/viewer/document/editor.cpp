@@ -157,7 +157,7 @@ void Editor::update_to(const Document& document) {
 // Takes a stage in which its document hides what it hides.
 void Editor::adopt(Stage stage) {
     stage_ = std::move(stage);
-    if (aspect_) stage_.camera = camera_for(stage_.values, stage_.settings);
+    if (aspect_) stage_.camera = camera_of(*aspect_);
     new_warnings_ = stage_.scene.warnings;
     checked_normal_maps_ = normal_maps_of(stage_.scene);
     for (std::uint64_t* revision :
@@ -168,11 +168,11 @@ void Editor::adopt(Stage stage) {
 }
 
 // All instances count, as in change_to.
-Camera Editor::camera_for(const ParameterValues& values, const RenderSettings& settings) {
+Camera Editor::camera_of(double aspect) {
     std::vector<int> meshes;
     for (const Instance& instance : stage_.scene.instances) meshes.push_back(instance.mesh);
     hide_instances(stage_, {});
-    const Camera camera = place_camera(stage_.scene, values, aspect_.value_or(aspect_of(settings)));
+    const Camera camera = place_camera(stage_.scene, stage_.values, aspect);
     for (std::size_t i = 0; i < meshes.size(); ++i) stage_.scene.instances[i].mesh = meshes[i];
     return camera;
 }
@@ -181,7 +181,7 @@ void Editor::set_aspect(double aspect) {
     if (aspect_ == aspect) return;
     aspect_ = aspect;
     if (stage_.scene.instances.empty()) return;
-    const Camera camera = camera_for(stage_.values, stage_.settings);
+    const Camera camera = camera_of(aspect);
     if (camera == stage_.camera) return;
     stage_.camera = camera;
     ++revisions_.camera;

@@ -84,6 +84,8 @@ class Editor {
     // frames the scene in it. At first that of the settings.
     void set_aspect(double aspect);
     std::optional<double> aspect() const { return aspect_; }
+    // The camera of a picture of another shape.
+    Camera camera_of(double aspect);
 
     // Files have changed on disk: reads everything that the document names again.
     void reload(const Progress& progress = {});
@@ -97,7 +99,6 @@ class Editor {
     void update_to(const Document& document);
     void apply_materials(const Document& document, const ParameterValues& values);
     void replace_warnings();
-    Camera camera_for(const ParameterValues& values, const RenderSettings& settings);
 
     History history_;
     Stage stage_;

@@ -169,10 +169,10 @@ Image App::drawn(const Camera& camera, int width, int height, bool linear) {
 }
 
 void App::save_picture(const std::filesystem::path& path, std::optional<Size> size) {
-    write_image(path,
-                drawn(editor.stage().camera, size ? size->width : picture_width,
-                      size ? size->height : picture_height, holds_linear(path)),
-                {});
+    const int width = size ? size->width : picture_width;
+    const int height = size ? size->height : picture_height;
+    const Camera camera = editor.camera_of(static_cast<double>(width) / height);
+    write_image(path, drawn(camera, width, height, holds_linear(path)), {});
     say("saved " + path.string());
 }
 

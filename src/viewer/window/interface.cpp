@@ -475,7 +475,9 @@ void draw_interface(App& app) {
     const float height = screen.y - top - m.status;
     const float left = left_side(app, top, m.left, height);
     // One width for all tabs: the picture stays where it is when another is opened.
-    const float right = right_side(app, screen.x - m.right, top, m.right, height);
+    // In a small window it is as narrow as the left panel.
+    const float side = std::clamp(screen.x - left - m.right, m.left, m.right);
+    const float right = right_side(app, screen.x - side, top, side, height);
     app.picture_x = static_cast<int>(left);
     app.picture_y = static_cast<int>(top);
     app.picture_width = std::max(16, static_cast<int>(screen.x - left - right));
