@@ -27,9 +27,13 @@ set method normal-map
 view highlight-error
 wait rest
 screenshot $folder/view-error.png
+view albedo
+compare split normal-map follow-grain rotate-approx deform-smooth
+wait rest
+screenshot $folder/view-albedo.png
 END
 xvfb-run -a -s "-screen 0 1280x720x24" "$view" --size 1280x720 --state none --script "$folder/script.txt"
-for name in view-first view-split view-lobe view-error; do
+for name in view-first view-split view-lobe view-error view-albedo; do
     oiiotool "$folder/$name.png" --resize 960x540 -o "$folder/small.ppm"
     # cjpeg writes no metadata, which a test asks for.
     cjpeg -quality 80 "$folder/small.ppm" >"docs/images/$name.jpg"
