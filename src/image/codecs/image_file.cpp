@@ -11,6 +11,7 @@
 #include "burnish/error.hpp"
 #include "core/files.hpp"
 #include "image/codecs/exr_channels.hpp"
+#include "image/codecs/heif_size.hpp"
 #include "image/codecs/read_limits.hpp"
 #include "image/guard/container_checks.hpp"
 #include "image/guard/png_chunks.hpp"
@@ -102,6 +103,8 @@ ImageFile::ImageFile(const CheckedFile& file)
     open();
     if (format_ == ImageFormat::exr) choose_part();
     check_spec(file.bytes.size());
+    if (format_ == ImageFormat::heif || format_ == ImageFormat::avif)
+        require_heif_size(file.bytes, spec_.width, spec_.height, name_);
 }
 
 void ImageFile::open() {
