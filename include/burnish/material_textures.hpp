@@ -14,13 +14,16 @@
 
 namespace BURNISH_API burnish {
 
+// Whether a surface of this specular colour may be a dielectric: its luminance is at most 0.17 (diamond).
+bool is_dielectric(const std::array<float, 3>& specular);
+
 // The reflectance at normal incidence that one KHR_materials_ior gives all dielectrics of a material: the
-// mean luminance of `specular` over texels that may be dielectrics, those up to 0.17 (diamond); 0.04,
-// which is glTF's own, where there are none.
+// mean luminance of `specular` over the texels that may be dielectrics; 0.04, which is glTF's own, where
+// there are none.
 float dielectric_f0_of(const TabulatedMaterial& material);
 
-// What glTF's metallic-roughness model says of a diffuse and a specular colour. Up to a luminance of 0.17
-// of `specular` it is a dielectric of the reflectance `f0`: base = diffuse. Else
+// What glTF's metallic-roughness model says of a diffuse and a specular colour. A dielectric has
+// the reflectance `f0`: base = diffuse. Else
 //   diffuse = base (1 - metallic),  specular = f0 (1 - metallic) + base metallic
 // solved for luminances, then base for each channel by least squares, clamped to 0..1. No metal
 // reflects so little, and a mixture would take its color from the specular one.

@@ -52,10 +52,10 @@ struct Bounds {
 // origin when none is left.
 Bounds bounds_of(const Mesh& mesh);
 
-// About `triangles` triangles, or more where its topology asks for them, that stand for those of the mesh: three
-// indices each into its vertices, in an order that is quick to draw. Edges are collapsed in the order of their quadric
-// error (Garland and Heckbert 1997, by meshoptimizer); borders and seams of texture coordinates stay
-// closed. Empty where the mesh has no more than `triangles`.
+// A coarse form of the mesh: about `triangles` triangles, as three indices each into its vertices, in an
+// order that is quick to draw. There are more triangles where its topology allows no fewer. Edges are
+// collapsed in the order of their quadric error (Garland and Heckbert 1997, by meshoptimizer); borders and
+// seams of texture coordinates stay closed. Empty where the mesh has no more than `triangles`.
 std::vector<std::uint32_t> coarse_indices(const Mesh& mesh, std::size_t triangles);
 
 }  // namespace burnish

@@ -83,8 +83,8 @@ struct RenderSettings {
     SurfacePass surface_pass = SurfacePass::automatic;
     SurfaceView view = SurfaceView::radiance;
     std::optional<Method> method;  // of all materials, in place of their own
-    // Meshes by the coarse triangles that Renderer::set_coarse_mesh gave them, and the shadow on the
-    // ground of few lights where it has to be made: pictures of a scene in motion.
+    // For pictures of a scene in motion: draws each mesh by its coarse triangles
+    // (Renderer::set_coarse_mesh), and makes a missing shadow on the ground from few lights.
     bool coarse = false;
 
     bool operator==(const RenderSettings&) const = default;

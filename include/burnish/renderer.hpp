@@ -118,8 +118,8 @@ class Renderer {
 
     int add_mesh(const Mesh& mesh);
     void update_mesh(int id, const Mesh& mesh);
-    // Triangles that stand for those of the mesh in pictures with RenderSettings::coarse: indices of
-    // its vertices, three each, as coarse_indices gives them. Empty: its own. They stay with the mesh
+    // Sets the triangles by which pictures with RenderSettings::coarse draw the mesh: three indices
+    // each into its vertices, as coarse_indices returns them. Empty: the mesh's own. They stay with the mesh
     // on the device: set_scene keeps them for equal meshes. Ends series that are coarse.
     void set_coarse_mesh(int id, std::span<const std::uint32_t> indices);
 

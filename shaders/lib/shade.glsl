@@ -103,13 +103,23 @@ vec3 reflected_by_surface(Surface s, Shading m, Frame a) {
 #endif
 }
 
-// Radiance and alpha, premultiplied when BLEND.
-vec4 shade(Surface s) {
+// What is known of the surface. A masked one ends here where it has a hole.
+Shading shading_of_visible(Surface s) {
     Shading m = shading_at(s);
 #ifdef MASK
     if (m.alpha < u_alpha_cutoff) { discard; }
 #endif
-    Frame a = surface_frame(s.normal, s.tangent.xyz, s.tangent.w, s.front ? 1.0 : -1.0, s.to_eye);
+    return m;
+}
+
+Frame frame_of(Surface s) {
+    return surface_frame(s.normal, s.tangent.xyz, s.tangent.w, s.front ? 1.0 : -1.0, s.to_eye);
+}
+
+// Radiance and alpha, premultiplied when BLEND.
+vec4 shade(Surface s) {
+    Shading m = shading_of_visible(s);
+    Frame a = frame_of(s);
     vec3 radiance = emission_at(s) + reflected_by_surface(s, m, a);
 #ifdef BLEND
     float coverage = finite_coverage(m.alpha);

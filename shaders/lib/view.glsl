@@ -5,12 +5,7 @@
 #ifdef FURNACE
 
 vec3 surface_view(Surface s) {
-    Shading m = shading_at(s);
-#ifdef MASK
-    if (m.alpha < u_alpha_cutoff) { discard; }
-#endif
-    Frame a = surface_frame(s.normal, s.tangent.xyz, s.tangent.w, s.front ? 1.0 : -1.0, s.to_eye);
-    return finite_radiance(reflected_by_surface(s, m, a));
+    return finite_radiance(reflected_by_surface(s, shading_of_visible(s), frame_of(s)));
 }
 
 #else
@@ -89,11 +84,8 @@ vec3 color_of_finiteness(vec3 radiance) {
 }
 
 vec3 surface_view(Surface s) {
-    Shading m = shading_at(s);
-#ifdef MASK
-    if (m.alpha < u_alpha_cutoff) { discard; }
-#endif
-    Frame a = surface_frame(s.normal, s.tangent.xyz, s.tangent.w, s.front ? 1.0 : -1.0, s.to_eye);
+    Shading m = shading_of_visible(s);
+    Frame a = frame_of(s);
     if (u_view == kViewNotFinite) { return color_of_finiteness(emission_at(s) + reflected_by_surface(s, m, a)); }
     vec2 place = s.uv.xy;
 #ifdef CLOTH

@@ -99,7 +99,7 @@ QuadMaterial gltf_material_text(const GltfMaterial& baked, const Material& sourc
     extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", 1.0},
                                               {"anisotropyTexture", texture(m.anisotropy_texture)}};
     // 0.04 is glTF's own.
-    if (m.dielectric_f0 != 0.04f) {
+    if (m.dielectric_f0 != kGltfF0) {
         extensions["KHR_materials_ior"] = {{"ior", ior_of(m.dielectric_f0)}};
         out.extensions.emplace_back("KHR_materials_ior");
     }

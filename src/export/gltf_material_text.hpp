@@ -9,6 +9,9 @@
 
 namespace burnish {
 
+// The reflectance at normal incidence of glTF's dielectrics without KHR_materials_ior.
+inline constexpr float kGltfF0 = 0.04f;
+
 // The refractive index whose reflectance at normal incidence is f0, as KHR_materials_ior states it: 0
 // where that is 1.
 float ior_of(float f0);

@@ -8,12 +8,12 @@
 #include "burnish/f32.hpp"
 #include "burnish/image_io.hpp"
 #include "core/constants.hpp"
+#include "export/gltf_material_text.hpp"
 
 namespace burnish {
 
 namespace {
 
-constexpr float kGltfF0 = 0.04f;               // without KHR_materials_ior
 constexpr float kBrightestDielectric = 0.17f;  // diamond, of refractive index 2.42
 
 using Rgb = std::array<float, 3>;
@@ -41,14 +41,18 @@ bool is_outside(const TabulatedMaterial& m, std::size_t texel) {
 
 }  // namespace
 
+bool is_dielectric(const Rgb& specular) {
+    return luminance(specular) <= kBrightestDielectric;
+}
+
 float dielectric_f0_of(const TabulatedMaterial& m) {
     double sum = 0;
     std::size_t count = 0;
     for (std::size_t t = 0; t < m.texels(); ++t) {
         if (is_outside(m, t)) continue;
-        const float s = luminance(rgb_at(m.specular, t));
-        if (s > kBrightestDielectric) continue;
-        sum += static_cast<double>(s);
+        const Rgb s = rgb_at(m.specular, t);
+        if (!is_dielectric(s)) continue;
+        sum += static_cast<double>(luminance(s));
         ++count;
     }
     return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : kGltfF0;
@@ -56,7 +60,7 @@ float dielectric_f0_of(const TabulatedMaterial& m) {
 
 MetallicColor metallic_color(const Rgb& diffuse, const Rgb& specular, float f0) {
     MetallicColor out;
-    if (luminance(specular) <= kBrightestDielectric) {
+    if (is_dielectric(specular)) {
         for (std::size_t c = 0; c < 3; ++c) out.base[c] = std::clamp(diffuse[c], 0.0f, 1.0f);
         return out;
     }

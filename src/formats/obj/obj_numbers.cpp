@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "burnish/error.hpp"
+#include "core/text.hpp"
 #include "formats/model_limits.hpp"
 
 namespace burnish {
@@ -52,8 +53,7 @@ std::optional<std::int64_t> index_of(std::string_view text) {
 
 std::string with_count(const std::string& first, std::size_t lines) {
     return lines == 1 ? first
-                      : fmt::format("{} (and {} more such line{})", first, lines - 1,
-                                    lines == 2 ? "" : "s");
+                      : fmt::format("{} (and {})", first, plural(lines - 1, "more such line"));
 }
 
 }  // namespace

@@ -5,9 +5,6 @@
 
 #include <memory>
 
-#include "burnish/error.hpp"
-#include "core/text.hpp"
-
 namespace burnish {
 namespace {
 
@@ -22,30 +19,25 @@ using ImageOwner = std::unique_ptr<heif_image, Release>;
 
 }  // namespace
 
-void require_heif_size(std::span<const std::byte> bytes, int width, int height,
-                       const std::string& name) {
-    const auto require = [&](const heif_error& error) {
-        if (error.code == heif_error_Ok) return;
-        throw Error(name, "", "a readable HEIF or AVIF image",
-                    one_line(error.message) + ": convert it to PNG, if other programs show it");
-    };
+std::string heif_size_fault(std::span<const std::byte> bytes, int width, int height) {
     const ContextOwner context(heif_context_alloc());
-    require(heif_context_read_from_memory_without_copy(context.get(), bytes.data(), bytes.size(),
-                                                       nullptr));
+    heif_error error = heif_context_read_from_memory_without_copy(context.get(), bytes.data(),
+                                                                  bytes.size(), nullptr);
+    if (error.code != heif_error_Ok) return error.message;
     heif_image_handle* handle = nullptr;
-    require(heif_context_get_primary_image_handle(context.get(), &handle));
+    error = heif_context_get_primary_image_handle(context.get(), &handle);
     const HandleOwner handle_owner(handle);
+    if (error.code != heif_error_Ok) return error.message;
     heif_image* image = nullptr;
-    require(heif_decode_image(handle, &image, heif_colorspace_RGB, heif_chroma_interleaved_RGB,
-                              nullptr));
+    error = heif_decode_image(handle, &image, heif_colorspace_RGB, heif_chroma_interleaved_RGB,
+                              nullptr);
     const ImageOwner image_owner(image);
+    if (error.code != heif_error_Ok) return error.message;
     const int decoded_width = heif_image_get_width(image, heif_channel_interleaved);
     const int decoded_height = heif_image_get_height(image, heif_channel_interleaved);
-    if (decoded_width == width && decoded_height == height) return;
-    throw Error(name, "",
-                fmt::format("a picture of {} x {} pixels, as its header states", width, height),
-                fmt::format("{} x {}: convert it to PNG, if other programs show it", decoded_width,
-                            decoded_height));
+    if (decoded_width == width && decoded_height == height) return "";
+    return fmt::format("a frame of {} x {} pixels under a header of {} x {}", decoded_width,
+                       decoded_height, width, height);
 }
 
 }  // namespace burnish

@@ -7,10 +7,9 @@
 
 namespace burnish {
 
-// Throws Error unless the picture has the size that its header states: OpenImageIO 2.4 makes rows of the
-// stated size and copies them from a picture of the decoded one, beyond its end where that is smaller.
-// Decodes the picture.
-void require_heif_size(std::span<const std::byte> bytes, int width, int height,
-                       const std::string& name);
+// Decodes the picture and compares its size with the one that its header states. Returns "" where they agree,
+// else the fault in words. OpenImageIO 2.4 makes rows of the stated size and copies them from the decoded
+// picture, beyond its end where that is smaller.
+std::string heif_size_fault(std::span<const std::byte> bytes, int width, int height);
 
 }  // namespace burnish

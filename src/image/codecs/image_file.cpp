@@ -103,8 +103,9 @@ ImageFile::ImageFile(const CheckedFile& file)
     open();
     if (format_ == ImageFormat::exr) choose_part();
     check_spec(file.bytes.size());
-    if (format_ == ImageFormat::heif || format_ == ImageFormat::avif)
-        require_heif_size(file.bytes, spec_.width, spec_.height, name_);
+    if (format_ != ImageFormat::heif && format_ != ImageFormat::avif) return;
+    const std::string fault = heif_size_fault(file.bytes, spec_.width, spec_.height);
+    if (!fault.empty()) fail(fault);
 }
 
 void ImageFile::open() {

@@ -98,7 +98,7 @@ QuadMaterial material_of(const std::string& name, bool masked, float f0) {
     if (masked) out.json["alphaMode"] = "MASK";
     out.images = {"base_color.png", "metallic_roughness.png", "normal.png", "anisotropy.png"};
     out.extensions = {"KHR_materials_anisotropy"};
-    if (f0 != 0.04f) {
+    if (f0 != kGltfF0) {
         out.json["extensions"]["KHR_materials_ior"] = {{"ior", ior_of(f0)}};
         out.extensions.emplace_back("KHR_materials_ior");
     }
@@ -131,8 +131,8 @@ void warn_of_losses(const TabulatedMaterial& m, const std::vector<LobeFit>& lobe
         ++texels;
         // Half as much more or less is seen.
         const float luminance = f32::luminance(f32::vec3(s[0], s[1], s[2]));
-        const bool dielectric = metallic_color({}, {s[0], s[1], s[2]}, f0).metallic == 0.0f;
-        differ += dielectric && (luminance < f0 / 1.5f || luminance > 1.5f * f0);
+        differ +=
+            is_dielectric({s[0], s[1], s[2]}) && (luminance < f0 / 1.5f || luminance > 1.5f * f0);
         bright += std::max({s[0], s[1], s[2]}) > 1.0f;
         // The nearest GGX lobe of a Beckmann lobe has a residual of 0.23.
         other += lobes[m.exemplar[t]].residual > 0.3;

@@ -25,10 +25,6 @@ constexpr std::size_t kMostMessages = 200;
 constexpr double kMessage_s = 6.0;  // in the status bar
 constexpr double kTurn_s = 12.0;    // a turn of the turntable
 
-double seconds_since(Clock::time_point t) {
-    return std::chrono::duration<double>(Clock::now() - t).count();
-}
-
 }  // namespace
 
 std::span<const std::string_view> Panels::names() {

@@ -16,15 +16,12 @@
 #include "viewer/document/taken_back.hpp"
 #include "viewer/generate/save_maps.hpp"
 #include "viewer/window/app.hpp"
+#include "viewer/window/app_parts.hpp"
 
 namespace burnish::viewer {
 namespace {
 
 constexpr double kLook_s = 1.0;  // between looks at the files on disk
-
-double seconds_since(std::chrono::steady_clock::time_point t) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
-}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "burnish/error.hpp"
+#include "viewer/window/app_parts.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -20,10 +21,6 @@ constexpr double kQuiet_s = 0.5;  // at rest, before programs for changes are co
 constexpr double kRate = 30.0;    // frames a second that a moving picture holds
 // Shares of the resolution between which a moving picture chooses.
 constexpr std::array<double, 6> kScales = {1.0, 0.75, 0.55, 0.4, 0.3, 0.2};
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

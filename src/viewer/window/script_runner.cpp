@@ -19,16 +19,13 @@
 #include "scene/parameters/parameter_text.hpp"
 #include "viewer/document/file_names.hpp"
 #include "viewer/document/value_in_effect.hpp"
+#include "viewer/window/app_parts.hpp"
 #include "viewer/window/panels.hpp"
 
 namespace burnish::viewer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point t) {
-    return std::chrono::duration<double>(Clock::now() - t).count();
-}
 
 // Of the process, now; 0 where the kernel does not say.
 double resident_memory_mb() {
