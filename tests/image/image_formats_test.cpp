@@ -163,6 +163,8 @@ TEST(Bmp, HostileOnesAreRefused) {
     expect_refused(bmp(3, 1, 8, 1, 2, kPalette + "\0\2\0\7\1\1\0\1"s, 8),
                    "a run beyond the picture");
     expect_refused(bmp(3, 1, 8, 1, 2, kPalette + "\1\1"s, 8), "cut short");
+    // The codec would write beyond the picture.
+    expect_refused(bmp(3, 1, 8, 1, 2, "\1\1\1\0\7\7\7\0"s + "\2\1\1\0\0\1"s, 8), "a gray palette");
     expect_refused(bmp(2, 1, 24, 4, 0, "xxxxxxxx", 0), "of compression 4");
     expect_refused(
         bmp(2, 1, 32, 3, 0,

@@ -28,14 +28,14 @@ class ScriptWriter {
 
     void write() {
         quick_again();
-        line("wait rest");
-        line("log memory_mb");
+        line("try wait rest");
+        line("try log memory_mb");
         const int actions = static_cast<int>(seconds_ * kActionsPerSecond);
         for (int i = 1; i <= actions; ++i) {
             action();
             if (i % kActionsPerLog != 0) continue;
             quick_again();
-            line("log memory_mb undo_count");
+            line("try log memory_mb undo_count");
             line(fmt::format("quit {}", seconds_));
         }
     }
@@ -56,7 +56,7 @@ class ScriptWriter {
         line("try set samples 2");
         line("try set image_light_samples 2");
         line("panel keys off");
-        line("wait 2");
+        line("try wait 2");
     }
 
     // Ends of ranges are where things go wrong.
@@ -150,7 +150,7 @@ class ScriptWriter {
         static constexpr std::string_view kNames[] = {"parameters", "scene",    "compare",
                                                       "inspector",  "messages", "keys",
                                                       "costs",      "generator"};
-        line(fmt::format("panel {} {}", one_of(kNames), below(3) == 0 ? "off" : "on"));
+        line(fmt::format("try panel {} {}", one_of(kNames), below(3) == 0 ? "off" : "on"));
     }
 
     void key() {
@@ -182,11 +182,12 @@ class ScriptWriter {
         if (kind < 87) return line("try view " + one_of(surface_view_names()));
         if (kind < 90) return panel();
         if (kind < 93) return key();
-        if (kind < 94) return line(fmt::format("resize {}x{}", 320 + below(400), 240 + below(300)));
+        if (kind < 94)
+            return line(fmt::format("try resize {}x{}", 320 + below(400), 240 + below(300)));
         if (kind < 96) return line(fmt::format("try save scene {}", scene_file()));
         if (kind < 97) return line(fmt::format("try save picture {}/p.png 64x48", folder_));
-        if (kind < 98) return line("wait rest");
-        line("wait 2");
+        if (kind < 98) return line("try wait rest");
+        line("try wait 2");
     }
 
     std::mt19937_64 random_;

@@ -101,6 +101,17 @@ void check_bmp_indices(const ByteCursor& file, const BmpHeader& header) {
     }
 }
 
+// OpenImageIO 2.4 writes three channels for every pixel of a run, into rows of one where it finds the
+// palette gray.
+void check_bmp_run_colors(const ByteCursor& file, const BmpHeader& header) {
+    for (std::uint64_t i = 0; i < header.colors; ++i) {
+        const std::uint64_t at = kFileHeaderBytes + header.bytes + 4 * i;
+        const unsigned blue = file.u8(at);
+        if (file.u8(at + 1) != blue || file.u8(at + 2) != blue) return;
+    }
+    file.fail("runs over a gray palette (save it without compression)");
+}
+
 // Pairs of a count and a value; a count of 0 begins a line (0), the end (1), a step (2), or as many
 // plain pixels as the value says, padded to an even number of bytes.
 void check_bmp_runs(const ByteCursor& file, const BmpHeader& header) {
@@ -145,7 +156,10 @@ void check_bmp(const ByteCursor& file) {
     check_image_size(header.width, static_cast<std::int64_t>(header.rows()), file.name());
     check_bmp_kind(file, header);
     check_decoded_bytes(header.columns() * header.rows() * 4, file.size(), file.name());
-    if (header.has_runs()) return check_bmp_runs(file, header);
+    if (header.has_runs()) {
+        check_bmp_run_colors(file, header);
+        return check_bmp_runs(file, header);
+    }
     file.require(header.pixels, header.row_bytes() * header.rows());
     if (header.bits <= 8) check_bmp_indices(file, header);
 }
