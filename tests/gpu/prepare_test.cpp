@@ -175,5 +175,27 @@ TEST_F(Prepare, AlbedoTablesAreOfTheContext) {
     EXPECT_EQ(stages, (std::set<std::string>{"blurred environment"}));
 }
 
+// A program of a software renderer holds 4 MB. A long session changes models hundreds of times.
+TEST_F(Prepare, ProgramsThatWereNotUsedForLongestAreDeleted) {
+    Scene scene = one_object(uv_sphere(12, 6), Material{});
+    Renderer renderer(*context, scene, &sky_);
+    RenderSettings o = small_picture(16, 12, 1);
+    const auto picture_of = [&](Brdf brdf, Mdf mdf) {
+        scene.materials[0].brdf = brdf;
+        scene.materials[0].mdf = mdf;
+        renderer.set_materials(scene.materials);
+        return renderer.render(camera(), o);
+    };
+    const Image first = picture_of(Brdf::microfacet, Mdf::ggx);
+    const std::size_t most = context->programs().size() + 2;
+    context->programs().set_limit(most);
+    for (const Mdf mdf : {Mdf::ward, Mdf::beckmann, Mdf::ashikhmin_shirley, Mdf::ggx})
+        for (const Brdf brdf : {Brdf::microfacet_separable, Brdf::microfacet})
+            picture_of(brdf, mdf);
+    // Those of the last picture come on top.
+    EXPECT_LE(context->programs().size(), most + 1);
+    EXPECT_TRUE(equal_pictures(picture_of(Brdf::microfacet, Mdf::ggx), first));
+}
+
 }  // namespace
 }  // namespace burnish::test

@@ -1,9 +1,11 @@
 #include "gpu/device/program.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cctype>
 #include <utility>
+#include <vector>
 
 #include "burnish/error.hpp"
 #include "gpu/device/handles.hpp"
@@ -130,6 +132,12 @@ Program::~Program() {
     glDeleteProgram(program_);
 }
 
+void Program::use() {
+    static std::atomic<std::uint64_t> uses{0};
+    last_use_ = ++uses;
+    glUseProgram(program_);
+}
+
 bool Program::take(UniformGroup group, std::uint64_t version) {
     return std::exchange(versions_[static_cast<std::size_t>(group)], version) != version;
 }
@@ -209,23 +217,35 @@ void ProgramCache::reload() {
     for (const auto& [key, program] : programs_) program->swap(*fresh.programs_.at(key));
 }
 
-Program& ProgramCache::start(std::string_view vertex, std::string_view fragment,
-                             const std::string& defines) {
+std::shared_ptr<Program> ProgramCache::start(std::string_view vertex, std::string_view fragment,
+                                             const std::string& defines) {
     const std::string key = std::string(vertex) + "\n" + std::string(fragment) + "\n" + defines;
     const auto found = programs_.find(key);
-    if (found != programs_.end()) return *found->second;
+    if (found != programs_.end()) return found->second;
     const std::string folder = "shaders/";
-    auto program =
+    std::shared_ptr<Program> program =
         Program::start(assemble_stage(dialect_, defines, folder + std::string(vertex)),
                        assemble_stage(dialect_, defines, folder + std::string(fragment)));
-    return *programs_.emplace(key, std::move(program)).first->second;
+    return programs_.emplace(key, std::move(program)).first->second;
 }
 
 Program& ProgramCache::get(std::string_view vertex, std::string_view fragment,
                            const std::string& defines) {
-    Program& program = start(vertex, fragment, defines);
-    program.finish();
-    return program;
+    const std::shared_ptr<Program> program = start(vertex, fragment, defines);
+    program->finish();
+    return *program;  // the cache holds it
+}
+
+void ProgramCache::trim() {
+    if (programs_.size() <= most_) return;
+    std::vector<std::uint64_t> uses;
+    uses.reserve(programs_.size());
+    for (const auto& [key, program] : programs_) uses.push_back(program->last_use());
+    const auto oldest_kept = uses.begin() + static_cast<std::ptrdiff_t>(uses.size() - most_);
+    std::ranges::nth_element(uses, oldest_kept);
+    const std::uint64_t bound = *oldest_kept;
+    std::erase_if(programs_,
+                  [bound](const auto& entry) { return entry.second->last_use() < bound; });
 }
 
 std::uint64_t new_uniform_version() {

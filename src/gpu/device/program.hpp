@@ -39,7 +39,9 @@ class Program {
     void finish();  // throws as the constructor
     void swap(Program& other) noexcept;
 
-    void use() const { glUseProgram(program_); }
+    void use();
+    // Rises from use to use of all programs of the process; 0 before the first.
+    std::uint64_t last_use() const { return last_use_; }
 
     // Returns true when the program does not hold `version` of the group, and records that version.
     // The caller then sets the uniforms of the group. Versions are never 0 and differ between
@@ -72,23 +74,29 @@ class Program {
     std::unique_ptr<Stages> unfinished_;
     std::map<std::string, GLint, std::less<>> locations_;
     std::array<std::uint64_t, 2> versions_{};
+    std::uint64_t last_use_ = 0;
 };
 
 // A number that no other version has had in this process.
 std::uint64_t new_uniform_version();
 
-// Programs by stages and defines, each compiled once. They live as long as the cache. Part of a
-// context (context.hpp).
+// Programs by stages and defines. A program that software renderers have run holds about 4 MB of machine
+// code, so that the number of programs is bounded. Part of a context (context.hpp).
 class ProgramCache {
   public:
     // `parallel`: the device has KHR_parallel_shader_compile.
     ProgramCache(ShaderDialect dialect, bool parallel) : dialect_(dialect), parallel_(parallel) {}
 
     // Stages: names below shaders/. Compiles the program if it is missing. Throws Error when it
-    // does not compile.
+    // does not compile. The program lives until a call of trim() or the end of the cache.
     Program& get(std::string_view vertex, std::string_view fragment, const std::string& defines);
     // As get, without waiting for the compiler: call finish() before use.
-    Program& start(std::string_view vertex, std::string_view fragment, const std::string& defines);
+    std::shared_ptr<Program> start(std::string_view vertex, std::string_view fragment,
+                                   const std::string& defines);
+
+    // Deletes the programs that were not used for longest while there are more than the limit.
+    void trim();
+    void set_limit(std::size_t most) { most_ = most; }
 
     // Compiles every program again from the texts as they are now (BURNISH_SHADER_DIR). Throws Error
     // with the first that does not compile, and all programs are then what they were.
@@ -100,7 +108,9 @@ class ProgramCache {
   private:
     ShaderDialect dialect_;
     bool parallel_;
-    std::map<std::string, std::unique_ptr<Program>> programs_;
+    // More than the window prepares for the next change of a scene of two materials.
+    std::size_t most_ = 64;
+    std::map<std::string, std::shared_ptr<Program>> programs_;
 };
 
 }  // namespace burnish::gpu

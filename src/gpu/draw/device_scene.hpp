@@ -35,7 +35,7 @@ namespace burnish::gpu {
 struct PreparedProgram {
     SurfaceVariant variant;
     bool resolve = false;  // resolve.frag, else surface.frag
-    Program* program = nullptr;
+    std::weak_ptr<Program> program;  // of the cache, which may have deleted it
 };
 
 struct MaterialSlot {

@@ -21,7 +21,7 @@ constexpr double kHardwarePixels = 8.0;
 Program& of(ProgramCache& programs, bool wait, const char* vertex, const char* fragment,
             const std::string& defines) {
     return wait ? programs.get(vertex, fragment, defines)
-                : programs.start(vertex, fragment, defines);
+                : *programs.start(vertex, fragment, defines);
 }
 
 }  // namespace
@@ -115,14 +115,19 @@ Program& Painter::surface_program(MaterialSlot& slot, const SurfaceVariant& vari
     const auto found = std::ranges::find_if(slot.programs, [&](const PreparedProgram& p) {
         return p.resolve == resolve && p.variant == variant;
     });
-    if (found != slot.programs.end()) {
-        if (wait) found->program->finish();
-        return *found->program;
+    const bool known = found != slot.programs.end();
+    std::shared_ptr<Program> program = known ? found->program.lock() : nullptr;
+    if (!program) {
+        program =
+            context_.programs().start(resolve ? "fullscreen.vert" : "surface.vert",
+                                      resolve ? "resolve.frag" : "surface.frag", variant.defines());
+        if (known)
+            found->program = program;
+        else
+            slot.programs.push_back({variant, resolve, program});
     }
-    Program& program = of(context_.programs(), wait, resolve ? "fullscreen.vert" : "surface.vert",
-                          resolve ? "resolve.frag" : "surface.frag", variant.defines());
-    slot.programs.push_back({variant, resolve, &program});
-    return program;
+    if (wait) program->finish();
+    return *program;  // the cache holds it
 }
 
 Program& Painter::gbuffer_program(const MaterialSlot& slot, bool wait) {
@@ -215,6 +220,7 @@ void Painter::prepare_ground(const Frame& frame, const Progress& progress) {
 
 void Painter::prepare(const Frame& frame, bool ground, const Progress& progress) {
     needs_ = needs_of(frame);
+    context_.programs().trim();
     prepare_programs(frame, progress);
     prepare_tables(frame, progress);
     if (ground) prepare_ground(frame, progress);
