@@ -33,6 +33,7 @@ const int kMethodDeformSmooth = 8;
 const int kFresnelSchlick = 0;
 const int kFresnelConductor = 1;
 const int kFresnelDielectric = 2;  // relative to normal incidence, where a table was measured
+const int kFresnelCurve = 3;       // what has no closed form: a metal under a film of oxide
 
 // Tone maps (display/tone_map.glsl).
 const int kToneMapLinear = 0;

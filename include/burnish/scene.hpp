@@ -126,7 +126,8 @@ struct Material {
     float anisotropy_texture_turn = 0.0f;
 
     // What glTF has no word for.
-    std::optional<Conductor> conductor;  // exact Fresnel instead of Schlick with F0 = base color
+    // Its own Fresnel factor, or that of the film on it, instead of Schlick's with F0 = base color.
+    std::optional<Conductor> conductor;
     float dielectric_f0 = 0.04f;
     Mdf mdf = Mdf::ggx;
     Brdf brdf = Brdf::microfacet;

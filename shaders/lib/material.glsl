@@ -15,6 +15,9 @@ uniform vec2 u_normal_scale;         // y negative: green points down
 uniform vec4 u_lobe;                 // p0, p1, paper_norm, projected_norm unless LOBE_FROM_TEXTURE
 uniform vec3 u_eta;                  // conductor
 uniform vec3 u_k;
+#ifdef FRESNEL_CURVE
+uniform vec3 u_fresnel_curve[6];     // the terms of FresnelCurve, in its order
+#endif
 uniform float u_dielectric_f0;
 uniform float u_ks;  // of COSINE_LOBE; below 0: the value that conserves its energy
 uniform vec3 u_lafortune_c;
@@ -100,7 +103,11 @@ SurfaceMaterial material_of(Lobe lobe) {
 #else
     SurfaceMaterial m = surface_material(BRDF, lobe, u_ks, u_lafortune_c, u_dielectric_f0);
 #endif
-#ifdef CONDUCTOR
+#ifdef FRESNEL_CURVE
+    m.fresnel = kFresnelCurve;
+    m.curve = FresnelCurve(u_fresnel_curve[0], u_fresnel_curve[1], u_fresnel_curve[2],
+                           u_fresnel_curve[3], u_fresnel_curve[4], u_fresnel_curve[5]);
+#elif defined(CONDUCTOR)
     m.fresnel = kFresnelConductor;
     m.eta = u_eta;
     m.k = u_k;

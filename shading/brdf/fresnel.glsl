@@ -43,3 +43,46 @@ FN Float fresnel_rise(Float eta, Float inverse_at_normal, Float cos_i) {
     Float rise = fresnel_conductor(max(eta, Float(1)), Float(0), cos_i) * inverse_at_normal;
     return choose(eta > Float(0), rise, Float(1));
 }
+
+// A reflectance over the angle that has no closed form, such as that of a metal under a film: terms of
+// fresnel_curve at R, G, B.
+struct FresnelCurve {
+    vec3 normal;  // reflectance at normal incidence
+    vec3 pole;
+    vec3 pole2;
+    vec3 c0;
+    vec3 c1;
+    vec3 c2;
+};
+
+// Near grazing incidence the reflectance of a metal bends as c/(c + q) does, q of the size of 1/|index|.
+// Fits of films on twelve metals had the smallest largest error here.
+CONSTANT(kFresnelCurvePole, 0.05)
+
+FN FresnelCurve fresnel_curve_of_mirror() {
+    FresnelCurve f;
+    f.normal = vec3(Float(1), Float(1), Float(1));
+    f.pole = vec3(Float(0), Float(0), Float(0));
+    f.pole2 = vec3(Float(0), Float(0), Float(0));
+    f.c0 = vec3(Float(0), Float(0), Float(0));
+    f.c1 = vec3(Float(0), Float(0), Float(0));
+    f.c2 = vec3(Float(0), Float(0), Float(0));
+    return f;
+}
+
+// `normal` at normal incidence, 1 at grazing incidence, and between them
+//   mix(1, normal, c) + c (1 - c) (pole/(c + q) + pole2/(c + q)^2 + c0 + c1 (1 - c) + c2 (1 - c)^2),
+// within [0, 1]. q: kFresnelCurvePole.
+FN Float fresnel_curve(Float normal, Float pole, Float pole2, Float c0, Float c1, Float c2, Float cos_i) {
+    Float c = clamp(cos_i, Float(0), Float(1));
+    Float t = Float(1) - c;
+    Float u = Float(1) / (c + kFresnelCurvePole);
+    Float between = u * (pole + u * pole2) + c0 + t * (c1 + t * c2);
+    return clamp(t + c * (normal + t * between), Float(0), Float(1));
+}
+
+FN vec3 fresnel_curve(FresnelCurve f, Float cos_i) {
+    return vec3(fresnel_curve(f.normal.x, f.pole.x, f.pole2.x, f.c0.x, f.c1.x, f.c2.x, cos_i),
+                fresnel_curve(f.normal.y, f.pole.y, f.pole2.y, f.c0.y, f.c1.y, f.c2.y, cos_i),
+                fresnel_curve(f.normal.z, f.pole.z, f.pole2.z, f.c0.z, f.c1.z, f.c2.z, cos_i));
+}

@@ -10,9 +10,10 @@ struct SurfaceMaterial {
     vec3 c;               // of lafortune
     CosineLobe cosine;    // made of these and the lobe: surface_with_lobe
     int fresnel;          // kFresnel..., a constant in shaders
-    vec3 specular;        // reflectance at normal incidence; not of conductors
+    vec3 specular;        // reflectance at normal incidence; not of conductors and curves
     vec3 eta;             // of conductors: eta + i k. Of kFresnelDielectric: x, and 1/F at normal
     vec3 k;               // incidence in k.x
+    FresnelCurve curve;   // of kFresnelCurve
     Bool has_diffuse;     // false: metals, whose diffuse term then costs nothing
     vec3 diffuse;         // albedo of the base under the interface
     Float dielectric_f0;  // reflectance of that interface at normal incidence
@@ -67,6 +68,7 @@ FN SurfaceMaterial surface_material(int brdf, Lobe lobe, Float ks, vec3 c, Float
     m.specular = vec3(dielectric_f0, dielectric_f0, dielectric_f0);
     m.eta = vec3(Float(1), Float(1), Float(1));
     m.k = vec3(Float(0), Float(0), Float(0));
+    m.curve = fresnel_curve_of_mirror();
     m.has_diffuse = false;
     m.diffuse = vec3(Float(0), Float(0), Float(0));
     m.dielectric_f0 = dielectric_f0;
@@ -86,6 +88,8 @@ FN vec3 specular_fresnel(SurfaceMaterial m, Float cos_h) {
     vec3 f = m.specular;
     if (m.fresnel == kFresnelConductor) {
         f = fresnel_conductor(m.eta, m.k, cos_h);
+    } else if (m.fresnel == kFresnelCurve) {
+        f = fresnel_curve(m.curve, cos_h);
     } else if (m.fresnel == kFresnelDielectric) {
         f = m.specular * fresnel_rise(m.eta.x, m.k.x, cos_h);
     } else {

@@ -300,6 +300,9 @@ std::vector<std::string> losses_of(const Material& m) {
         say(fmt::format("brdf {}: glTF has the microfacet model alone", name_of(m.brdf)));
     if (m.conductor)
         say("metal: its Fresnel becomes Schlick's of the same color at normal incidence");
+    if (m.conductor && m.conductor->oxide)
+        say("oxide: the base color is that of the film at normal incidence; its colors at other "
+            "angles are lost");
     if (const glm::vec2 alpha = alpha_of(m); std::max(alpha.x, alpha.y) > 1.0f)
         say("alpha above 1: glTF ends at 1");
     return out;
@@ -321,7 +324,9 @@ GltfMaterial bake_gltf_material(const Material& material, std::span<const Textur
                                 const Progress& progress) {
     check_settings(settings);
     require_memory(settings, memory_limit);
-    const Material m = drawn_material(material);
+    // Of a copy made here, GCC 12 says wrongly that its lobe may be uninitialized.
+    const std::vector<Material> drawn = drawn_materials({material});
+    const Material& m = drawn.front();
     const MaterialPoints points = cloth_of(m)       ? points_of_cloth(m, textures)
                                   : tabulated_of(m) ? points_of_table(m, textures)
                                                     : points_of_textures(m, textures);

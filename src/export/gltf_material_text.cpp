@@ -42,6 +42,15 @@ ordered_json cloth_json(const Cloth& c, const std::string& draft) {
     return out;
 }
 
+ordered_json conductor_json(const Conductor& c) {
+    ordered_json out = {{"eta", triple(c.eta)}, {"k", triple(c.k)}};
+    if (!c.oxide) return out;
+    ordered_json curve = ordered_json::array();
+    for (const glm::vec3& term : c.oxide->curve) curve.push_back(triple(term));
+    out["oxide"] = {{"thickness_nm", c.oxide->thickness_nm}, {"curve", curve}};
+    return out;
+}
+
 // `file`: beside the glTF, of the weave's draft or the measured material.
 ordered_json extras_of(const Material& m, const std::string& file) {
     ordered_json out = {{"mdf", name_of(m.mdf)},
@@ -50,8 +59,7 @@ ordered_json extras_of(const Material& m, const std::string& file) {
                         {"conserve", m.conserve}};
     if (m.ks) out["ks"] = *m.ks;
     if (m.brdf == Brdf::lafortune) out["lafortune_c"] = triple(m.lafortune_c);
-    if (m.conductor)
-        out["conductor"] = {{"eta", triple(m.conductor->eta)}, {"k", triple(m.conductor->k)}};
+    if (m.conductor) out["conductor"] = conductor_json(*m.conductor);
     if (!file.empty()) {
         out["color"] = {{"base", triple(glm::vec3(m.base_color))}, {"metallic", m.metallic}};
         out["anisotropy_rotation"] = m.anisotropy_rotation;

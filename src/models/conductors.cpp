@@ -2,37 +2,42 @@
 
 #include <array>
 #include <cstddef>
+#include <glm/common.hpp>
 
-#include "burnish/shading_names.hpp"
 #include "core/text.hpp"
+#include "models/spectra/fresnel_fit.hpp"
+#include "models/spectra/optical_constants.hpp"
 
 namespace burnish {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kNames = {"gold",  "silver", "copper",  "aluminium",
-                                                    "steel", "brass",  "titanium"};
+constexpr std::array<std::string_view, 12> kNames = {"gold",     "silver", "copper",   "aluminium",
+                                                     "steel",    "brass",  "titanium", "iron",
+                                                     "chromium", "nickel", "tungsten", "bronze"};
 
-// n and k at 650, 550 and 450 nm, linear between the neighboring samples of the measurement. The
-// tables were read in the refractiveindex.info database (public domain, CC0).
+// fitted_conductor of every metal (src/models/spectra/), so that nothing is integrated at the start.
+// conductors_test.cpp fits them again.
 const std::array<Conductor, kNames.size()>& conductors() {
     static const std::array<Conductor, kNames.size()> table = {{
-        // Johnson and Christy 1972, "Optical constants of the noble metals", Phys. Rev. B 6, 4370
-        {{0.1556f, 0.4241f, 1.3831f}, {3.6024f, 2.4721f, 1.9155f}},
-        {{0.0522f, 0.0596f, 0.0400f}, {4.4094f, 3.5974f, 2.6484f}},
-        {{0.2378f, 1.0066f, 1.2404f}, {3.6264f, 2.5823f, 2.3929f}},
-        // Rakic 1995, "Algorithm for the determination of intrinsic optical constants of metal
-        // films: application to aluminum", Appl. Opt. 34, 4755
-        {{1.5580f, 1.0152f, 0.6332f}, {7.7124f, 6.6273f, 5.4544f}},
-        // Karlsson and Ribbing 1982, "Optical constants and spectral selectivity of stainless steel
-        // and its oxides", J. Appl. Phys. 53, 6340: ferritic, 13.5 % chromium
-        {{2.1942f, 1.9042f, 1.4945f}, {3.4813f, 3.1704f, 2.7709f}},
-        // Querry 1985, "Optical constants", report CRDC-CR-85034: 70 % copper, 30 % zinc
-        {{0.4440f, 0.5270f, 1.0940f}, {3.6950f, 2.7650f, 1.8290f}},
-        // Johnson and Christy 1974, "Optical constants of transition metals", Phys. Rev. B 9, 5056
-        {{2.7407f, 2.5418f, 2.2670f}, {3.8143f, 3.4345f, 3.0385f}},
+        {{0.000000f, 0.400415f, 1.593037f}, {1.000000f, 2.255112f, 1.711678f}},  // gold
+        {{0.049100f, 0.051892f, 0.052340f}, {4.508336f, 3.563607f, 2.620896f}},  // silver
+        {{0.000000f, 0.802518f, 1.240141f}, {1.000000f, 2.498718f, 2.303920f}},  // copper
+        {{1.502762f, 0.985322f, 0.606036f}, {7.655418f, 6.549816f, 5.351039f}},  // aluminium
+        {{2.190981f, 1.889037f, 1.469398f}, {3.460972f, 3.152047f, 2.739496f}},  // steel
+        {{0.481592f, 0.523966f, 1.128045f}, {4.373749f, 2.670335f, 1.813403f}},  // brass
+        {{2.753381f, 2.507848f, 2.241322f}, {3.845795f, 3.397432f, 3.015265f}},  // titanium
+        {{2.922703f, 2.919775f, 2.546311f}, {3.077274f, 2.937337f, 2.749978f}},  // iron
+        {{3.245552f, 3.116123f, 2.286404f}, {3.286428f, 3.336470f, 3.117089f}},  // chromium
+        {{2.039576f, 1.904487f, 1.730443f}, {4.206572f, 3.571139f, 2.897095f}},  // nickel
+        {{3.636969f, 3.494395f, 3.314184f}, {2.923856f, 2.747554f, 2.505619f}},  // tungsten
+        {{0.337945f, 0.579585f, 1.035998f}, {5.862968f, 2.364735f, 1.893852f}},  // bronze
     }};
     return table;
+}
+
+std::size_t index_of_metal(std::string_view name) {
+    return static_cast<std::size_t>(index_of_name(kNames, name, "metal", ""));
 }
 
 }  // namespace
@@ -42,7 +47,7 @@ std::span<const std::string_view> conductor_names() {
 }
 
 Conductor conductor_preset(std::string_view name) {
-    return conductors()[static_cast<std::size_t>(index_of_name(kNames, name, "metal", ""))];
+    return conductors()[index_of_metal(name)];
 }
 
 std::string_view conductor_name(const Conductor& conductor) {
@@ -53,7 +58,16 @@ std::string_view conductor_name(const Conductor& conductor) {
     return {};
 }
 
+std::string_view oxide_of(std::string_view metal) {
+    return measured_metals()[index_of_metal(metal)].oxide;
+}
+
+OxideFilm oxide_film(std::string_view metal, float thickness_nm) {
+    return {thickness_nm, fitted_curve(MetalReflectance(metal, static_cast<double>(thickness_nm)))};
+}
+
 glm::vec3 normal_reflectance(const Conductor& conductor) {
+    if (conductor.oxide) return glm::clamp(conductor.oxide->curve[0], 0.0f, 1.0f);
     const glm::vec3 below = conductor.eta - 1.0f;
     const glm::vec3 above = conductor.eta + 1.0f;
     const glm::vec3 k2 = conductor.k * conductor.k;

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "burnish/conductors.hpp"
 #include "burnish/error.hpp"
 #include "burnish/fit_tangents.hpp"
 #include "burnish/progress.hpp"
@@ -40,8 +41,8 @@ void erase_mapped(ParameterValues& lower, const ParameterValues& upper) {
     };
     static const std::vector<std::string_view> roughness_names = {
         "alpha_x", "alpha_y", "e_x", "e_y", "cosine_exponent", "roughness", "orm_map"};
-    static const Row rows[] = {{"base_color_map", {"base_color", "metal"}},
-                               {"metallic_map", {"metallic", "metal", "orm_map"}},
+    static const Row rows[] = {{"base_color_map", {"base_color", "metal", "oxide"}},
+                               {"metallic_map", {"metallic", "metal", "oxide", "orm_map"}},
                                {"anisotropy_map", {"anisotropy", "anisotropy_rotation"}},
                                {"height_map", {"normal_scale", "flip_green"}},
                                {"ao_map", {"orm_map"}}};
@@ -70,8 +71,11 @@ void erase_replaced(ParameterValues& lower, const ParameterValues& upper,
                                        "scratch_direction")) == ScratchDirection::follow)
         lower.erase("anisotropy_rotation");
     if (names_one(upper, "metal")) lower.erase("metallic");
+    if (upper.is_set("metal") &&
+        (!names_one(upper, "metal") || oxide_of(upper.text("metal")).empty()))
+        lower.erase("oxide");
     if (names_one(upper, "weave")) {
-        erase_all(lower, {"metal", "metallic"});
+        erase_all(lower, {"metal", "metallic", "oxide"});
         if (!lower_alpha) erase_all(lower, {"roughness", "anisotropy"});
     } else if (upper.is_set("weave")) {
         for (const Parameter& parameter : parameter_table())

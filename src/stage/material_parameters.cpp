@@ -58,16 +58,30 @@ void apply_model(Material& material, const ParameterValues& values) {
     if (values.is_set("double_sided")) material.double_sided = values.boolean("double_sided");
 }
 
+// A metal without a name, from the extras of a glTF, has no measured oxide.
+void apply_oxide(Material& material, float thickness_nm) {
+    if (!material.conductor) return;
+    material.conductor->oxide.reset();
+    if (thickness_nm <= 0.0f) return;
+    const std::string_view metal = conductor_name(*material.conductor);
+    if (metal.empty())
+        throw UsageError("oxide", "", "one of the metals of --metal", "a metal of the model's own");
+    material.conductor->oxide = oxide_film(metal, thickness_nm);
+}
+
 void apply_color(Material& material, const ParameterValues& values) {
     if (values.is_set("base_color"))
         material.base_color = glm::vec4(values.vec3("base_color"), material.base_color.a);
     if (values.is_set("metallic")) material.metallic = real_of(values, "metallic");
     if (values.is_set("f0")) material.dielectric_f0 = real_of(values, "f0");
-    if (!values.is_set("metal")) return;
-    material.conductor.reset();
-    if (!names_one(values, "metal")) return;
-    material.conductor = conductor_preset(values.text("metal"));
-    if (!values.is_set("metallic")) material.metallic = 1.0f;
+    if (values.is_set("metal")) {
+        material.conductor.reset();
+        if (names_one(values, "metal")) {
+            material.conductor = conductor_preset(values.text("metal"));
+            if (!values.is_set("metallic")) material.metallic = 1.0f;
+        }
+    }
+    if (values.is_set("oxide")) apply_oxide(material, real_of(values, "oxide"));
 }
 
 // --- sets of maps -------------------------------------------------------------------------------

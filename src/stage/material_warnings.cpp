@@ -31,6 +31,7 @@ constexpr std::string_view kHidden[] = {"mdf",
                                         "metallic",
                                         "base_color",
                                         "metal",
+                                        "oxide",
                                         "f0",
                                         "base_color_map",
                                         "roughness_map",
@@ -82,6 +83,8 @@ void append_idle_of_metals(const Warn& warn_if_idle) {
         return !m.conductor || m.alpha_mode != AlphaMode::opaque;
     });
     warn_if_idle("metallic_map", "a measured metal (--metal) is metallic", no_conductor);
+    warn_if_idle("oxide", "only a measured metal (--metal) has one",
+                 [](const Material& m, Values) { return m.conductor.has_value(); });
     warn_if_idle("f0", "a metal has its reflectance from its color", [](const Material& m, Values) {
         return !m.conductor && (m.metallic < 1.0f || m.metallic_roughness_texture);
     });

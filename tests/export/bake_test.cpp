@@ -1,6 +1,7 @@
 // Maps of a material against closed forms: what glTF's formulas make of them is the lobe that went in.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -96,6 +97,18 @@ TEST(GltfBake, ColorsAreThoseOfTheInterface) {
     // ((n-1)^2 + k^2) / ((n+1)^2 + k^2): 0, 2/10, 9.25/15.25; sRGB of 0.2 is 0.484529.
     EXPECT_NEAR(code(metal.textures[0], 0, 0, 0), 0.0, 0.0);
     EXPECT_NEAR(code(metal.textures[0], 0, 0, 1), 0.484529, 0.002);
+}
+
+TEST(GltfBake, TheColorOfAFilmIsThatAtNormalIncidence) {
+    Material m;
+    m.conductor = Conductor{{1.0f, 2.0f, 1.5f}, {0.0f, 1.0f, 3.0f}};
+    m.conductor->oxide = OxideFilm{30.0f, {{{0.2f, -0.5f, 1.5f}}}};  // held within [0, 1]
+    const GltfMaterial metal = bake(m, 16);
+    EXPECT_NEAR(code(metal.textures[0], 0, 0, 0), 0.484529, 0.002);
+    EXPECT_NEAR(code(metal.textures[0], 0, 0, 1), 0.0, 0.0);
+    EXPECT_NEAR(code(metal.textures[0], 0, 0, 2), 1.0, 0.0);
+    EXPECT_TRUE(std::any_of(metal.losses.begin(), metal.losses.end(),
+                            [](const std::string& line) { return line.starts_with("oxide: "); }));
 }
 
 // Slopes of +s and -s along x, alternating from texel to texel: their variance is s^2.

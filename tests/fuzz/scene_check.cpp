@@ -71,6 +71,12 @@ void expect_sound_material(const Material& m, std::size_t textures) {
     expect(finite(m.metallic) && finite(m.normal_scale), "a factor");
     expect(finite(m.occlusion_strength) && finite(m.alpha_cutoff), "a factor");
     expect(finite(m.anisotropy_rotation), "a rotation");
+    if (m.conductor) {
+        expect(finite_parts(m.conductor->eta) && finite_parts(m.conductor->k), "an index");
+        if (m.conductor->oxide)
+            for (const glm::vec3& term : m.conductor->oxide->curve)
+                expect(finite_parts(term), "a term of a film");
+    }
     const auto alpha = stated_alpha(m);
     expect(!alpha || finite_parts(*alpha), "an alpha");
     if (const GltfLobe* lobe = gltf_lobe_of(m))

@@ -326,7 +326,8 @@ Words scene_seeds() {
         head +
         R"("objects":[{"model":"part.obj","material":"a","translate":[1,2,3],"rotate_deg":[4,5,6],)"
         R"("scale":[1,2,3]},{"model":"part.gltf","scale":2}],"materials":{"a":{"alpha_x":0.1,)"
-        R"("alpha_y":0.4,"normal_map":"map.png","uv_scale":2,"flip_green":true,"metal":"gold"}},)"
+        R"("alpha_y":0.4,"normal_map":"map.png","uv_scale":2,"flip_green":true,"metal":"iron",)"
+        R"("oxide":40}},)"
         R"("parameters":{"base_color":[0.1,0.2,0.3],"camera_position":[1,2,3]}})");
     seeds.push_back(
         head +

@@ -1,7 +1,9 @@
 // Edits of a scene on the device: each gives the picture of a new renderer of the edited scene, and
 // uploads only new data.
 #include <functional>
+#include <vector>
 
+#include "burnish/conductors.hpp"
 #include "burnish/draft.hpp"
 #include "edited_scenes.hpp"
 #include "gpu/device/program.hpp"
@@ -218,6 +220,21 @@ TEST_F(Edit, OfAWeaveMakesItsMapsAndOfItsNumbersOfYarnsDoesNot) {
                   renderer.update_material(1, scene.materials[1]);
               }),
               UploadCounts{.cloths = 1});
+}
+
+TEST_F(Edit, OfAMetalAndTheFilmOnItUploadsNothing) {
+    const auto put = [](Renderer& renderer, Scene& scene, float nm) {
+        Material& m = scene.materials[0];
+        m.conductor = conductor_preset("titanium");
+        if (nm > 0) m.conductor->oxide = oxide_film("titanium", nm);
+        renderer.update_material(0, m);
+    };
+    for (const std::vector<float>& steps : {std::vector<float>{0, 50}, {50, 145}, {50, 0}})
+        EXPECT_EQ(expect_as_new([&](Renderer& renderer, Scene& scene) {
+                      for (const float nm : steps) put(renderer, scene, nm);
+                  }),
+                  UploadCounts{})
+            << steps[0] << " " << steps[1];
 }
 
 TEST_F(Edit, OfTheGroundsCastersAndLightsMakesItsShadowAgain) {

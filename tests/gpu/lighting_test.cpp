@@ -1,13 +1,17 @@
 // Punctual lights against the maths in double precision, evaluated at single pixels on the CPU.
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <optional>
 
+#include "burnish/conductors.hpp"
 #include "burnish/f64.hpp"
 #include "burnish/render_settings.hpp"
 #include "burnish/renderer.hpp"
 #include "core/constants.hpp"
 #include "gpu_fixture.hpp"
+#include "models/spectra/metal_reflectance.hpp"
+#include "scene/material/material_values.hpp"
 #include "test_scene.hpp"
 
 namespace burnish::test {
@@ -240,6 +244,31 @@ TEST_F(Lighting, ConductorsReflectTheirNormalReflectance) {
         const double f = ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
         const double wanted = f / (4 * kPi * 0.09);  // D(n) = 1/(pi alpha^2), G = 1
         EXPECT_NEAR(image.at(4, 4)[c], wanted, 1e-3 * wanted);
+    }
+}
+
+// Under 50 nm of oxide titanium is blue: of light from above and, as the curve says, of light that
+// meets the surface at 60 degrees.
+TEST_F(Lighting, FilmsReflectTheirColorsAtAllAngles) {
+    Material m;
+    m.lobe = AlphaLobe{glm::vec2(0.3f)};
+    m.conductor = conductor_preset("titanium");
+    m.conductor->oxide = oxide_film("titanium", 50);
+    for (const double degrees : {0.0, 60.0}) {
+        // The camera looks along the normal: light and view enclose twice the angle to the half vector.
+        const double angle = glm::radians(degrees), half = 0.5 * angle;
+        Scene scene = one_object(unit_plane(), m);
+        scene.lights.push_back(directional({std::sin(angle), 0, std::cos(angle)}));
+        gpu::Renderer renderer(*context, scene, nullptr);
+        const Image image = renderer.render(camera_on_z(3.0f, 0.01f), small_picture(9, 9));
+        const auto values = material_values<f64::SurfaceMaterial>(m);
+        const f64::Perturbation p = f64::perturb_make(f64::kMethodNone, {0, 0, 1}, true, false);
+        const f64::vec3 wi{std::sin(angle), 0, std::cos(angle)};
+        const double shape =
+            f64::specular_eval(values.surface, p, f64::no_lobe_values(), wi, {0, 0, 1}) * wi.z;
+        const glm::dvec3 f = MetalReflectance("titanium", 50).held_color(std::cos(half));
+        for (int c = 0; c < 3; ++c)  // 0.01: of the curve
+            EXPECT_NEAR(image.at(4, 4)[c], shape * f[c], 0.01 * shape) << degrees << " " << c;
     }
 }
 

@@ -74,6 +74,7 @@ std::vector<Kind> kinds() {
     for (int brdf = f32::kBrdfMicrofacetSeparable; brdf <= f32::kBrdfHe; ++brdf) {
         const int fresnel = brdf == f32::kBrdfTabulated ? f32::kFresnelDielectric
                             : brdf == f32::kBrdfWardGmd ? f32::kFresnelConductor
+                            : brdf == f32::kBrdfWard    ? f32::kFresnelCurve
                                                         : f32::kFresnelSchlick;
         list.push_back({brdf, f32::kMdfGgx, fresnel});
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "burnish/conductors.hpp"
 #include "burnish/draft.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/render_settings.hpp"
@@ -161,6 +162,20 @@ TEST_F(SurfacePixels, EveryModelUnderEveryMethod) {
                                         wi, wo);
                     });
         }
+    }
+}
+
+TEST_F(SurfacePixels, AMetalBareAndUnderAFilm) {
+    for (const bool film : {false, true}) {
+        Material m = material_of(Brdf::microfacet, Mdf::ggx, Method::follow_grain);
+        m.conductor = conductor_preset("titanium");
+        if (film) m.conductor->oxide = oxide_film("titanium", 145);
+        const f32::SurfaceMaterial surface = material_values<f32::SurfaceMaterial>(m).surface;
+        const bool along_x =
+            f32::lobe_grooves_along_x(surface.lobe.mdf, surface.lobe.p0, surface.lobe.p1);
+        compare(m, film ? "film" : "bare", kBound, [&](float, float, vec3 wi, vec3 wo) {
+            return point_of(m, surface, mapped_normal(), at_angle(kRotation), along_x, wi, wo);
+        });
     }
 }
 

@@ -14,6 +14,13 @@ FN SurfaceMaterial parity_material(int brdf, int mdf, int fresnel, Bool has_diff
     if (fresnel == kFresnelConductor) {
         m.eta = vec3(Float(0.2), Float(0.9), Float(1.4));
         m.k = vec3(Float(3.9), Float(2.4), Float(1.6));
+    } else if (fresnel == kFresnelCurve) {
+        m.curve.normal = vec3(Float(0.2), Float(0.5), Float(0.9));
+        m.curve.pole = vec3(Float(0.3), -Float(0.2), Float(0.1));
+        m.curve.pole2 = vec3(Float(0.02), Float(0.01), -Float(0.03));
+        m.curve.c0 = vec3(Float(0.5), -Float(1.5), Float(0.1));
+        m.curve.c1 = vec3(-Float(2), Float(3), Float(0.2));
+        m.curve.c2 = vec3(Float(1), -Float(2), -Float(0.4));
     } else if (fresnel == kFresnelDielectric) {
         m.eta.x = Float(1.5);
         m.k.x = fresnel_inverse_at_normal(Float(1.5));

@@ -91,6 +91,19 @@ TEST(ExportMaterial, WhatGltfCannotSayComesBack) {
     EXPECT_TRUE(to.anisotropy_texture);
 }
 
+TEST(ExportMaterial, AFilmComesBackAndIsSaidToBeLostInGltf) {
+    const ScratchFolder folder;
+    const ExportMaterialRequest request =
+        request_of(folder, {{"metal", "titanium"}, {"oxide", "50"}});
+    const ExportMaterialReport report = export_material(request, {});
+    EXPECT_TRUE(
+        std::any_of(report.warnings.begin(), report.warnings.end(),
+                    [](const std::string& line) { return line.find("oxide: ") != line.npos; }));
+    const Material from = source_of(request), to = read_back(folder);
+    ASSERT_TRUE(from.conductor && from.conductor->oxide);
+    EXPECT_EQ(to.conductor, from.conductor);
+}
+
 TEST(ExportMaterial, WithoutExtrasItIsGltfAlone) {
     const ScratchFolder folder;
     ExportMaterialRequest request = request_of(folder, {{"metal", "gold"}, {"mdf", "beckmann"}});
@@ -245,6 +258,13 @@ TEST(ExportMaterial, BrokenExtrasAreWarnings) {
         R"({"unknown": 1})",
         R"({"conductor": {"eta": [1, 2], "k": [1, 2, 3]}})",
         R"({"conductor": {"eta": [1, 2, -3], "k": [1, 2, 3]}})",
+        R"({"conductor": {"eta": [1, 2, 3], "k": [1, 2, 3], "oxide": {"thickness_nm": 50}}})",
+        R"({"conductor": {"eta": [1, 2, 3], "k": [1, 2, 3],
+            "oxide": {"thickness_nm": 50, "curve": [[1, 1, 1]]}}})",
+        R"({"conductor": {"eta": [1, 2, 3], "k": [1, 2, 3], "oxide": {"thickness_nm": -1,
+            "curve": [[1, 1, 1], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]]}}})",
+        R"({"conductor": {"eta": [1, 2, 3], "k": [1, 2, 3], "oxide": {"thickness_nm": 5,
+            "curve": [[1, 1, 1], [0, 0, 0], [0, 0, 1e9], [0, 0, 0], [0, 0, 0], [0, 0, 0]]}}})",
         R"({"tabulated": "../material.gltf", "color": {"base": [1, 1, 1], "metallic": 1}})",
         R"({"tabulated": "/etc/passwd", "color": {"base": [1, 1, 1], "metallic": 1}})",
         R"({"tabulated": "gone.exr", "color": {"base": [1, 1, 1], "metallic": 1}})",

@@ -129,6 +129,13 @@ long double conductor(long double eta, long double k, long double cosine) {
     return (std::norm(s) + std::norm(t)) / 2;
 }
 
+long double fresnel_curve(std::array<long double, 6> terms, long double cosine) {
+    const long double pole = cosine + 0.05L, rest = 1 - cosine;
+    const long double inside = terms[1] / pole + terms[2] / std::pow(pole, 2) + terms[3] +
+                               terms[4] * rest + terms[5] * std::pow(rest, 2);
+    return clamped(1 - cosine + terms[0] * cosine + cosine * rest * inside);
+}
+
 long double specular_occlusion(long double occlusion, long double cos_o, long double alpha) {
     return clamped(std::pow(cos_o + occlusion, std::exp2(-16 * alpha - 1)) - 1 + occlusion);
 }

@@ -46,6 +46,9 @@ long double cone(long double angle, long double inner, long double outer);
 // Unpolarised, eta + i k against air, by complex amplitudes.
 long double conductor(long double eta, long double k, long double cosine);
 
+// {normal, pole, pole2, c0, c1, c2} as FresnelCurve of shading/ names them.
+long double fresnel_curve(std::array<long double, 6> terms, long double cosine);
+
 long double specular_occlusion(long double occlusion, long double cos_o, long double alpha);
 
 // (1 - F(n.i)) (1 - F(n.o)) / pi with Schlick's F.

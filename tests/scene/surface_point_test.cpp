@@ -109,6 +109,22 @@ std::vector<PointCase> point_cases() {
     metal.surface.k = {3.875, 2.5, 1.625};
     metal.surface.has_diffuse = false;
     cases.push_back(metal);
+    PointCase film = metal;
+    film.name = "film";
+    film.material.conductor->oxide = OxideFilm{50.0f,
+                                               {{{0.125f, 0.5f, 0.875f},
+                                                 {0.25f, -0.25f, 0.125f},
+                                                 {0.0f, 0.0f, 0.0f},
+                                                 {0.5f, -1.5f, 0.125f},
+                                                 {-2.0f, 3.0f, 0.25f},
+                                                 {1.0f, -2.0f, -0.5f}}}};
+    film.surface.fresnel = f64::kFresnelCurve;
+    film.surface.curve.normal = {0.125, 0.5, 0.875};
+    film.surface.curve.pole = {0.25, -0.25, 0.125};
+    film.surface.curve.c0 = {0.5, -1.5, 0.125};
+    film.surface.curve.c1 = {-2.0, 3.0, 0.25};
+    film.surface.curve.c2 = {1.0, -2.0, -0.5};
+    cases.push_back(film);
     return cases;
 }
 

@@ -185,6 +185,15 @@ inline std::vector<SurfaceCase> surface_cases() {
     cases.back().material.fresnel = f64::kFresnelConductor;
     cases.back().material.eta = {0.2, 0.9, 1.4};
     cases.back().material.k = {3.9, 2.4, 1.6};
+    cases.push_back(surface_case("film", f64::kBrdfMicrofacet, f64::kMdfGgx, 0.25, 0.6, 1));
+    cases.back().material.fresnel = f64::kFresnelCurve;
+    f64::FresnelCurve& curve = cases.back().material.curve;
+    curve.normal = {0.5, 0.6, 0.9};
+    curve.pole = {0.3, -0.2, 0.1};
+    curve.pole2 = {0.02, 0.01, -0.03};
+    curve.c0 = {0.5, -0.5, 0.1};
+    curve.c1 = {-1.0, 1.0, 0.2};
+    curve.c2 = {0.5, -1.0, -0.4};
     for (int brdf = f64::kBrdfMicrofacetSeparable; brdf <= f64::kBrdfLafortune; ++brdf) {
         cases.push_back(surface_case("brdf " + std::to_string(brdf), brdf, f64::kMdfGgx, 0.3,
                                      f64::brdf_is_cosine_lobe(brdf) ? 0.3 : 0.55, 0.2));

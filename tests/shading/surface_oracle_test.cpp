@@ -189,6 +189,9 @@ TEST(SurfaceOracle, FresnelDiffuseAndOcclusion) {
         EXPECT_NEAR(f64::fresnel_rise(n, f64::fresnel_inverse_at_normal(n), c),
                     narrow(oracle::conductor(n, 0, c)) / std::pow((n - 1) / (n + 1), 2), 1e-10);
         EXPECT_EQ(f64::fresnel_rise(0, 1, c), 1.0);
+        const double pole = numbers.at(-1, 1), pole2 = numbers.at(-0.1, 0.1);
+        EXPECT_NEAR(f64::fresnel_curve(f0, pole, pole2, eta, -k, k, c),
+                    narrow(oracle::fresnel_curve({f0, pole, pole2, eta, -k, k}, c)), 1e-13);
         EXPECT_NEAR(f64::diffuse_eval(f64::kBrdfMicrofacet, f0, c, o),
                     narrow(oracle::diffuse(f0, c, o)), 1e-14);
         const Vec3 wi{sqrtl(1 - static_cast<long double>(c) * c), 0, c},

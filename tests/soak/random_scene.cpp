@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "burnish/builtin_meshes.hpp"
+#include "burnish/conductors.hpp"
 #include "burnish/draft.hpp"
 #include "burnish/environments.hpp"
 #include "burnish/parameters.hpp"
@@ -164,6 +165,13 @@ void vary_models(Material& m, Random& random) {
     m.method = static_cast<Method>(below(random, method_names().size()));
     m.conserve = one_in(random, 2);
     m.alpha_mode = static_cast<AlphaMode>(below(random, 3));
+    m.conductor.reset();
+    if (!one_in(random, 4)) return;
+    const std::string_view metal = conductor_names()[below(random, conductor_names().size())];
+    m.conductor = conductor_preset(metal);
+    if (one_in(random, 2) && !oxide_of(metal).empty())
+        m.conductor->oxide =
+            oxide_film(metal, static_cast<float>(value_within(random, 0.0, 1000.0)));
 }
 
 void vary_factors(Material& m, Random& random) {

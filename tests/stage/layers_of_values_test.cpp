@@ -4,6 +4,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "burnish/conductors.hpp"
+#include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "burnish/layered_materials.hpp"
 #include "burnish/scene_file.hpp"
@@ -56,6 +58,39 @@ TEST(LayersOfValues, AMetalOfTheFlagsIsMetallic) {
     EXPECT_EQ(material_of({{"metal", "gold"}}, {{"metallic", "0.5"}}).metallic, 0.5f);
     // Values of one layer combine: both apply.
     EXPECT_EQ(material_of({{"metallic", "0"}, {"metal", "gold"}}, {}).metallic, 0.0f);
+}
+
+// As the yarns of a weave under another draft, a film stays on another metal, but not on one whose oxide
+// is not known.
+TEST(LayersOfValues, AFilmLiesOnTheMetalOfItsLayer) {
+    const auto film = [](const Words& file, const Words& flags, Material base = {}) {
+        const Material m = material_of(file, flags, std::move(base));
+        return m.conductor && m.conductor->oxide ? m.conductor->oxide->thickness_nm : 0.0f;
+    };
+    EXPECT_EQ(film({{"metal", "titanium"}, {"oxide", "50"}}, {}), 50.0f);
+    EXPECT_EQ(film({{"metal", "titanium"}}, {{"oxide", "50"}}), 50.0f);
+    EXPECT_EQ(film({{"metal", "titanium"}, {"oxide", "50"}}, {{"oxide", "0"}}), 0.0f);
+    EXPECT_EQ(film({{"metal", "titanium"}, {"oxide", "50"}}, {{"metal", "gold"}}), 0.0f);
+    EXPECT_EQ(film({{"metal", "titanium"}, {"oxide", "50"}}, {{"metal", "iron"}}), 50.0f);
+    EXPECT_EQ(film({{"metal", "titanium"}, {"oxide", "50"}}, {{"metal", "none"}}), 0.0f);
+    EXPECT_EQ(film({{"metal", "titanium"}, {"oxide", "50"}}, {{"weave", "plain"}}), 0.0f);
+    EXPECT_EQ(film({}, {{"oxide", "50"}}), 0.0f) << "no metal";
+    // A model's own metal, told by its numbers.
+    Material base;
+    base.conductor = conductor_preset("iron");
+    EXPECT_EQ(film({}, {{"oxide", "60"}}, base), 60.0f);
+    base.conductor->oxide = oxide_film("iron", 40);
+    EXPECT_EQ(film({}, {}, base), 40.0f);
+    EXPECT_EQ(film({}, {{"oxide", "0"}}, base), 0.0f);
+    EXPECT_EQ(film({}, {{"metal", "iron"}}, base), 0.0f);
+}
+
+TEST(LayersOfValues, AFilmNeedsAMetalWhoseOxideIsKnown) {
+    EXPECT_THROW(material_of({}, {{"metal", "gold"}, {"oxide", "50"}}), UsageError);
+    EXPECT_NO_THROW(material_of({}, {{"metal", "gold"}, {"oxide", "0"}}));
+    Material unknown;
+    unknown.conductor = Conductor{{0.5f, 1.0f, 1.5f}, {3.0f, 3.0f, 3.0f}};
+    EXPECT_THROW(material_of({}, {{"oxide", "50"}}, unknown), UsageError);
 }
 
 TEST(LayersOfValues, NumbersOfTheFilesMapAreNotThoseOfTheFlags) {

@@ -30,6 +30,20 @@ TEST(ViewerDocument, SettingAParameterTakesThePlaceOfOtherWaysOfSayingIt) {
     EXPECT_EQ(document.values.text("scratch"), "brushed") << "no weave takes its place";
 }
 
+TEST(ViewerDocument, AFilmOfOxideStaysOnMetalsThatTakeOne) {
+    Document document;
+    set_parameter_text(document, "metal", "titanium");
+    set_parameter(document, "oxide", 50.0);
+    set_parameter_text(document, "metal", "iron");
+    EXPECT_EQ(document.values.real("oxide"), 50.0);
+    set_parameter_text(document, "metal", "gold");
+    EXPECT_FALSE(document.values.is_set("oxide"));
+    set_parameter_text(document, "metal", "iron");
+    set_parameter(document, "oxide", 50.0);
+    set_parameter_text(document, "metal", "none");
+    EXPECT_FALSE(document.values.is_set("oxide"));
+}
+
 TEST(ViewerDocument, AMaterialKeepsItsOwnValueUntilAllAreSet) {
     Document document;
     set_parameter(document, "alpha_x", 0.2);

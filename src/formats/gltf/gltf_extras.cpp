@@ -52,9 +52,23 @@ std::filesystem::path beside(const JsonPlace& place, const std::filesystem::path
     return folder / name;
 }
 
+// Terms of films on metals lie below 20.
+OxideFilm read_oxide(const JsonPlace& place) {
+    OxideFilm film;
+    film.thickness_nm = number(place.at("thickness_nm"), "oxide");
+    const JsonPlace curve = place.at("curve");
+    const std::size_t terms = curve.value().is_array() ? curve.value().size() : 0;
+    if (terms != kFresnelTerms) curve.fail(fmt::format("{} colors", kFresnelTerms));
+    for (std::size_t i = 0; i < kFresnelTerms; ++i)
+        film.curve[i] = triple(curve.at(i), -1000.0, 1000.0);
+    return film;
+}
+
 Conductor read_conductor(const JsonPlace& place) {
     // Refractive indices of metals lie below 10.
-    return {triple(place.at("eta"), 0.0, 100.0), triple(place.at("k"), 0.0, 100.0)};
+    Conductor c{triple(place.at("eta"), 0.0, 100.0), triple(place.at("k"), 0.0, 100.0)};
+    if (place.has("oxide")) c.oxide = read_oxide(place.at("oxide"));
+    return c;
 }
 
 Cloth read_cloth(const JsonPlace& place, const std::filesystem::path& folder,

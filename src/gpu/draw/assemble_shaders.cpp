@@ -49,6 +49,7 @@ std::vector<SurfaceVariant> variants() {
             v.image_light = mdf;
             v.lights = mdf;
             v.conductor = v.metal = mdf % 2 == 1;
+            v.fresnel_curve = v.conductor && brdf % 2 == 0;
             list.push_back(v);
         }
     }

@@ -80,6 +80,13 @@ void set_textures(Program& program, const Material& material, const TextureStore
     set_shared_uv(program, material);
 }
 
+void set_fresnel_curve(Program& program, const f32::FresnelCurve& curve) {
+    const std::array<glm::vec3, kFresnelTerms> terms = {of(curve.normal), of(curve.pole),
+                                                        of(curve.pole2),  of(curve.c0),
+                                                        of(curve.c1),     of(curve.c2)};
+    program.set("u_fresnel_curve", std::span<const glm::vec3>(terms));
+}
+
 }  // namespace
 
 void set_shared_uv(Program& program, const Material& material) {
@@ -109,7 +116,8 @@ SurfaceVariant variant_of(const Material& m, const TextureStore::Slots& textures
     v.mdf = m.mdf;
     v.brdf = m.brdf;
     v.tabulated = tabulated_of(m) != nullptr;
-    v.conductor = values.surface.fresnel == f32::kFresnelConductor;
+    v.fresnel_curve = values.surface.fresnel == f32::kFresnelCurve;
+    v.conductor = values.surface.fresnel == f32::kFresnelConductor || v.fresnel_curve;
     // A texture scales the metallic factor down.
     v.metal = !values.surface.has_diffuse && (v.conductor || !m.metallic_roughness_texture);
     v.base_color_map = static_cast<bool>(m.base_color_texture);
@@ -156,6 +164,7 @@ void set_material(Program& program, const Material& m, const TextureStore& textu
     program.set("u_lobe", glm::vec4(lobe.p0, lobe.p1, lobe.paper_norm, lobe.projected_norm));
     program.set("u_eta", of(surface.eta));
     program.set("u_k", of(surface.k));
+    set_fresnel_curve(program, surface.curve);
     program.set("u_dielectric_f0", surface.dielectric_f0);
     program.set("u_ks", surface.ks);
     program.set("u_lafortune_c", of(surface.c));

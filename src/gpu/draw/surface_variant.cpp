@@ -25,6 +25,7 @@ std::string SurfaceVariant::defines() const {
     lines += define("IMAGE_LIGHT", image_light);
     const std::pair<bool, const char*> switches[] = {
         {conductor, "CONDUCTOR"},
+        {fresnel_curve, "FRESNEL_CURVE"},
         {metal, "METAL"},
         {!has_half_vectors(brdf), "COSINE_LOBE"},
         {lobe_from_texture, "LOBE_FROM_TEXTURE"},

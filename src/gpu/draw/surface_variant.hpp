@@ -14,7 +14,8 @@ struct SurfaceVariant {
     Brdf brdf = Brdf::microfacet;
     bool conserve = false;
     bool conductor = false;
-    bool metal = false;  // no diffuse term
+    bool fresnel_curve = false;  // a conductor under a film
+    bool metal = false;          // no diffuse term
     bool lobe_from_texture = false;
     bool grooves_along_x = true;  // unless lobe_from_texture
     bool turned = false;          // the stretch is not along the tangent

@@ -140,6 +140,8 @@ Description describe_material(const Scene& scene, const Material& material) {
     if (m.conductor) {
         const std::string_view metal = conductor_name(*m.conductor);
         d.say("metal ").say(metal.empty() ? "of its own" : metal);
+        if (m.conductor->oxide)
+            d.say(" under ").say(m.conductor->oxide->thickness_nm).say(" nm of oxide");
     } else {
         d.say("base color (").say(m.base_color.r).say(", ").say(m.base_color.g).say(", ");
         d.say(m.base_color.b).say(")");

@@ -52,6 +52,15 @@ auto interface_of(const Material& m) {
         s.fresnel = f32::kFresnelDielectric;
         s.eta.x = static_cast<Float>(tabulated->material->eta);
         s.k.x = fresnel_inverse_at_normal(s.eta.x);
+    } else if (m.conductor && m.conductor->oxide) {
+        s.fresnel = f32::kFresnelCurve;
+        const FresnelTerms& terms = m.conductor->oxide->curve;
+        s.curve.normal = vector_of<Float>(terms[0]);
+        s.curve.pole = vector_of<Float>(terms[1]);
+        s.curve.pole2 = vector_of<Float>(terms[2]);
+        s.curve.c0 = vector_of<Float>(terms[3]);
+        s.curve.c1 = vector_of<Float>(terms[4]);
+        s.curve.c2 = vector_of<Float>(terms[5]);
     } else if (m.conductor) {
         s.fresnel = f32::kFresnelConductor;
         s.eta = vector_of<Float>(m.conductor->eta);

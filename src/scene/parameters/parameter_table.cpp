@@ -127,6 +127,11 @@ void add_material(Table& t) {
     t.color("base_color", 1, {},
             "diffuse color, or reflectance of a metal: r,g,b linear or #rrggbb");
     t.choice("metal", metals(), {}, "measured metal with exact Fresnel instead of base_color");
+    t.belongs_to = "metal";
+    t.real("oxide", 0, 1000, 0.0, "nm",
+           "thickness of a film of oxide on the metal, which colors it by interference: anodized "
+           "titanium, tempered steel");
+    t.belongs_to = "";
     t.real("f0", 0, 1, {}, "",
            "normal reflectance of a dielectric (0.04 is a refractive index of 1.5)");
     t.text("normal_map", "normal map: a picture, builtin:bumps, or none");

@@ -10,7 +10,9 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "burnish/conductors.hpp"
 #include "burnish/error.hpp"
+#include "burnish/material_assets.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -38,6 +40,9 @@ void put(ParameterValues& values, std::string_view name, const ParameterValue& v
     ParameterValues one;
     one.set_value(name, value);
     values.merge(one);
+    // A metal without a known oxide refuses the film of the metal before.
+    if (name == "metal" && (!names_one(one, name) || oxide_of(one.text(name)).empty()))
+        erase_belonging(values, name);
 }
 
 const Parameter& parameter_named(std::string_view name, std::string_view where) {

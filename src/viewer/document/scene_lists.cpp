@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "burnish/conductors.hpp"
 #include "burnish/error.hpp"
 #include "burnish/tabulated_material.hpp"
 
@@ -18,12 +19,6 @@ std::string kind_of(const Material& material, const ParameterValues& values) {
     if (cloth_of(material)) return "weave";
     if (values.is_set("scratch") && values.text("scratch") != "none") return "scratch";
     return material.conductor || material.metallic > 0.5f ? "metal" : "dielectric";
-}
-
-// At normal incidence, as Fresnel's equations have it.
-glm::vec3 color_of_metal(const Conductor& c) {
-    const glm::vec3 low = c.eta - 1.0f, high = c.eta + 1.0f, k2 = c.k * c.k;
-    return (low * low + k2) / (high * high + k2);
 }
 
 // Of some texels: lists are made for every frame, and materials have millions.
@@ -42,7 +37,7 @@ glm::vec3 mean_diffuse(const TabulatedMaterial& t) {
 glm::vec3 color_of(const Material& m) {
     if (const Tabulated* t = tabulated_of(m)) return mean_diffuse(*t->material);
     if (const Cloth* c = cloth_of(m)) return c->warp_color.value_or(glm::vec3(m.base_color));
-    return m.conductor ? color_of_metal(*m.conductor) : glm::vec3(m.base_color);
+    return m.conductor ? normal_reflectance(*m.conductor) : glm::vec3(m.base_color);
 }
 
 }  // namespace

@@ -144,6 +144,9 @@ Value of_model(const Material& m, const Parameter& p) {
     if (name == "metallic") return decimal_of(m.metallic);
     if (name == "base_color") return glm::vec3(m.base_color);
     if (name == "metal") return of_metal(m, p);
+    if (name == "oxide")
+        return m.conductor && m.conductor->oxide ? decimal_of(m.conductor->oxide->thickness_nm)
+                                                 : p.default_value;
     if (name == "f0") return decimal_of(m.dielectric_f0);
     if (name == "normal_scale") return decimal_of(m.normal_scale);
     if (name == "flip_green") return m.flip_green;

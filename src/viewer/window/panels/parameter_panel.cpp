@@ -30,7 +30,7 @@ const std::vector<Section>& sections() {
         {"Roughness",
          {"alpha_x", "alpha_y", "anisotropy_rotation", "roughness", "anisotropy", "e_x", "e_y",
           "cosine_exponent", "ks", "lafortune_c"}},
-        {"Color", {"metal", "base_color", "metallic", "f0", "double_sided"}},
+        {"Color", {"metal", "oxide", "base_color", "metallic", "f0", "double_sided"}},
         {"Detail",
          {"normal_map", "normal_scale", "flip_green", "normal_filter", "scratch",
           "scratch_direction", "physical_size", "height_map", "height_scale", "uv_scale"}},
@@ -311,9 +311,10 @@ bool is_reachable(const App& app, const Parameter& p) {
     if (p.belongs_to.empty()) return true;
     const std::optional<ParameterValue> above =
         value_in_effect(app.document(), app.editor.stage(), p.belongs_to, app.material).value;
-    if (above)
-        if (const auto* text = std::get_if<std::string>(&*above))
-            if (!text->empty() && *text != "none") return true;
+    if (above) {
+        const std::string text = text_of(*find_parameter(p.belongs_to), *above);
+        if (!text.empty() && text != "none") return true;
+    }
     if (p.belongs_to == "weave")
         return std::ranges::any_of(app.scene().materials,
                                    [](const Material& m) { return cloth_of(m) != nullptr; });
