@@ -8,6 +8,9 @@
 #include "shaders/lib/tabulated.glsl"
 #endif
 #include "shaders/lib/material.glsl"
+#if defined(COMPENSATED) || (IMAGE_LIGHT == 3 && !defined(COSINE_LOBE))
+#include "shaders/lib/albedo.glsl"
+#endif
 #include "shaders/lib/specular.glsl"
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/environment.glsl"

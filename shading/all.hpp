@@ -15,6 +15,7 @@
 #include "shading/brdf/cook_torrance.glsl"
 #include "shading/brdf/half_vector.glsl"
 #include "shading/brdf/sample.glsl"
+#include "shading/brdf/albedo.glsl"
 #include "shading/brdf/phong.glsl"
 #include "shading/brdf/lafortune.glsl"
 #include "shading/brdf/cosine_lobe.glsl"

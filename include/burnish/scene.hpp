@@ -135,6 +135,9 @@ struct Material {
     glm::vec3 lafortune_c{-1.0f, -1.0f, 1.0f};  // Cx, Cy, Cz: the mirror direction
     Method method = Method::follow_grain;
     bool conserve = false;  // deform-*: the energy-conserving form
+    // microfacet, microfacet-separable: without the light that facets reflect more than once, as the
+    // models were published (docs/theory/energy.md). The other models have none.
+    bool single_scattering = false;
 
     bool operator==(const Material&) const = default;
 };
@@ -164,6 +167,10 @@ std::vector<Material> drawn_materials(std::vector<Material> materials);
 Method drawn_method(const Material& material);
 // drawn_method of the material without its anisotropy texture.
 Method untextured_method(const Material& material);
+
+// Whether a renderer adds the light that facets reflect more than once: cloth and tabulated materials
+// have none to add.
+bool is_compensated(const Material& material);
 
 // An instance whose mesh is negative is an erased one: nothing is drawn.
 struct Instance {

@@ -6,12 +6,17 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "burnish/api.hpp"
 #include "burnish/f64.hpp"
 #include "burnish/scene.hpp"
+
+namespace burnish {
+class AlbedoTable;
+}
 
 namespace BURNISH_API burnish {
 
@@ -50,6 +55,8 @@ class SurfacePoint {
     // that a strong map turns away from the eye faces it.
     f64::vec3 local(glm::dvec3 w) const;
     f64::Perturbation seen_from(f64::vec3 to_eye) const;
+    // With the light that facets reflect more than once towards the eye.
+    f64::SurfaceMaterial material_towards(const f64::Perturbation& p, f64::vec3 to_eye) const;
 
     f64::SurfaceMaterial material_;
     f64::vec3 normal_;
@@ -57,6 +64,7 @@ class SurfacePoint {
     int method_ = 0;
     bool grooves_along_x_ = true;
     bool conserve_ = false;
+    std::shared_ptr<const AlbedoTable> albedos_;  // none: single_scattering
 };
 
 }  // namespace burnish

@@ -82,11 +82,9 @@ float cloth_energy(Shading fibers, Shading wide, ClothFamily f, vec3 wo) {
     for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = normalize(cloth_node(u_weave_nodes[f.family], i));
         Perturbation p = surface_perturbation(METHOD, n, u_weave_twist, GROOVES_ALONG_X, CONSERVE, wo);
-        sum += cloth_node_weight(i) * albedo_towards(lobe_alpha_x(fibers.surface.lobe),
-                                                     lobe_alpha_y(fibers.surface.lobe),
-                                                     perturb_direction(p, wo));
+        sum += cloth_node_weight(i) * albedo_at(albedo_place_of(fibers.surface.lobe, p, wo));
     }
-    float one = albedo_towards(lobe_alpha_x(wide.surface.lobe), lobe_alpha_y(wide.surface.lobe), wo);
+    float one = albedo_at(albedo_place(wide.surface.lobe, wo));
     return sum / max(one, 1e-3);
 }
 #endif

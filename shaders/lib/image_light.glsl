@@ -23,7 +23,7 @@ vec3 image_sample(Shading m, Frame a, Perturbation p, vec3 wo, uint index, Rotat
     float weight = specular_at(m, p, wi, wo) * cos_i / max(pdf, kTiny);
     float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
     vec3 radiance = environment_radiance(frame_to_outer(a, wi), lod);
-    vec3 term = specular_fresnel(m.surface, half_angle_cosine(wi, wo)) * radiance * weight;
+    vec3 term = specular_color(m.surface, half_angle_cosine(wi, wo)) * radiance * weight;
     return counts ? finite_radiance(term) : vec3(0.0);
 }
 
@@ -101,7 +101,8 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     // Perceptual roughness is sqrt(alpha), so the lobe has the width alpha = roughness^2.
     vec3 towards = environment_direction(frame_to_outer(a, wi));
     vec3 radiance = lobe_radiance(towards, lobe_lod(narrow * narrow)) * u_environment_scale;
-    return radiance * split_sum(specular_fresnel(m.surface, 1.0), roughness, max(dot(p.n, wo), 0.0));
+    return radiance * m.surface.gain *
+           split_sum(specular_fresnel(m.surface, 1.0), roughness, max(dot(p.n, wo), 0.0));
 }
 
 #elif IMAGE_LIGHT == 3

@@ -15,8 +15,6 @@ const int kLookUps = 7;
 const float kReach = 0.95;
 const float kWidth = 0.6;
 
-uniform sampler3D u_albedo;  // albedo_table.hpp
-
 // The linear part of the map from base half vectors to half vectors: the columns of a matrix B; h
 // is along B m. Rotations are orthogonal. normal-map is a shear: x and y stay, and n~.h replaces
 // m.z.
@@ -135,19 +133,6 @@ MajorAxis major_axis(vec3 wo, vec3 h, vec3 dx, vec3 dy) {
     return axis;
 }
 
-// Albedo for a view v in the frame of the lobe.
-float albedo_towards(float ax, float ay, vec3 v) {
-    float l = inversesqrt(max(dot(v, v), kTiny));
-    float x2 = v.x * v.x;
-    float y2 = v.y * v.y;
-    float flat2 = max(x2 + y2, kTiny);
-    float along2 = (ax * ax * x2 + ay * ay * y2) / flat2;
-    float across2 = ax * ax + ay * ay - along2;
-    vec3 place = vec3(sqrt(sqrt(vec2(along2, max(across2, 0.0)))), v.z * l);
-    vec3 nodes = vec3(textureSize(u_albedo, 0));
-    return textureLod(u_albedo, (clamp(place, 0.0, 1.0) * (nodes - 1.0) + 0.5) / nodes, 0.0).r;
-}
-
 // Whether the method is a rotation: then look-ups are computed in the rotated axes, where h = m.
 bool turns(Perturbation p) {
     return p.method != kMethodNormalMap && !deforms(p);
@@ -201,10 +186,10 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
                               : min(gi.z / max(go.z, 1e-3), 1.0);
         share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;
         vec3 radiance = lobe_radiance(frame_to_outer(axes, wi), lobe_lod(kWidth * kWidth * blur2));
-        sum += specular_fresnel(m.surface, wo_h) * radiance * (share * energy_at(at, p, go, wo_h));
+        sum += specular_color(m.surface, wo_h) * radiance * (share * energy_at(at, p, go, wo_h));
         energy += share;
     }
     // 1e-3: below the share of any look-up when the view is above the horizon.
-    float scale = albedo_towards(ax, ay, go) / max(energy, 1e-3);
+    float scale = albedo_at(albedo_place(lobe, go)) / max(energy, 1e-3);
     return dot(p.n, wo) > 0.0 ? sum * (scale * u_environment_scale) : vec3(0.0);
 }

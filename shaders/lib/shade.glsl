@@ -59,6 +59,9 @@ Perturbation facing_perturbation(Surface s, Shading m, inout Frame a) {
 vec3 reflected(Surface s, Shading m, Frame a) {
     Perturbation p = facing_perturbation(s, m, a);
     vec3 wo = frame_to_local(a, s.to_eye);
+#ifdef COMPENSATED
+    m.surface = surface_compensated(m.surface, albedo_at(albedo_place_of(m.surface.lobe, p, wo)));
+#endif
     vec3 radiance = vec3(0.0);
 #if LIGHTS > 0
     radiance += lit_by_lights(s, m, a, p, wo);

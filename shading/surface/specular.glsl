@@ -13,6 +13,7 @@ struct SurfaceMaterial {
     vec3 specular;        // reflectance at normal incidence; not of conductors and curves
     vec3 eta;             // of conductors: eta + i k. Of kFresnelDielectric: x, and 1/F at normal
     vec3 k;               // incidence in k.x
+    vec3 gain;            // factor of the specular term: surface_compensated
     FresnelCurve curve;   // of kFresnelCurve
     Bool has_diffuse;     // false: metals, whose diffuse term then costs nothing
     vec3 diffuse;         // albedo of the base under the interface
@@ -68,6 +69,7 @@ FN SurfaceMaterial surface_material(int brdf, Lobe lobe, Float ks, vec3 c, Float
     m.specular = vec3(dielectric_f0, dielectric_f0, dielectric_f0);
     m.eta = vec3(Float(1), Float(1), Float(1));
     m.k = vec3(Float(0), Float(0), Float(0));
+    m.gain = vec3(Float(1), Float(1), Float(1));
     m.curve = fresnel_curve_of_mirror();
     m.has_diffuse = false;
     m.diffuse = vec3(Float(0), Float(0), Float(0));
@@ -96,6 +98,23 @@ FN vec3 specular_fresnel(SurfaceMaterial m, Float cos_h) {
         f = fresnel_schlick(m.specular, cos_h);
     }
     return f;
+}
+
+// The material seen from a direction whose albedo is `albedo` (albedo_place_of). Light that facets reflect more
+// than once leaves in the shape of the lobe, multiplied by the reflectance at normal incidence each time
+// (Turquin 2019, "Practical multiple scattering compensation for microfacet models"): 1 + F0 (1 - E)/E. With
+// F = 1 the lobe reflects all light. Not reciprocal: the factor is that of wo alone.
+// 0.05: below the albedo of any lobe (0.17 at alpha 1.5).
+FN SurfaceMaterial surface_compensated(SurfaceMaterial m, Float albedo) {
+    Float lost = Float(1) / clamp(albedo, Float(0.05), Float(1)) - Float(1);
+    vec3 one = vec3(Float(1), Float(1), Float(1));
+    m.gain = one + specular_fresnel(m, Float(1)) * lost;
+    return m;
+}
+
+// The color of the specular term: Fresnel factor and gain.
+FN vec3 specular_color(SurfaceMaterial m, Float cos_h) {
+    return specular_fresnel(m, cos_h) * m.gain;
 }
 
 // Without Fresnel. 0 where wi or wo is below the horizon of n~.

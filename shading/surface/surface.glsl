@@ -3,7 +3,7 @@
 
 // Per steradian, without the cosine. 0 where wi or wo is below the horizon of n~.
 FN vec3 surface_eval(SurfaceMaterial m, Perturbation p, LobeValues v, vec3 wi, vec3 wo) {
-    vec3 f = specular_fresnel(m, half_angle_cosine(wi, wo)) * specular_eval(m, p, v, wi, wo);
+    vec3 f = specular_color(m, half_angle_cosine(wi, wo)) * specular_eval(m, p, v, wi, wo);
     if (m.has_diffuse) {
         Float cos_i = dot(p.n, wi);
         Float cos_o = dot(p.n, wo);
@@ -25,7 +25,7 @@ FN Float surface_specular_share(SurfaceMaterial m, Perturbation p, vec3 wo) {
     Float share = Float(1);
     if (m.has_diffuse) {
         Float cos_o = max(dot(p.n, wo), Float(0));
-        Float specular = luminance(specular_fresnel(m, cos_o));
+        Float specular = luminance(specular_color(m, cos_o));
         Float diffuse = luminance(m.diffuse) * diffuse_albedo(m.brdf, m.dielectric_f0, cos_o);
         share = clamp(specular / max(specular + diffuse, kTiny), Float(0.1), Float(0.9));
     }

@@ -340,6 +340,7 @@ GltfMaterial bake_gltf_material(const Material& material, std::span<const Textur
     to.name = m.name;
     to.method = m.method;
     to.conserve = m.conserve;
+    to.single_scattering = !is_compensated(m);
     to.normal_filter = m.normal_filter;
     to.alpha_mode = m.alpha_mode;
     if (points.has_alpha && tabulated_of(m)) to.alpha_mode = AlphaMode::mask;

@@ -56,7 +56,8 @@ ordered_json extras_of(const Material& m, const std::string& file) {
     ordered_json out = {{"mdf", name_of(m.mdf)},
                         {"brdf", name_of(m.brdf)},
                         {"method", name_of(m.method)},
-                        {"conserve", m.conserve}};
+                        {"conserve", m.conserve},
+                        {"single_scattering", m.single_scattering}};
     if (m.ks) out["ks"] = *m.ks;
     if (m.brdf == Brdf::lafortune) out["lafortune_c"] = triple(m.lafortune_c);
     if (m.conductor) out["conductor"] = conductor_json(*m.conductor);

@@ -1,20 +1,42 @@
 // The directional albedo of a reflection model without Fresnel, as a table.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <vector>
 
+#include "burnish/f64.hpp"
 #include "burnish/shading_names.hpp"
 
 namespace burnish {
 
-inline constexpr int kAlbedoAlphas = 16;
-inline constexpr int kAlbedoCosines = 24;
+// Int f cos dwi of the unperturbed model, F = 1, for every roughness pair and direction of the view:
+// three coefficients a node, [cosine][alpha across][alpha along]. shading/brdf/albedo.glsl says what
+// the axes and the coefficients are; models/albedo_nodes.hpp how many nodes there are and what they
+// hold. Threads: immutable.
+class AlbedoTable {
+  public:
+    AlbedoTable(Brdf brdf, Mdf mdf);
 
-// Int f cos dwi of the unperturbed model, F = 1, [cosine][alpha across][alpha along]: alpha along
-// is the roughness towards the azimuth of the view, across the one perpendicular to it. Node i of n
-// lies at sqrt(alpha) = i/(n-1) and at cosine i/(n-1), both held to 0.01 at least. Where the axes
-// of the lobe are not those of the view the same two numbers serve, within 1 %. 1024 samples a
-// node, the same on any number of threads.
-std::vector<float> albedo_table(Brdf brdf, Mdf mdf);
+    const std::vector<std::array<float, 3>>& nodes() const { return nodes_; }
+
+    // The albedo at a place of the table.
+    double at(const f64::AlbedoPlace& place) const;
+
+  private:
+    std::vector<std::array<float, 3>> nodes_;
+};
+
+// The table of a model, kept until the process ends. Those of microfacet and microfacet-separable, for
+// any distribution, are made by the build; they are within 0.9 % of the integral for alphas from 0.05
+// to 1 (tests/models/albedo_table_test.cpp). Those of other models are computed at the first call, from
+// 6.3 million samples, without the coefficients of the mixed term: within 8 % seen across the axes of
+// the lobe, within 1 % for ratios of the alphas up to 4. The same on any number of threads. Threads: any.
+std::shared_ptr<const AlbedoTable> albedo_table(Brdf brdf, Mdf mdf);
+
+// surface_compensated by the albedo that the table has for the lobe of `material` under `p`, seen from
+// `wo` (unit, in the lobe's unperturbed space).
+f64::SurfaceMaterial compensated(const f64::SurfaceMaterial& material, const AlbedoTable& table,
+                                 const f64::Perturbation& p, f64::vec3 wo);
 
 }  // namespace burnish

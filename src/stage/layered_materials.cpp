@@ -28,7 +28,8 @@ void erase_all(ParameterValues& values, std::initializer_list<std::string_view> 
 bool is_replaced_by_maps(const Parameter& p) {
     if (p.group != ParameterGroup::material) return false;
     static constexpr std::string_view kKept[] = {
-        "mdf", "brdf", "method", "conserve", "normal_filter", "double_sided", "maps"};
+        "mdf",           "brdf",         "method", "conserve", "single_scattering",
+        "normal_filter", "double_sided", "maps"};
     return std::find(std::begin(kKept), std::end(kKept), p.name) == std::end(kKept);
 }
 

@@ -51,6 +51,8 @@ void apply_model(Material& material, const ParameterValues& values) {
     if (values.is_set("brdf")) material.brdf = static_cast<Brdf>(values.choice("brdf"));
     if (values.is_set("method")) material.method = static_cast<Method>(values.choice("method"));
     if (values.is_set("conserve")) material.conserve = values.boolean("conserve");
+    if (values.is_set("single_scattering"))
+        material.single_scattering = values.boolean("single_scattering");
     if (values.is_set("ks")) material.ks = real_of(values, "ks");
     if (values.is_set("lafortune_c")) material.lafortune_c = values.vec3("lafortune_c");
     if (values.is_set("anisotropy_rotation"))

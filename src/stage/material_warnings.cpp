@@ -127,6 +127,12 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
                  });
     warn_if_idle("conserve", "only the deform methods ask for it",
                  [](const Material& m, Values) { return is_deformation(m.method); });
+    warn_if_idle("single_scattering", "only microfacet and microfacet-separable have another form",
+                 [](const Material& m, Values) {
+                     Material compensated = m;
+                     compensated.single_scattering = false;
+                     return is_compensated(compensated);
+                 });
     warn_if_idle("method", "there is no normal map",
                  [](const Material& m, Values) { return bends_normals(m); });
     warn_if_idle("anisotropy_rotation", "the lobe is isotropic",

@@ -52,6 +52,7 @@ Material base_material(Brdf brdf, Mdf mdf, MaterialLobe lobe) {
     m.lobe = std::move(lobe);
     m.anisotropy_rotation = kRotation;
     m.conserve = true;
+    m.single_scattering = true;  // furnace_test.cpp has the light that is reflected more than once
     return m;
 }
 

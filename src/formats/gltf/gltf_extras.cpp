@@ -101,19 +101,23 @@ void drop_maps(Material& m) {
     m.normal_texture = place;
 }
 
+void read_switch(const JsonPlace& root, std::string_view key, bool& value) {
+    if (!root.has(key)) return;
+    if (!root.at(key).value().is_boolean()) root.at(key).fail("true or false");
+    value = root.at(key).value().get<bool>();
+}
+
 Material restored(const JsonPlace& root, const std::filesystem::path& folder, Material m,
                   std::vector<std::string>& warnings) {
-    constexpr std::array<std::string_view, 11> kKeys = {
-        "mdf",   "brdf",      "method", "conserve",           "ks", "lafortune_c", "conductor",
-        "cloth", "tabulated", "color",  "anisotropy_rotation"};
+    constexpr std::array<std::string_view, 12> kKeys = {
+        "mdf",       "brdf",  "method",    "conserve", "single_scattering",  "ks", "lafortune_c",
+        "conductor", "cloth", "tabulated", "color",    "anisotropy_rotation"};
     root.require_object(kKeys);
     read_name(root, "mdf", mdf_names(), m.mdf);
     read_name(root, "brdf", brdf_names(), m.brdf);
     read_name(root, "method", method_names(), m.method);
-    if (root.has("conserve")) {
-        if (!root.at("conserve").value().is_boolean()) root.at("conserve").fail("true or false");
-        m.conserve = root.at("conserve").value().get<bool>();
-    }
+    read_switch(root, "conserve", m.conserve);
+    read_switch(root, "single_scattering", m.single_scattering);
     if (root.has("ks")) m.ks = number(root.at("ks"), "ks");
     if (root.has("lafortune_c")) m.lafortune_c = triple(root.at("lafortune_c"), -10.0, 10.0);
     if (root.has("conductor")) m.conductor = read_conductor(root.at("conductor"));

@@ -1,12 +1,13 @@
 #include "gpu/device/albedo_tables.hpp"
 
 #include <initializer_list>
+#include <memory>
 #include <utility>
-#include <vector>
 
 #include "burnish/f32.hpp"
 #include "gpu/device/gl.hpp"
 #include "gpu/device/texture_units.hpp"
+#include "models/albedo_nodes.hpp"
 #include "models/albedo_table.hpp"
 
 namespace burnish::gpu {
@@ -24,16 +25,14 @@ bool AlbedoTables::has(Brdf brdf, Mdf mdf) const {
 }
 
 void AlbedoTables::require(Brdf brdf, Mdf mdf) {
-    if (!has(brdf, mdf)) put(brdf, mdf, albedo_table(brdf, mdf));
-}
-
-void AlbedoTables::put(Brdf brdf, Mdf mdf, const std::vector<float>& table) {
+    if (has(brdf, mdf)) return;
+    const std::shared_ptr<const AlbedoTable> table = albedo_table(brdf, mdf);
     GlTexture texture;
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_3D, texture.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, kAlbedoAlphas, kAlbedoAlphas, kAlbedoCosines, 0, GL_RED,
-                 GL_FLOAT, table.data());
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_RGB16F, kAlbedoAlphas, kAlbedoAlphas, kAlbedoCosines, 0,
+                 GL_RGB, GL_FLOAT, table->nodes().data());
     for (const GLenum name :
          std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
         glTexParameteri(GL_TEXTURE_3D, name, GL_LINEAR);

@@ -1,8 +1,7 @@
-// Albedo tables on the device, which --image-light prefiltered needs to conserve energy.
+// Albedo tables on the device: compensated materials and --image-light prefiltered read them.
 #pragma once
 
 #include <map>
-#include <vector>
 
 #include "burnish/shading_names.hpp"
 #include "gpu/device/handles.hpp"
@@ -13,10 +12,8 @@ namespace burnish::gpu {
 // renderers.
 class AlbedoTables {
   public:
-    // Makes the table if it is missing, from 6.3 million samples of the model.
+    // Uploads the table if it is missing. albedo_table computes it, unless it did before.
     void require(Brdf brdf, Mdf mdf);
-    // Takes the table that albedo_table(brdf, mdf) gave, perhaps on another thread.
-    void put(Brdf brdf, Mdf mdf, const std::vector<float>& table);
     bool has(Brdf brdf, Mdf mdf) const;
     // Binds a table that was required before to kAlbedoUnit.
     void bind(Brdf brdf, Mdf mdf) const;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "burnish/f32.hpp"
 #include "gpu/device/shader_source.hpp"
 #include "gpu/draw/surface_variant.hpp"
 
@@ -35,6 +36,7 @@ std::vector<SurfaceVariant> variants() {
         v.normal_map = true;
         v.normal_moments = method % 2 == 1;
         v.conserve = method % 2 == 0;
+        v.compensated = method % 3 != 0;
         v.lights = 1;
         v.image_light = 1;
         list.push_back(v);
@@ -49,6 +51,7 @@ std::vector<SurfaceVariant> variants() {
             v.image_light = mdf;
             v.lights = mdf;
             v.conductor = v.metal = mdf % 2 == 1;
+            v.compensated = f32::brdf_masks(brdf);
             v.fresnel_curve = v.conductor && brdf % 2 == 0;
             list.push_back(v);
         }

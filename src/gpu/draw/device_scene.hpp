@@ -34,7 +34,7 @@ namespace burnish::gpu {
 // A program that a material was drawn with.
 struct PreparedProgram {
     SurfaceVariant variant;
-    bool resolve = false;  // resolve.frag, else surface.frag
+    bool resolve = false;            // resolve.frag, else surface.frag
     std::weak_ptr<Program> program;  // of the cache, which may have deleted it
 };
 

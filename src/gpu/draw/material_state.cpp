@@ -98,6 +98,12 @@ void set_shared_uv(Program& program, const Material& material) {
     program.set("u_uv_from_set", static_cast<float>(shared.texcoord));
 }
 
+bool reads_albedos(const RenderSettings& settings, const Material& m) {
+    if (tabulated_of(m)) return false;
+    const bool blurs = settings.image_light == ImageLight::prefiltered && has_half_vectors(m.brdf);
+    return blurs || is_compensated(m);
+}
+
 void bind_textures(const Material& material, TextureStore& textures) {
     const auto uses = uses_of(material);
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -116,6 +122,7 @@ SurfaceVariant variant_of(const Material& m, const TextureStore::Slots& textures
     v.mdf = m.mdf;
     v.brdf = m.brdf;
     v.tabulated = tabulated_of(m) != nullptr;
+    v.compensated = values.compensated;
     v.fresnel_curve = values.surface.fresnel == f32::kFresnelCurve;
     v.conductor = values.surface.fresnel == f32::kFresnelConductor || v.fresnel_curve;
     // A texture scales the metallic factor down.

@@ -1,6 +1,7 @@
 // Determines the variant of the surface shader that a Material needs, and sets its uniforms.
 #pragma once
 
+#include "burnish/render_settings.hpp"
 #include "burnish/scene.hpp"
 #include "gpu/device/program.hpp"
 #include "gpu/draw/surface_variant.hpp"
@@ -12,6 +13,9 @@ namespace burnish::gpu {
 // `with_normal_map` false: ignores the normal map.
 SurfaceVariant variant_of(const Material& material, const TextureStore::Slots& textures,
                           bool with_normal_map);
+
+// Whether the surface shader reads the albedo table of the material's model.
+bool reads_albedos(const RenderSettings& settings, const Material& material);
 
 // Binds the textures to the units that set_material passes to programs.
 void bind_textures(const Material& material, TextureStore& textures);

@@ -78,7 +78,7 @@ void Painter::set_surface(Program& program, const Frame& frame, int material) {
                     1.0f / std::sqrt(static_cast<float>(std::max(o.samples, 1))));
         return;
     }
-    if (o.image_light != ImageLight::prefiltered || !has_half_vectors(m.brdf)) return;
+    if (!reads_albedos(o, m)) return;
     context_.albedos().bind(m.brdf, m.mdf);
     program.set("u_albedo", static_cast<int>(kAlbedoUnit));
 }

@@ -199,8 +199,7 @@ void Painter::prepare_tables(const Frame& frame, const Progress& progress) {
         if (slot.tabulated && (sampled || is_furnace(frame))) slot.tabulated->require_draws();
         if (frame.options->view == SurfaceView::moments && wants_slopes(m))
             scene_.textures().require_covariances(m, progress);
-        if (slot.tabulated || light != ImageLight::prefiltered || !has_half_vectors(m.brdf))
-            continue;
+        if (!reads_albedos(*frame.options, m)) continue;
         if (context_.albedos().has(m.brdf, m.mdf)) continue;
         progress.step("albedo tables", 0.0);
         context_.albedos().require(m.brdf, m.mdf);

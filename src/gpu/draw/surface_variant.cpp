@@ -27,6 +27,7 @@ std::string SurfaceVariant::defines() const {
         {conductor, "CONDUCTOR"},
         {fresnel_curve, "FRESNEL_CURVE"},
         {metal, "METAL"},
+        {compensated, "COMPENSATED"},
         {!has_half_vectors(brdf), "COSINE_LOBE"},
         {lobe_from_texture, "LOBE_FROM_TEXTURE"},
         {turned, "TURNED"},

@@ -16,6 +16,7 @@ struct SurfaceVariant {
     bool conductor = false;
     bool fresnel_curve = false;  // a conductor under a film
     bool metal = false;          // no diffuse term
+    bool compensated = false;    // with the light that facets reflect more than once
     bool lobe_from_texture = false;
     bool grooves_along_x = true;  // unless lobe_from_texture
     bool turned = false;          // the stretch is not along the tangent

@@ -86,11 +86,17 @@ MaterialValues<Surface> material_values(const Material& m) {
     v.grooves_along_x = tabulated_of(m) || lobe_grooves_along_x(lobe.mdf, lobe.p0, lobe.p1);
     v.method = drawn_method(m);
     v.conserve = m.conserve && v.method == Method::deform_smooth;
+    v.compensated = is_compensated(m);
     return v;
 }
 
 template MaterialValues<f32::SurfaceMaterial> material_values(const Material&);
 template MaterialValues<f64::SurfaceMaterial> material_values(const Material&);
+
+bool is_compensated(const Material& m) {
+    return !m.single_scattering && f32::brdf_masks(static_cast<int>(m.brdf)) &&
+           cloth_of(m) == nullptr && tabulated_of(m) == nullptr;
+}
 
 f32::Lobe lobe_of(const Material& material) {
     return lobe_as<float>(material);

@@ -29,7 +29,8 @@ struct MaterialValues {
     bool grooves_along_x = true;
     // How a perturbed normal acts. Under the geometric normal all methods are `none`.
     Method method = Method::none;
-    bool conserve = false;  // the energy-conserving form of deform-smooth
+    bool conserve = false;     // the energy-conserving form of deform-smooth
+    bool compensated = false;  // surface_compensated is due, by the albedo seen from the eye
 };
 
 template <typename Surface>

@@ -1,6 +1,7 @@
 #include "burnish/error.hpp"
 #include "burnish/surface.hpp"
 #include "core/text.hpp"
+#include "models/albedo_table.hpp"
 #include "scene/material/material_values.hpp"
 
 namespace burnish {
@@ -47,6 +48,7 @@ SurfacePoint::SurfacePoint(const Material& material, glm::dvec3 normal) : normal
     method_ = static_cast<int>(bent ? untextured_method(material) : Method::none);
     grooves_along_x_ = values.grooves_along_x;
     conserve_ = values.conserve;
+    if (values.compensated) albedos_ = albedo_table(material.brdf, material.mdf);
 }
 
 f64::vec3 SurfacePoint::local(glm::dvec3 w) const {
@@ -58,9 +60,15 @@ f64::Perturbation SurfacePoint::seen_from(f64::vec3 to_eye) const {
                                      to_eye);
 }
 
+f64::SurfaceMaterial SurfacePoint::material_towards(const f64::Perturbation& p,
+                                                    f64::vec3 to_eye) const {
+    return albedos_ ? compensated(material_, *albedos_, p, to_eye) : material_;
+}
+
 glm::dvec3 SurfacePoint::eval(glm::dvec3 to_light, glm::dvec3 to_eye) const {
     const f64::vec3 wo = local(to_eye);
-    return of(f64::surface_eval(material_, seen_from(wo), local(to_light), wo));
+    const f64::Perturbation p = seen_from(wo);
+    return of(f64::surface_eval(material_towards(p, wo), p, local(to_light), wo));
 }
 
 double SurfacePoint::pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const {
@@ -69,19 +77,20 @@ double SurfacePoint::pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const {
     const f64::Perturbation p = seen_from(wo);
     // `sample` discards these directions.
     if (!(f64::dot(p.n, wi) > 0.0)) return 0.0;
-    return f64::surface_pdf(material_, p, wi, wo);
+    return f64::surface_pdf(material_towards(p, wo), p, wi, wo);
 }
 
 std::optional<SurfacePoint::Sample> SurfacePoint::sample(
     glm::dvec3 to_eye, const std::array<double, 3>& uniform) const {
     const f64::vec3 wo = local(to_eye);
     const f64::Perturbation p = seen_from(wo);
+    const f64::SurfaceMaterial material = material_towards(p, wo);
     Sample out;
-    const f64::vec3 wi = f64::surface_sample(material_, p, wo, f64::vec2(uniform[0], uniform[1]),
+    const f64::vec3 wi = f64::surface_sample(material, p, wo, f64::vec2(uniform[0], uniform[1]),
                                              uniform[2], out.pdf);
     const double cosine = f64::dot(p.n, wi);
     if (!(out.pdf > 0.0) || !(cosine > 0.0)) return std::nullopt;
-    out.weight = of(f64::surface_eval(material_, p, wi, wo) * (cosine / out.pdf));
+    out.weight = of(f64::surface_eval(material, p, wi, wo) * (cosine / out.pdf));
     // Back to the axes of the tangent, by the inverse rotation.
     out.to_light = of(f64::seen_from_rotated(wi, f64::vec2(stretch_.x, -stretch_.y)));
     return out;

@@ -106,6 +106,9 @@ void add_material(Table& t) {
     t.choice("method", method_names(), choice_of(standard.method),
              "what a normal map does to the anisotropic lobe");
     t.boolean("conserve", standard.conserve, "energy-conserving form of the deform methods");
+    t.boolean(
+        "single_scattering", standard.single_scattering,
+        "microfacet models as published, without the light that facets reflect more than once");
     t.real("alpha_x", 0.001, 1.5, {}, "", "roughness along the tangent; alone it sets both");
     t.real("alpha_y", 0.001, 1.5, {}, "", "roughness across the tangent; alone it sets both");
     t.real("e_x", 0, 1000000, {}, "",

@@ -138,6 +138,7 @@ Value of_model(const Material& m, const Parameter& p) {
     if (name == "method") return choice_of(m.method);
     if (name == "normal_filter") return choice_of(m.normal_filter);
     if (name == "conserve") return m.conserve;
+    if (name == "single_scattering") return m.single_scattering;
     if (name == "ks") return m.ks ? Value(decimal_of(*m.ks)) : Value();
     if (name == "lafortune_c") return m.lafortune_c;
     if (name == "anisotropy_rotation") return degrees_of(m.anisotropy_rotation);

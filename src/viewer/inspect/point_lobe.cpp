@@ -58,7 +58,8 @@ PointLobe::PointLobe(const SurfaceAt& at, Method method)
       grooves_along_x_(at.grooves_along_x),
       perturbed_(at.perturbed),
       half_vectors_(at.half_vectors),
-      reflects_(at.reflects()) {
+      reflects_(at.reflects()),
+      albedos_(at.albedos) {
     specular_surface_.has_diffuse = false;
     conserve_ = at.conserve && drawn_ == Method::deform_smooth;
     has_meaning_ = f64::brdf_takes_method(surface_.brdf, static_cast<int>(drawn_));
@@ -123,6 +124,11 @@ double PointLobe::lobe_at(const f64::Perturbation& p, f64::vec3 h) const {
     return f64::lobe_D(surface_.lobe, p, h);
 }
 
+f64::SurfaceMaterial PointLobe::towards(const f64::SurfaceMaterial& surface,
+                                        const f64::Perturbation& p, f64::vec3 wo) const {
+    return albedos_ ? compensated(surface, *albedos_, p, wo) : surface;
+}
+
 f64::LobeValues PointLobe::values(const f64::Perturbation& p, f64::vec3 wi, f64::vec3 wo) const {
     f64::LobeValues v = f64::no_lobe_values();
     if (!table_) return v;
@@ -181,14 +187,14 @@ glm::dvec3 PointLobe::specular(glm::dvec3 to_light, glm::dvec3 to_eye) const {
     if (!sees(to_eye)) return glm::dvec3(0.0);
     const f64::Perturbation p = seen_from(to_eye);
     const f64::vec3 wi = local(to_light), wo = local(to_eye);
-    return of(f64::surface_eval(specular_surface_, p, values(p, wi, wo), wi, wo));
+    return of(f64::surface_eval(towards(specular_surface_, p, wo), p, values(p, wi, wo), wi, wo));
 }
 
 glm::dvec3 PointLobe::eval(glm::dvec3 to_light, glm::dvec3 to_eye) const {
     if (!sees(to_eye)) return glm::dvec3(0.0);
     const f64::Perturbation p = seen_from(to_eye);
     const f64::vec3 wi = local(to_light), wo = local(to_eye);
-    return of(f64::surface_eval(surface_, p, values(p, wi, wo), wi, wo));
+    return of(f64::surface_eval(towards(surface_, p, wo), p, values(p, wi, wo), wi, wo));
 }
 
 glm::dvec3 PointLobe::eval_cos(glm::dvec3 to_light, glm::dvec3 to_eye) const {
@@ -197,7 +203,7 @@ glm::dvec3 PointLobe::eval_cos(glm::dvec3 to_light, glm::dvec3 to_eye) const {
     const f64::vec3 wi = local(to_light), wo = local(to_eye);
     const double cosine = f64::dot(p.n, wi);
     if (!(cosine > 0 && f64::dot(p.n, wo) > 0)) return glm::dvec3(0.0);
-    return of(f64::surface_eval(surface_, p, values(p, wi, wo), wi, wo) * cosine);
+    return of(f64::surface_eval(towards(surface_, p, wo), p, values(p, wi, wo), wi, wo) * cosine);
 }
 
 // ---- sampling -----------------------------------------------------------------------------------
@@ -213,7 +219,8 @@ double PointLobe::pdf(glm::dvec3 to_light, glm::dvec3 to_eye, Terms terms) const
         v.density = table_->density(q.at, table_turns_);
         v.density_round = table_->density(q.round, table_turns_);
     }
-    return f64::surface_pdf(terms == Terms::all ? surface_ : specular_surface_, p, v, wi, wo);
+    const f64::SurfaceMaterial& drawn = terms == Terms::all ? surface_ : specular_surface_;
+    return f64::surface_pdf(towards(drawn, p, wo), p, v, wi, wo);
 }
 
 std::optional<PointLobe::Sample> PointLobe::sample(glm::dvec3 to_eye,
@@ -224,9 +231,10 @@ std::optional<PointLobe::Sample> PointLobe::sample(glm::dvec3 to_eye,
     const f64::vec2 xi(uniform[0], uniform[1]);
     const f64::vec3 table_half = table_ ? table_->sample(xi, table_turns_) : p.n;
     bool drawn = false;
+    const f64::vec3 wo = local(to_eye);
+    const f64::SurfaceMaterial& surface = terms == Terms::all ? surface_ : specular_surface_;
     const f64::vec3 wi =
-        f64::surface_direction(terms == Terms::all ? surface_ : specular_surface_, p, table_half,
-                               local(to_eye), xi, uniform[2], drawn);
+        f64::surface_direction(towards(surface, p, wo), p, table_half, wo, xi, uniform[2], drawn);
     if (!drawn) return std::nullopt;
     const Sample sample{outer(wi), pdf(outer(wi), to_eye, terms)};
     if (!(sample.pdf > 0)) return std::nullopt;

@@ -88,6 +88,9 @@ class PointLobe {
     // The values of the three lines below are against the lobe's axes.
     bool sees(glm::dvec3 to_eye) const;
     f64::LobeValues values(const f64::Perturbation& p, f64::vec3 wi, f64::vec3 wo) const;
+    // The surface with the light that facets reflect more than once towards wo.
+    f64::SurfaceMaterial towards(const f64::SurfaceMaterial& surface, const f64::Perturbation& p,
+                                 f64::vec3 wo) const;
     double lobe_at(const f64::Perturbation& p, f64::vec3 h) const;
     f64::vec3 highest(const f64::Perturbation& p) const;
 
@@ -98,6 +101,7 @@ class PointLobe {
     bool grooves_along_x_ = true, conserve_ = false, perturbed_ = false;
     std::optional<double> groove_rad_;  // from the lobe's x axis; none: isotropic
     bool has_meaning_ = true, half_vectors_ = true, reflects_ = true;
+    std::shared_ptr<const AlbedoTable> albedos_;  // none: the surface is not compensated
     std::shared_ptr<const TableLobe> table_;
     double table_turns_ = 0;  // from the lobe's x axis to the table's
 };

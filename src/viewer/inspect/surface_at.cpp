@@ -234,6 +234,7 @@ SurfaceAt surface_of(const Material& m, const TexturesAt& textures, const Hit& h
     at.surface = values.surface;
     at.method = m.method;
     at.conserve = m.conserve;
+    if (values.compensated) at.albedos = albedo_table(m.brdf, m.mdf);
     at.grooves_along_x = values.grooves_along_x;
     at.half_vectors = !f64::brdf_is_cosine_lobe(at.surface.brdf);
     at.isotropic = draws_normal_map_isotropic(m);

@@ -18,6 +18,7 @@
 #include "burnish/f64.hpp"
 #include "burnish/scene.hpp"
 #include "burnish/tabulated_material.hpp"
+#include "models/albedo_table.hpp"
 #include "viewer/inspect/pick.hpp"
 
 namespace burnish::viewer {
@@ -52,6 +53,7 @@ struct SurfaceAt {
     bool grooves_along_x = true;
     bool perturbed = false;  // a map, a weave or a measurement states n
     bool conserve = false;
+    std::shared_ptr<const AlbedoTable> albedos;  // none: the surface is not compensated
     bool isotropic =
         false;  // nothing is anisotropic: the renderer draws normal-map as gram-schmidt
     bool half_vectors = true;      // the lobe is a distribution of half vectors

@@ -4,15 +4,13 @@
 #include <chrono>
 
 #include "gpu/device/albedo_tables.hpp"
-#include "models/albedo_table.hpp"
 
 namespace burnish::viewer {
 
 bool MotionTables::ready(gpu::Context& context, const std::vector<std::pair<Brdf, Mdf>>& models) {
     if (work_.valid() && work_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        const std::vector<float> table = work_.get();
-        if (!context.albedos().has(computed_.first, computed_.second))
-            context.albedos().put(computed_.first, computed_.second, table);
+        work_.get();
+        context.albedos().require(computed_.first, computed_.second);
     }
     for (const std::pair<Brdf, Mdf>& model : models) {
         if (context.albedos().has(model.first, model.second)) continue;

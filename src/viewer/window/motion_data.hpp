@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <future>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "burnish/context.hpp"
 #include "burnish/renderer.hpp"
 #include "burnish/scene.hpp"
+#include "models/albedo_table.hpp"
 
 namespace burnish::viewer {
 
@@ -26,7 +28,7 @@ class MotionTables {
 
   private:
     std::pair<Brdf, Mdf> computed_{};
-    std::future<std::vector<float>> work_;
+    std::future<std::shared_ptr<const AlbedoTable>> work_;
 };
 
 class MotionMeshes {
