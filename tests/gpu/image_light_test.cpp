@@ -21,6 +21,7 @@ vec3 to_f64(glm::vec3 v) {
 
 Material white_metal(Method method, glm::vec2 alpha) {
     Material m;
+    m.single_scattering = true;  // the lobe alone, whose integral is known
     m.method = method;
     m.lobe = AlphaLobe{alpha};
     return m;

@@ -72,6 +72,7 @@ class Lighting : public GpuTest {
         m.mdf = c.mdf;
         m.brdf = c.brdf;
         m.method = c.method;
+        m.single_scattering = true;
         m.lobe = AlphaLobe{c.alpha};
         m.ks = c.ks;
         m.lafortune_c = kCoefficients;
@@ -233,6 +234,7 @@ TEST_F(Lighting, AshikhminShirleyBringsItsDiffuseTerm) {
 
 TEST_F(Lighting, ConductorsReflectTheirNormalReflectance) {
     Material m;
+    m.single_scattering = true;
     m.lobe = AlphaLobe{glm::vec2(0.3f)};
     m.conductor = Conductor{{0.2f, 0.5f, 1.4f}, {3.9f, 2.4f, 1.6f}};
     Scene scene = one_object(unit_plane(), m);
@@ -251,6 +253,7 @@ TEST_F(Lighting, ConductorsReflectTheirNormalReflectance) {
 // meets the surface at 60 degrees.
 TEST_F(Lighting, FilmsReflectTheirColorsAtAllAngles) {
     Material m;
+    m.single_scattering = true;
     m.lobe = AlphaLobe{glm::vec2(0.3f)};
     m.conductor = conductor_preset("titanium");
     m.conductor->oxide = oxide_film("titanium", 50);
