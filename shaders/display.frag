@@ -5,6 +5,8 @@
 
 in vec2 v_ndc;
 uniform sampler2D u_sum;
+uniform sampler2D u_weights;    // what divides the sum of a robust mean
+uniform float u_robust;         // 1: u_sum is one
 uniform ivec2 u_size;         // of the picture, in the lower left of u_sum
 uniform float u_share;        // 1 / samples
 uniform float u_gain;         // 2^EV
@@ -26,6 +28,7 @@ void main() {
     float alpha = transparent ? min(writable(sum.a * u_share), 1.0) : 1.0;
     // An alpha below 1e-6 is rounding error and must not divide.
     float each = !transparent ? u_share : alpha > 1e-6 ? u_share / alpha : 0.0;
+    if (u_robust > 0.5 && each > 0.0) { each = 1.0 / texelFetch(u_weights, pixel, 0).r; }
     vec3 radiance = vec3(writable(sum.r * each), writable(sum.g * each), writable(sum.b * each));
     if (u_albedo > 0) { radiance = color_of_albedo(radiance); }
     o_color = vec4(display_color(u_tone_map, radiance * u_gain), alpha);

@@ -66,15 +66,25 @@ bool is_image_file(const std::filesystem::path& path);  // by content
 // Whether a name ends as raw camera files do (.dng, .nef, .cr3 ...), in any case.
 bool is_raw_camera_name(const std::filesystem::path& path);
 
-// Writes by extension: .png, .tif, .tiff (8-bit) and .jpg, .jpeg (quality 95, alpha left out) take
-// DISPLAY values (already tone mapped, sRGB-encoded; clamped to 0..1 and rounded, NaN becomes 0);
+// How display values become whole numbers.
+struct WriteOptions {
+    int bits = 8;  // of a channel in .png and .tif, 8 or 16; .jpg has 8, and .exr holds floats
+    // Before colors are rounded to 8 bits, adds a fixed pattern of noise of up to half a step, so that
+    // slow gradients have no bands. The mean is kept, and so are values that 8 bits hold exactly.
+    bool dither = false;
+};
+
+// Writes by extension: .png, .tif, .tiff (8-bit, or 16-bit by `options`) and .jpg, .jpeg (quality 95,
+// alpha left out) take DISPLAY values (already tone mapped, sRGB-encoded; clamped to 0..1 and rounded,
+// NaN becomes 0);
 // .exr (float, zip) takes linear values as they are and stores alpha premultiplied, as the format
 // wants it. `metadata`: attributes such as "burnish:command", kept under their names in PNG and
 // OpenEXR and as "name=value" lines of the image description in JPEG and TIFF (Software and its
 // like stay what they are); values are text of one line. Written whole or not at all. Throws
 // UsageError for other extensions and Error for what cannot be written, before anything is touched.
 void write_image(const std::filesystem::path& path, const Image& image,
-                 const std::map<std::string, std::string>& metadata);
+                 const std::map<std::string, std::string>& metadata,
+                 const WriteOptions& options = {});
 bool holds_linear(const std::filesystem::path& path);             // .exr
 bool holds_alpha(const std::filesystem::path& path);              // all but .jpg
 void require_image_extension(const std::filesystem::path& path);  // UsageError unless one of ours

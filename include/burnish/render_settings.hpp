@@ -78,6 +78,11 @@ struct RenderSettings {
     float background_blur = 0.0f;       // 0..1
     bool shadows = true;                // of punctual lights; they are never darkened otherwise
     bool ground = false;                // a shadow on the plane under the scene (ground.hpp)
+    // For pictures that are displayed: the radiance from which on a color is as good as white. A sample
+    // with a brighter channel gets the weight limit / brightest, so that it neither sparkles nor leaves
+    // an edge jagged. That darkens only pixels with such samples. 0: the plain mean, which keeps energy,
+    // and which views of quantities have always.
+    float robust_limit = 0.0f;
     unsigned seed = 0;
     int tile_size = 0;  // pixels a side; 0: chosen, so that memory is bounded
     SurfacePass surface_pass = SurfacePass::automatic;

@@ -11,6 +11,7 @@
 
 #include "burnish/api.hpp"
 #include "burnish/display.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/layered_materials.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/render_settings.hpp"
@@ -59,6 +60,11 @@ Stage set_stage(const StageRequest& request, bool all_around = false);
 
 // What the values of the groups render and environment ask for.
 RenderSettings render_settings(const ParameterValues& values);
+// RenderSettings::robust_limit of a picture that is displayed with these values: the radiance that the
+// exposure makes 2, or 0 where the robust mean is switched off. render_settings leaves it 0.
+float robust_limit(const ParameterValues& values);
+// How a displayed picture is written.
+WriteOptions write_options(const ParameterValues& values);
 
 // A light in one word: "AZIMUTH,ELEVATION[,INTENSITY]" (degrees, as the camera's; a directional
 // light of that many lux) or "point:X,Y,Z[,INTENSITY]" (metres, candela). Throws UsageError.

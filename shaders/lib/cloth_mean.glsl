@@ -116,6 +116,7 @@ vec3 cloth_image_specular(Surface s, ClothFamily f) {
 vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place, int samples) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     Rotation other = rotation_of_pixel(s.pixel, u_seed + 1u);
+    vec2 first = first_point(rotation);
     float reach = exp2(place.size);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < samples; ++i) {
@@ -127,7 +128,8 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place
         float cover = put_yarn(m, place.at + (shift - 0.5) * reach);
         Frame a = axes;
         Perturbation p = facing_perturbation(s, m, a);
-        sum += cover * image_sample(m, a, p, frame_to_local(a, s.to_eye), index, rotation);
+        sum += cover * image_sample(m, a, p, frame_to_local(a, s.to_eye), lattice_point(first, i),
+                                    select_of(index, rotation));
     }
     return sum / float(u_image_samples);
 }

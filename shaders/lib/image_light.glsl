@@ -7,17 +7,33 @@ uniform int u_image_samples;
 uniform uint u_frame;           // index of the sub-pixel sample in progress
 uniform float u_total_samples;  // image samples of all frames
 uniform uint u_seed;
+uniform uint u_lattice_x;      // from one point of a frame to the next, in 2^-32
+uniform uint u_lattice_y;
+uniform vec4 u_lattice_cell;   // two edges of a cell between the points
 
-// Integral of f F cos L over wi by specular_draw. The points of frame k are k N .. (k+1) N - 1 of
-// one sequence, so that all frames together are as evenly distributed as a single frame with all
-// samples. Filtered importance sampling (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample
-// represents the solid angle 1/(total pdf) and reads the mip of that size. As the total grows, this
-// converges to mip 0 and the exact integral. wi may lie below the geometric horizon where the map
-// tilts n~ enough. A mapped bump must match the modeled one (NormalTangentTest), so only the
-// horizon of n~ counts.
-vec3 image_sample(Shading m, Frame a, Perturbation p, vec3 wo, uint index, Rotation rotation) {
+// The points of a frame are a lattice (src/scene/light/point_lattice.hpp), the most even set of their
+// number. The lattice of another frame is moved within its cell by a point of a sequence, so that all
+// frames together are as evenly distributed as a single frame with all samples.
+vec2 first_point(Rotation rotation) {
+    Rotation none = Rotation(0u, 0u, 0u);
+    vec2 within = point_of(u_frame, none);
+    vec2 moved = within.x * u_lattice_cell.xy + within.y * u_lattice_cell.zw;
+    // 2: an edge of the cell has no component below -1.
+    return fract(vec2(unit_of(rotation.x), unit_of(rotation.y)) + moved + 2.0);
+}
+
+vec2 lattice_point(vec2 first, int i) {
+    return fract(first + vec2(unit_of(uint(i) * u_lattice_x), unit_of(uint(i) * u_lattice_y)));
+}
+
+// One sample of the integral of f F cos L over wi by specular_draw. Filtered importance sampling
+// (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample represents the solid angle 1/(total pdf) and reads the
+// mip of that size. As the total grows, this converges to mip 0 and the exact integral. wi may lie below
+// the geometric horizon where the map tilts n~ enough. A mapped bump must match the modeled one
+// (NormalTangentTest), so only the horizon of n~ counts.
+vec3 image_sample(Shading m, Frame a, Perturbation p, vec3 wo, vec2 xi, float select) {
     float pdf;
-    vec3 wi = specular_draw(m, p, wo, point_of(index, rotation), select_of(index, rotation), pdf);
+    vec3 wi = specular_draw(m, p, wo, xi, select, pdf);
     float cos_i = dot(p.n, wi);
     bool counts = pdf > 0.0 && cos_i > 0.0;
     float weight = specular_at(m, p, wi, wo) * cos_i / max(pdf, kTiny);
@@ -31,17 +47,19 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     Rotation rotation = rotation_of_pixel(s.pixel, u_seed);
     vec3 sum = vec3(0.0);
 #ifdef TABULATED
-    // The texels within a pixel share its samples.
+    // The texels within a pixel share its samples. Their number differs from pixel to pixel, so the
+    // points are those of the sequence alone.
     int samples = max(u_image_samples / m.taps, 1);
     for (int i = 0; i < samples; ++i) {
         uint index = (u_frame * uint(samples) + uint(i)) * uint(m.taps) + uint(m.tap);
-        sum += image_sample(m, a, p, wo, index, rotation);
+        sum += image_sample(m, a, p, wo, point_of(index, rotation), select_of(index, rotation));
     }
     return sum / float(samples);
 #else
+    vec2 first = first_point(rotation);
     for (int i = 0; i < u_image_samples; ++i) {
-        uint index = u_frame * uint(u_image_samples) + uint(i);
-        sum += image_sample(m, a, p, wo, index, rotation);
+        float select = select_of(u_frame * uint(u_image_samples) + uint(i), rotation);
+        sum += image_sample(m, a, p, wo, lattice_point(first, i), select);
     }
     return sum / float(u_image_samples);
 #endif

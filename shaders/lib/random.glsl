@@ -37,7 +37,7 @@ vec2 point_of(uint index, Rotation r) {
     return vec2(unit_of(index * 3242174889u + r.x), unit_of(index * 2447445414u + r.y));
 }
 
-// A third coordinate: multiples of the golden ratio.
+// A third coordinate: multiples of sqrt(7), which correlate neither with those nor with a lattice.
 float select_of(uint index, Rotation r) {
-    return unit_of(index * 2654435769u + r.z);
+    return unit_of(index * 2773480763u + r.z);
 }

@@ -114,40 +114,58 @@ FN Float lobe_pdf(Lobe lobe, Perturbation p, vec3 h) {
     return perturbed_density(p, h, q, base, round);
 }
 
-// GGX turned by a rotation is sampled by the normals that wo sees (Heitz, "Sampling the GGX
-// Distribution of Visible Normals", JCGT 7(4), 2018) where the model masks: the weight f cos/pdf is
-// F G2/G1(wo), at most 1.
+// GGX turned by a rotation is sampled by the normals that wo sees where the model masks. Scaled by the
+// roughness pair they are the normals of a hemisphere, and wo reflected off these fills the sphere evenly
+// (Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023). Of that sphere
+// only the cap that holds all reflections above the horizon of n~ is drawn from (Eto and Tokuyoshi,
+// "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023): the weight f cos/pdf is at
+// most F G2/G1(wo), which is at most 1.
 FN Bool samples_visible_normals(int brdf, Lobe lobe, Perturbation p) {
     return brdf_masks(brdf) && lobe.mdf == kMdfGgx && p.method != kMethodNormalMap &&
            p.method != kMethodRotateApprox && p.method != kMethodDeformLinear &&
            p.method != kMethodDeformSmooth;
 }
 
-// `v`: wo in the lobe's own space, unit, v.z > 0.
+// The cap is z >= -k w.z, w the scaled and normalized v. `v`: wo in the lobe's own space, unit, v.z > 0.
+// The bound holds for the smaller alpha up to 1; beyond, the cap is the upper hemisphere.
+FN Float visible_cap_bound(Float alpha_x, Float alpha_y, vec3 v) {
+    Float a = min(min(alpha_x, alpha_y), Float(1));
+    Float a2 = a * a;
+    Float s = Float(1) + sqrt(v.x * v.x + v.y * v.y);
+    Float s2 = s * s;
+    return (Float(1) - a2) * s2 / (s2 + a2 * v.z * v.z);
+}
+
 FN vec3 visible_normal_sample(Float alpha_x, Float alpha_y, vec3 v, vec2 xi) {
     vec3 w = normalize(vec3(alpha_x * v.x, alpha_y * v.y, v.z));
-    Float across = w.x * w.x + w.y * w.y;
-    // 1e-12: along the normal any tangent does.
-    Float scale = Float(1) / sqrt(max(across, Float(1e-12)));
-    vec3 t1 = choose(across > Float(1e-12), vec3(-w.y * scale, w.x * scale, Float(0)),
-                     vec3(Float(1), Float(0), Float(0)));
-    vec3 t2 = cross(w, t1);
-    Float r = sqrt(xi.y);
-    Float a = r * cos(Float(2) * kPi * xi.x);
-    Float b = r * sin(Float(2) * kPi * xi.x);
-    Float s = Float(0.5) * (Float(1) + w.z);
-    b = (Float(1) - s) * sqrt(max(Float(1) - a * a, Float(0))) + s * b;
-    Float c = sqrt(max(Float(1) - a * a - b * b, Float(0)));
-    vec3 m = t1 * a + t2 * b + w * c;
+    Float bound = visible_cap_bound(alpha_x, alpha_y, v) * w.z;
+    Float z = (Float(1) - xi.y) * (Float(1) + bound) - bound;
+    Float r = sqrt(max(Float(1) - z * z, Float(0)));
+    vec3 m = w + vec3(r * cos(Float(2) * kPi * xi.x), r * sin(Float(2) * kPi * xi.x), z);
+    // 1e-9: keeps the normal of w reflected to -w, which rounding makes of the cap's rim, defined.
     return normalize(vec3(alpha_x * m.x, alpha_y * m.y, max(m.z, Float(1e-9))));
 }
 
+// The density of draws per solid angle of h, for an h that visible_normal_sample can draw.
+FN Float visible_normal_density(Lobe lobe, Perturbation p, vec3 wo, vec3 h) {
+    vec3 v = perturb_direction(p, wo);
+    Float x = lobe.p0 * v.x;
+    Float y = lobe.p1 * v.y;
+    Float seen = visible_cap_bound(lobe.p0, lobe.p1, v) * v.z + sqrt(x * x + y * y + v.z * v.z);
+    return choose(v.z > Float(0),
+                  Float(2) * max(dot(wo, h), Float(0)) * lobe_D(lobe, p, h) / max(seen, kTiny),
+                  Float(0));
+}
+
+// The same for any h: 0 where the reflection lies outside the cap.
 FN Float visible_normal_pdf(Lobe lobe, Perturbation p, vec3 wo, vec3 h) {
     vec3 v = perturb_direction(p, wo);
-    return choose(v.z > Float(0),
-                  smith_G1(lobe, v) * max(dot(wo, h), Float(0)) * lobe_D(lobe, p, h) /
-                      max(v.z, Float(1e-12)),
-                  Float(0));
+    vec3 w = normalize(vec3(lobe.p0 * v.x, lobe.p1 * v.y, v.z));
+    vec3 m = frame_to_local(p.frame, h);
+    vec3 n = normalize(vec3(m.x / lobe.p0, m.y / lobe.p1, m.z));
+    Float z = Float(2) * dot(w, n) * n.z - w.z;
+    return choose(z >= -visible_cap_bound(lobe.p0, lobe.p1, v) * w.z,
+                  visible_normal_density(lobe, p, wo, h), Float(0));
 }
 
 // The half vector that a model draws, and its density per solid angle.
@@ -187,7 +205,13 @@ FN vec3 brdf_sample(int brdf, Lobe lobe, Perturbation p, vec3 wo, vec2 xi, Float
                     OUT(Float) pdf) {
     vec3 h = brdf_half_sample(brdf, lobe, p, wo, xi, select);
     Float wo_h = dot(wo, h);
-    pdf = choose(wo_h > Float(0), reflected_pdf(brdf_half_pdf(brdf, lobe, p, wo, h), wo_h), Float(0));
+    Float density = Float(0);
+    if (samples_visible_normals(brdf, lobe, p)) {
+        density = visible_normal_density(lobe, p, wo, h);
+    } else {
+        density = lobe_pdf(lobe, p, h);
+    }
+    pdf = choose(wo_h > Float(0), reflected_pdf(density, wo_h), Float(0));
     return reflect_about(wo, h);
 }
 

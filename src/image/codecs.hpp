@@ -31,7 +31,8 @@ class Codecs {
                                    std::vector<std::string>* warnings) const = 0;
     virtual ImageInfo read_image_info(const std::filesystem::path& path) const = 0;
     virtual void write_image(const std::filesystem::path& path, const Image& image,
-                             const std::map<std::string, std::string>& metadata) const = 0;
+                             const std::map<std::string, std::string>& metadata,
+                             const WriteOptions& options) const = 0;
     virtual std::vector<ImagePart> read_image_parts(const std::filesystem::path& path) const = 0;
     virtual void write_image_parts(const std::filesystem::path& path,
                                    const std::vector<ImagePart>& parts) const = 0;

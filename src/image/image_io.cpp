@@ -96,8 +96,8 @@ ImageInfo read_image_info(const std::filesystem::path& path) {
 }
 
 void write_image(const std::filesystem::path& path, const Image& image,
-                 const std::map<std::string, std::string>& metadata) {
-    codecs().write_image(path, image, metadata);
+                 const std::map<std::string, std::string>& metadata, const WriteOptions& options) {
+    codecs().write_image(path, image, metadata, options);
 }
 
 std::vector<ImagePart> read_image_parts(const std::filesystem::path& path) {

@@ -160,6 +160,7 @@ Image preview_of(const GltfMaterial& baked, const Stage& stage, int gl_device,
     RenderSettings settings;
     settings.width = settings.height = kPreviewSide;
     settings.samples = 8;
+    settings.robust_limit = robust_limit(stage.values);
     const Camera camera = place_camera(scene, values, 1.0);
     gpu::Context context(gl_device);
     const bool lit = !stage.environment.radiance.empty();

@@ -65,6 +65,25 @@ std::string warning_of_lost_transparency(const RenderRequest& request, const Sta
         request.output.extension().string());
 }
 
+// Warns of parameters that the format of the output leaves without effect.
+void warn_of_format(const RenderRequest& request, const Stage& stage,
+                    std::vector<std::string>& warnings) {
+    const std::string ending = request.output.extension().string();
+    const auto warn = [&](std::string_view name, std::string_view why) {
+        if (stage.values.is_set(name))
+            warnings.push_back(fmt::format("{}: {} {}: nothing changes", name, ending, why));
+    };
+    if (holds_linear(request.output)) {
+        warn("robust_mean", "holds the plain mean");
+        warn("bit_depth", "holds 32-bit floats");
+        warn("dither", "holds 32-bit floats");
+        return;
+    }
+    if (!holds_alpha(request.output)) warn("bit_depth", "holds 8 bits a channel");
+    if (write_options(stage.values).bits == 16 && holds_alpha(request.output))
+        warn("dither", "of 16 bits shows no bands");
+}
+
 // Progress of part `index` of `count` equal parts of a longer job.
 Progress part_of(const Progress& whole, std::size_t index, std::size_t count) {
     return whole.with_report([=](std::string_view stage, double done) {
@@ -76,7 +95,7 @@ void write_result(const std::filesystem::path& path, const Image& linear, const 
                   const Metadata& metadata) {
     const bool keep = holds_linear(path);
     write_image(path, keep ? linear : to_display(linear, stage.exposure_ev, stage.tone_map),
-                metadata);
+                metadata, write_options(stage.values));
 }
 
 // Checks all pictures of a sheet before the first one is drawn.
@@ -124,7 +143,8 @@ void render_comparison(const RenderRequest& request, Stage& stage, gpu::Renderer
                                              part_of(progress, i, request.compare.size()));
         pictures.push_back(to_display(linear, stage.exposure_ev, stage.tone_map));
     }
-    write_image(request.output, comparison_sheet(request.compare, pictures), metadata);
+    write_image(request.output, comparison_sheet(request.compare, pictures), metadata,
+                write_options(stage.values));
 }
 
 std::vector<std::filesystem::path> render_turntable(const RenderRequest& request,
@@ -163,6 +183,7 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     Stage stage = set_stage(asked, request.turntable > 0);
     if (!request.compare.empty()) stage.values.erase("method");
     require_drawable(stage.scene.materials, request.compare);
+    if (!holds_linear(request.output)) stage.settings.robust_limit = robust_limit(stage.values);
 
     gpu::Context context(request.gl_device);
     const bool lit = !stage.environment.radiance.empty();
@@ -172,6 +193,7 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     RenderReport report{{}, stage.scene.warnings, stage.scene.notes, context.renderer()};
     const std::string lost = warning_of_lost_transparency(request, stage);
     if (!lost.empty()) report.warnings.push_back(lost);
+    warn_of_format(request, stage, report.warnings);
     if (!request.compare.empty()) {
         render_comparison(request, stage, renderer, metadata, progress);
         report.written = {request.output};

@@ -116,6 +116,16 @@ RenderSettings render_settings(const ParameterValues& values) {
     return settings;
 }
 
+float robust_limit(const ParameterValues& values) {
+    if (!values.boolean("robust_mean")) return 0.0f;
+    // The default tone map shows 2 as 0.96 of what a display can show, and everything brighter above it.
+    return 2.0f * static_cast<float>(std::exp2(-values.real("exposure")));
+}
+
+WriteOptions write_options(const ParameterValues& values) {
+    return {.bits = values.choice("bit_depth") == 0 ? 8 : 16, .dither = values.boolean("dither")};
+}
+
 Light parse_light(std::string_view word) {
     constexpr std::string_view kPoint = "point:";
     Light light;

@@ -261,6 +261,35 @@ TEST(RenderCommand, WarnsOfTransparencyThatTheOutputCannotKeep) {
     EXPECT_EQ(run_burnish(render(transparent, folder.path("a.png"))).complaint, "");
 }
 
+TEST(RenderCommand, WritesSixteenBitsWhereTheFormatHasThem) {
+    const Folder folder;
+    const std::vector<std::string> deep = {"builtin:sphere", "--bit-depth", "16"};
+    const Outcome png = run_burnish(render(deep, folder.path("a.png")));
+    EXPECT_EQ(png.complaint, "");
+    EXPECT_EQ(read_image_info(folder.path("a.png")).pixel_type, "uint16");
+    const Outcome jpeg = run_burnish(render(deep, folder.path("a.jpg")));
+    EXPECT_EQ(jpeg.exit_code, 0);
+    EXPECT_NE(jpeg.complaint.find("warning: bit_depth: .jpg holds 8 bits a channel"),
+              std::string::npos)
+        << jpeg.complaint;
+}
+
+// The lamp of the studio on polished metal is far brighter than white: the robust mean of a picture is
+// darker than the plain one. An .exr is the plain mean, whatever is asked for.
+TEST(RenderCommand, TakesTheRobustMeanForDisplayedPicturesAlone) {
+    const Folder folder;
+    const auto mean = [&](const std::string& robust, const std::string& name) {
+        const Outcome outcome = run_burnish(
+            render({"builtin:sphere", "--metal", "steel", "--alpha-x", "0.05", "--normal-map",
+                    "builtin:bumps", "--samples", "16", "--robust-mean=" + robust},
+                   folder.path(name)));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.complaint;
+        return mean_of(read_image(folder.path(name), {.as_data = true}));
+    };
+    EXPECT_LT(mean("true", "a.png"), mean("false", "b.png") - 0.0004);
+    EXPECT_EQ(mean("true", "a.exr"), mean("false", "b.exr"));
+}
+
 TEST(RenderCommand, WarnsOfANormalMapThatIsNone) {
     const Folder folder;
     write_image(folder.path("grey.png"), Image(4, 4, 3, 0.6f), {});

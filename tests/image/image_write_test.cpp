@@ -1,6 +1,7 @@
 // Pictures written and read back: values, metadata, refusals.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -41,6 +42,70 @@ TEST(WriteImage, KeepsEveryCode) {
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {
             ASSERT_NEAR(back.pixels[i], image.pixels[i], 1e-6f) << name << " value " << i;
         }
+    }
+}
+
+TEST(WriteImage, KeepsSixteenBits) {
+    const TemporaryFolder folder;
+    Image image(1000, 1, 4);
+    for (int x = 0; x < 1000; ++x)
+        for (int c = 0; c < 4; ++c)
+            image.at(x, 0)[c] = static_cast<float>(x) / 999.0f * (c == 3 ? 1.0f : 0.5f);
+    for (const char* name : {"a.png", "a.tif"}) {
+        write_image(folder / name, image, {}, {.bits = 16, .dither = true});
+        EXPECT_EQ(read_image_info(folder / name).pixel_type, "uint16");
+        const Image back = read_image(folder / name, {.as_data = true});
+        ASSERT_EQ(back.pixels.size(), image.pixels.size());
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            ASSERT_NEAR(back.pixels[i], image.pixels[i], 0.51 / 65535) << name << " value " << i;
+    }
+    write_image(folder / "a.jpg", image, {}, {.bits = 16});
+    EXPECT_EQ(read_image_info(folder / "a.jpg").pixel_type, "uint8");
+    EXPECT_THROW(write_image(folder / "b.png", image, {}, {.bits = 12}), Error);
+    EXPECT_FALSE(fs::exists(folder / "b.png"));
+}
+
+// A constant color that a code holds stays that code everywhere, alpha is never touched, and the same
+// picture is the same file.
+TEST(WriteImage, DithersNoValueThatACodeHolds) {
+    const TemporaryFolder folder;
+    Image image(256, 64, 4);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 256; ++x) {
+            for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>(x) / 255.0f;
+            image.at(x, y)[3] = 0.3f;
+        }
+    write_image(folder / "a.png", image, {}, {.dither = true});
+    const Image back = read_image(folder / "a.png", {.as_data = true});
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 256; ++x) {
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(std::lround(255 * back.at(x, y)[c]), x) << "row " << y;
+            ASSERT_EQ(std::lround(255 * back.at(x, y)[3]), 77);  // 76.5, rounded
+        }
+    write_image(folder / "b.png", image, {}, {.dither = true});
+    EXPECT_EQ(read_image(folder / "b.png", {.as_data = true}).pixels, back.pixels);
+}
+
+// A value between two codes keeps its mean over a small square of pixels, where rounding alone is off by
+// up to 0.5 code. 64 points that are as even as those of a line are off by less than 3 of 64.
+TEST(WriteImage, DithersToTheMeanOfTheValue) {
+    const TemporaryFolder folder;
+    Image image(64, 64, 3);
+    for (const float share : {0.1f, 0.25f, 0.5f, 0.8f}) {
+        std::ranges::fill(image.pixels, (100.0f + share) / 255.0f);
+        write_image(folder / "a.png", image, {}, {.dither = true});
+        const Image back = read_image(folder / "a.png", {.as_data = true});
+        for (int top = 0; top < 64; top += 8)
+            for (int left = 0; left < 64; left += 8) {
+                double sum = 0;
+                for (int y = top; y < top + 8; ++y)
+                    for (int x = left; x < left + 8; ++x) {
+                        sum += 255.0 * back.at(x, y)[0];
+                        EXPECT_EQ(back.at(x, y)[0], back.at(x, y)[2]);  // gray stays gray
+                    }
+                EXPECT_NEAR(sum / 64, 100.0 + share, 3.0 / 64) << left << " " << top;
+            }
     }
 }
 

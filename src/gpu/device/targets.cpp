@@ -115,22 +115,45 @@ void Targets::bind_gbuffer_textures(Program& program) const {
     if (gbuffer_->shape) bind(kShapeUnit, gbuffer_->shape->get(), "u_shape");
 }
 
-void Targets::clear_sum() {
+void Targets::clear_sum(bool weighted) {
+    weighted_ = weighted;
+    const GLenum outputs[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    for (int i = 0; i < 2; ++i) {
+        const bool made = weights_[i].has_value();
+        if (weighted && !made)
+            define_texture(weights_[i].emplace().get(), {GL_R32F, GL_FLOAT}, GL_RED, width_,
+                           height_);
+        glBindFramebuffer(GL_FRAMEBUFFER, sum_target_[i].get());
+        if (weighted && !made)
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D,
+                                   weights_[i]->get(), 0);
+        glDrawBuffers(weighted ? 2 : 1, outputs);
+        if (!complete()) throw Error("the device cannot render to two float images at once");
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, sum_target_[current_].get());
     apply(DrawState{});  // without scissor
     const float zero[4] = {0, 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, zero);
+    if (weighted) glClearBufferfv(GL_COLOR, 1, zero);
+}
+
+void Targets::bind_sum(Program& program) const {
+    glActiveTexture(GL_TEXTURE0 + kSumUnit);
+    glBindTexture(GL_TEXTURE_2D, sum_[current_].get());
+    program.set("u_sum", static_cast<int>(kSumUnit));
+    // A sampler that is not read still needs a texture of its kind: the sum again.
+    glActiveTexture(GL_TEXTURE0 + kWeightsUnit);
+    glBindTexture(GL_TEXTURE_2D, weighted_ ? weights_[current_]->get() : sum_[current_].get());
+    program.set("u_weights", static_cast<int>(kWeightsUnit));
 }
 
 void Targets::accumulate(Program& program, GLuint empty_vertex_array) {
     glBindFramebuffer(GL_FRAMEBUFFER, sum_target_[1 - current_].get());
     apply(DrawState{.depth_test = false, .depth_write = false});
     program.use();
-    glActiveTexture(GL_TEXTURE0 + kSumUnit);
-    glBindTexture(GL_TEXTURE_2D, sum_[current_].get());
+    bind_sum(program);
     glActiveTexture(GL_TEXTURE0 + kLatestUnit);
     glBindTexture(GL_TEXTURE_2D, frame_.get());
-    program.set("u_sum", static_cast<int>(kSumUnit));
     program.set("u_latest", static_cast<int>(kLatestUnit));
     program.set("u_depth", 0.0f);
     glBindVertexArray(empty_vertex_array);
@@ -140,23 +163,37 @@ void Targets::accumulate(Program& program, GLuint empty_vertex_array) {
 
 void Targets::show_sum(Program& program, GLuint empty_vertex_array) const {
     apply(DrawState{.depth_test = false, .depth_write = false});
-    glActiveTexture(GL_TEXTURE0 + kSumUnit);
-    glBindTexture(GL_TEXTURE_2D, sum_[current_].get());
+    bind_sum(program);
     glBindSampler(kSumUnit, 0);
-    program.set("u_sum", static_cast<int>(kSumUnit));
+    glBindSampler(kWeightsUnit, 0);
     program.set("u_depth", 0.0f);
     glBindVertexArray(empty_vertex_array);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
 }
 
-std::vector<float> Targets::read_sum(int width, int height) const {
+// RGBA, the one format of which ES can read every image of floats.
+std::vector<float> Targets::read(GLenum image, int width, int height) const {
     std::vector<float> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                               4);
     glBindFramebuffer(GL_FRAMEBUFFER, sum_target_[current_].get());
+    glReadBuffer(image);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     return pixels;
+}
+
+std::vector<float> Targets::read_sum(int width, int height) const {
+    return read(GL_COLOR_ATTACHMENT0, width, height);
+}
+
+std::vector<float> Targets::read_weights(int width, int height) const {
+    if (!weighted_) return {};
+    const std::vector<float> pixels = read(GL_COLOR_ATTACHMENT1, width, height);
+    std::vector<float> weights(pixels.size() / 4);
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = pixels[4 * i];
+    return weights;
 }
 
 }  // namespace burnish::gpu

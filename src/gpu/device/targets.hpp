@@ -31,15 +31,21 @@ class Targets {
     void bind_gbuffer(bool with_position, bool with_shape);
     void bind_gbuffer_textures(Program& program) const;
 
-    void clear_sum();
-    // Adds the frame to the sum. `program` is that of accumulate.frag. A viewport must be set.
+    // `weighted`: a robust mean, whose sum of weights is kept beside it.
+    void clear_sum(bool weighted);
+    // Adds the frame to the sum. `program` is that of accumulate.frag, or of accumulate_robust.frag for
+    // a weighted sum. A viewport must be set.
     void accumulate(Program& program, GLuint empty_vertex_array);
     // Draws the sum by `program`, that of display.frag, over the viewport of the bound framebuffer.
     void show_sum(Program& program, GLuint empty_vertex_array) const;
     // RGBA of the lower left width x height pixels, bottom row first.
     std::vector<float> read_sum(int width, int height) const;
+    // The weights of these pixels in the same order; empty unless the sum is weighted.
+    std::vector<float> read_weights(int width, int height) const;
 
   private:
+    std::vector<float> read(GLenum image, int width, int height) const;
+    void bind_sum(Program& program) const;
     void add_to_gbuffer(std::optional<GlTexture>& image, GLenum place);
 
     struct GBuffer {
@@ -52,6 +58,8 @@ class Targets {
     GlTexture frame_, depth_, sum_[2];
     Framebuffer frame_target_, sum_target_[2];
     std::optional<GBuffer> gbuffer_;
+    std::optional<GlTexture> weights_[2];
+    bool weighted_ = false;
     int current_ = 0;
 };
 

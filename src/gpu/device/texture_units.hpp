@@ -27,5 +27,6 @@ inline constexpr GLuint kWeaveLobesUnit = 19;
 inline constexpr GLuint kTabulatedUnits = 20;  // and the next four
 inline constexpr GLuint kShapeUnit = 25;       // also an image of gbuffer.frag
 inline constexpr GLuint kSlopeCovarianceUnit = 26;
+inline constexpr GLuint kWeightsUnit = 27;  // beside kSumUnit
 
 }  // namespace burnish::gpu

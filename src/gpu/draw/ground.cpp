@@ -10,6 +10,7 @@
 #include "burnish/error.hpp"
 #include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
+#include "scene/camera/pixel_offsets.hpp"
 #include "scene/camera/view.hpp"
 
 namespace burnish::gpu {
@@ -226,9 +227,9 @@ void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& 
     const int draws = light < 0 || shadow.sky.coarse ? 1 : kLampDraws;
     const Tile reach = reach_of(model_, flat);
     const Rectangle part{reach.x, reach.y, reach.width, reach.height};
-    for (int i = 0; i < draws; ++i) {
+    for (const glm::dvec2 texels : pixel_offsets(draws)) {
         glm::mat4 shift(1.0f);
-        const glm::dvec2 offset = pixel_offset(i) * (2.0 / kSide);
+        const glm::dvec2 offset = texels * (2.0 / kSide);
         shift[3] = glm::vec4(static_cast<float>(offset.x), static_cast<float>(offset.y), 0, 1);
         glBindFramebuffer(GL_FRAMEBUFFER, shadow.mask_target.get());
         apply(DrawState{.scissor = part});

@@ -23,8 +23,27 @@ float lod_bias(int samples) {
 
 }  // namespace
 
+bool is_robust(const RenderSettings& settings) {
+    return settings.robust_limit > 0.0f && settings.view == SurfaceView::radiance;
+}
+
 Painter::Painter(Context& context, DeviceScene& scene)
     : context_(context), scene_(scene), timer_(context, kPassCount) {}
+
+// The points of shaders/lib/image_light.glsl.
+void Painter::set_lattice(Program& program, int samples) {
+    if (samples != lattice_samples_) {
+        lattice_ = point_lattice(samples);
+        lattice_samples_ = samples;
+    }
+    const double step = 4294967296.0 / samples;
+    program.set("u_lattice_x", static_cast<unsigned>(samples > 1 ? step : 0.0));
+    program.set(
+        "u_lattice_y",
+        static_cast<unsigned>(samples > 1 ? step * static_cast<double>(lattice_.generator) : 0.0));
+    program.set("u_lattice_cell", glm::vec4(lattice_.edge[0].x, lattice_.edge[0].y,
+                                            lattice_.edge[1].x, lattice_.edge[1].y));
+}
 
 void Painter::set_frame(Program& program, const Frame& frame) {
     if (!program.take(UniformGroup::frame, needs_.frame)) return;
@@ -43,6 +62,7 @@ void Painter::set_frame(Program& program, const Frame& frame) {
                                        ? static_cast<float>(o.image_light_samples) *
                                              static_cast<float>(std::max(o.samples, 1))
                                        : kSharp);
+    set_lattice(program, o.image_light_samples);
     program.set("u_seed", o.seed);
     program.set("u_view", static_cast<int>(o.view));
     scene_.lights().set(program);
@@ -112,8 +132,8 @@ void Painter::draw_shadows(const Frame& frame) {
     shadows.set_casters(std::move(casters), coarse);
     const auto time = timed(Pass::shadow_maps);
     for (int map = 0; map < shadows.count(); ++map)
-        if (!shadows.holds(map, frame.sample))
-            draw_casters(shadows.begin(map, frame.sample), coarse);
+        if (!shadows.holds(map, frame.offset))
+            draw_casters(shadows.begin(map, frame.offset), coarse);
 }
 
 void Painter::clear(const Frame& frame, Targets& targets) {
@@ -265,9 +285,14 @@ void Painter::paint_blended(const Frame& frame) {
     for (const auto& [depth, index] : order) paint_item(frame, scene_.items()[index]);
 }
 
-void Painter::accumulate(Targets& targets) {
+void Painter::accumulate(const Frame& frame, Targets& targets) {
     const auto time = timed(Pass::sum);
-    targets.accumulate(plain_program("fullscreen.vert", "accumulate.frag", true), empty_.get());
+    const RenderSettings& o = *frame.options;
+    Program& program = plain_program("fullscreen.vert", accumulation_of(o), true);
+    program.use();
+    program.set("u_limit", o.robust_limit);
+    program.set("u_transparent", o.background == BackgroundKind::transparent ? 1.0f : 0.0f);
+    targets.accumulate(program, empty_.get());
 }
 
 }  // namespace burnish::gpu

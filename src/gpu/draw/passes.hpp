@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "gpu/device/targets.hpp"
 #include "gpu/draw/device_scene.hpp"
 #include "scene/camera/view.hpp"
+#include "scene/light/point_lattice.hpp"
 
 namespace burnish::gpu {
 
@@ -28,9 +30,13 @@ struct Frame {
     View view;
     Tile tile;
     int sample = 0;
+    glm::dvec2 offset{0.0};  // of the sample in its pixel, which `view` contains
     ShadingVariant variant = ShadingVariant::full;
     LightCount light_count = LightCount::compiled;
 };
+
+// Whether the frames are summed for a robust mean (RenderSettings::robust_limit).
+bool is_robust(const RenderSettings& settings);
 
 class Painter {
   public:
@@ -44,7 +50,7 @@ class Painter {
     // Draws a prepared frame into `targets`; the viewport is left at the tile's size.
     void paint(const Frame& frame, Targets& targets);
     // Adds the frame to the sum of `targets`.
-    void accumulate(Targets& targets);
+    void accumulate(const Frame& frame, Targets& targets);
 
     bool sees_ground(const Frame& frame);
     // Whether opaque surfaces are drawn deferred; `shape`: some of them are tabulated.
@@ -76,6 +82,10 @@ class Painter {
                              bool wait);
     Program& gbuffer_program(const MaterialSlot& slot, bool wait);
     Program& gouraud_program(bool wait);
+    // The stage that sums the frames.
+    static const char* accumulation_of(const RenderSettings& settings) {
+        return is_robust(settings) ? "accumulate_robust.frag" : "accumulate.frag";
+    }
     Program& plain_program(const char* vertex, const char* fragment, bool wait);
     bool can_defer(const Frame& frame, const DrawItem& item);
     bool shows_environment(const Frame& frame) const;
@@ -95,6 +105,7 @@ class Painter {
     void paint_gouraud(const Frame& frame, const DrawItem& item);
     void paint_background(const Frame& frame);
     void paint_blended(const Frame& frame);
+    void set_lattice(Program& program, int samples);
     void set_frame(Program& program, const Frame& frame);
     void set_surface(Program& program, const Frame& frame, int material);
     void draw_fullscreen(Program& program, float depth);
@@ -103,6 +114,8 @@ class Painter {
     DeviceScene& scene_;
     VertexArray empty_;
     SectionTimer timer_;
+    PointLattice lattice_;  // of as many points
+    int lattice_samples_ = 0;
     Needs needs_;              // needs of the frame in progress
     int bound_material_ = -1;  // material whose textures are bound
     std::pair<int, bool> material_settings_{0, false};

@@ -145,7 +145,7 @@ Program& Painter::gouraud_program(bool wait) {
 
 // Sends every program that paint() needs to the compiler.
 void Painter::start_programs(const Frame& frame, std::vector<Program*>& programs) {
-    programs.push_back(&plain_program("fullscreen.vert", "accumulate.frag", false));
+    programs.push_back(&plain_program("fullscreen.vert", accumulation_of(*frame.options), false));
     if (needs_.shadows || frame.options->ground)
         programs.push_back(&plain_program("surface.vert", "shadow.frag", false));
     if (shows_environment(frame))

@@ -18,6 +18,7 @@
 #include "gpu/device/device_timer.hpp"
 #include "gpu/device/draw_state.hpp"
 #include "gpu/draw/passes.hpp"
+#include "scene/camera/pixel_offsets.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -37,6 +38,9 @@ void require_sound(const RenderSettings& o) {
     within("samples", o.samples, 1, 1 << 20);
     within("image_light_samples", o.image_light_samples, 1, 4096);
     within("tile_size", o.tile_size, 0, kLargestPicture);
+    if (!(o.robust_limit >= 0.0f && std::isfinite(o.robust_limit)))
+        throw Error("render", "robust_limit", "a radiance, or 0 for the plain mean",
+                    fmt::format("{}", o.robust_limit));
 }
 
 // Throws Error when image light would be an approximation, which tabulated lobes do not have.
@@ -77,19 +81,26 @@ void show_albedo(float* rgb) {
     rgb[2] = shown.z;
 }
 
-// Writes the mean of `samples` frames of a tile to its place in the picture, with row 0 at the top.
-void store(const std::vector<float>& sum, const Tile& tile, int samples, const RenderSettings& o,
-           Image& image) {
+// What is read back of a tile: the sum of its frames, and the weights of a robust mean.
+struct Sums {
+    std::vector<float> sum, weights;
+    int samples = 0;
+};
+
+// Writes the mean of the frames of a tile to its place in the picture, with row 0 at the top.
+void store(const Sums& of, const Tile& tile, const RenderSettings& o, Image& image) {
     const bool transparent = o.background == BackgroundKind::transparent;
-    const float scale = 1.0f / static_cast<float>(samples);
+    const float scale = 1.0f / static_cast<float>(of.samples);
     for (int y = 0; y < tile.height; ++y) {
-        const float* from =
-            sum.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.width) * 4;
+        const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.width);
+        const float* from = of.sum.data() + row * 4;
+        const float* weight = of.weights.empty() ? nullptr : of.weights.data() + row;
         float* to = image.at(tile.x, image.height - 1 - (tile.y + y));
         for (int x = 0; x < tile.width; ++x, from += 4, to += 4) {
             const float alpha = transparent ? std::min(writable(from[3] * scale), 1.0f) : 1.0f;
             // Sums are premultiplied. An alpha below 1e-6 is rounding error and must not divide.
-            const float each = !transparent ? scale : alpha > 1e-6f ? scale / alpha : 0.0f;
+            float each = !transparent ? scale : alpha > 1e-6f ? scale / alpha : 0.0f;
+            if (weight != nullptr && each > 0.0f) each = 1.0f / weight[x];
             for (int c = 0; c < 3; ++c) to[c] = writable(from[c] * each);
             if (o.view == SurfaceView::albedo) show_albedo(to);
             to[3] = alpha;
@@ -121,6 +132,7 @@ struct Renderer::Impl {
         RenderSettings settings;
         Tile tile;
         LightCount light_count = LightCount::compiled;
+        std::vector<glm::dvec2> offsets = pixel_offsets(settings.samples);
         int samples = 0;
         bool stale = false;  // the scene was edited
     };
@@ -148,14 +160,16 @@ struct Renderer::Impl {
         frame.options = &s.settings;
         frame.tile = s.tile;
         frame.sample = s.samples;
+        // Beyond the wished number the offsets repeat.
+        frame.offset = s.offsets[static_cast<std::size_t>(s.samples) % s.offsets.size()];
         frame.light_count = s.light_count;
         Bounds bounds = scene.bounds();
         if (s.settings.ground) {
             const Bounds ground = scene.ground().bounds();
             bounds = {glm::min(bounds.low, ground.low), glm::max(bounds.high, ground.high)};
         }
-        frame.view = make_view(s.camera, bounds, s.settings.width, s.settings.height, s.tile,
-                               pixel_offset(s.samples));
+        frame.view =
+            make_view(s.camera, bounds, s.settings.width, s.settings.height, s.tile, frame.offset);
         return frame;
     }
 
@@ -166,14 +180,15 @@ struct Renderer::Impl {
         series.samples = 0;
         const Frame frame = frame_of(series);
         painter.prepare(frame, painter.sees_ground(frame), progress);
-        slot().targets->clear_sum();
+        slot().targets->clear_sum(is_robust(series.settings));
         series.stale = false;
     }
 
     void add() {
         Series& series = *slot().series;
-        painter.paint(frame_of(series), *slot().targets);
-        painter.accumulate(*slot().targets);
+        const Frame frame = frame_of(series);
+        painter.paint(frame, *slot().targets);
+        painter.accumulate(frame, *slot().targets);
         ++series.samples;
         ++timed_samples;
     }
@@ -181,8 +196,10 @@ struct Renderer::Impl {
     // Writes the mean of the tile to `place` of a picture.
     void store_into(Image& image, const Tile& place) {
         const Series& series = *slot().series;
-        store(slot().targets->read_sum(place.width, place.height), place, series.samples,
-              series.settings, image);
+        const Targets& targets = *slot().targets;
+        store({targets.read_sum(place.width, place.height),
+               targets.read_weights(place.width, place.height), series.samples},
+              place, series.settings, image);
     }
 
     void make_stale() {
@@ -377,6 +394,7 @@ void Renderer::present(unsigned framebuffer, int width, int height, double expos
     program.set("u_share", 1.0f / static_cast<float>(series.samples));
     program.set("u_gain", static_cast<float>(std::exp2(exposure_ev)));
     program.set("u_tone_map", static_cast<int>(tone_map));
+    program.set("u_robust", is_robust(series.settings) ? 1.0f : 0.0f);
     program.set("u_albedo", series.settings.view == SurfaceView::albedo ? 1 : 0);
     program.set("u_transparent",
                 series.settings.background == BackgroundKind::transparent ? 1.0f : 0.0f);
@@ -434,15 +452,18 @@ FrameTimes Renderer::measure_frames(const Camera& camera, const RenderSettings& 
     require_one_tile("measure_frames", settings.width, settings.height, impl_->context);
     const Impl::Use use(*impl_);
     const Impl::EndOfSeries end{impl_->slot().series};
-    Impl::Series once{camera, settings, {0, 0, settings.width, settings.height}};
-    once.settings.samples = 1;
+    RenderSettings single = settings;
+    single.samples = 1;
+    const Impl::Series once{camera, single, {0, 0, settings.width, settings.height}};
     Targets& targets = impl_->targets_for(settings.width, settings.height);
     Frame frame = impl_->frame_of(once);
     frame.variant = variant;
     impl_->painter.prepare(frame, impl_->painter.sees_ground(frame), {});
     // Each frame is submitted by itself, as the buffer swap of a window would.
+    const std::vector<glm::dvec2> offsets = pixel_offsets(frames + warm_up);
     const auto paint = [&](int sample) {
         frame.sample = sample;
+        frame.offset = offsets[static_cast<std::size_t>(sample)];  // so that shadows are drawn anew
         impl_->painter.paint(frame, targets);
         glFlush();
     };

@@ -11,7 +11,6 @@
 
 #include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
-#include "scene/camera/view.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -56,7 +55,7 @@ int largest_side(std::size_t maps) {
 ShadowMaps::ShadowMaps(std::span<const Light> lights, const Bounds& bounds) {
     for (const Light& light : lights) add_light(light, bounds);
     current_.resize(maps_.size(), glm::mat4(1.0f));
-    drawn_.resize(maps_.size(), -1);
+    drawn_.resize(maps_.size());
     if (maps_.empty()) return;
     side_ = largest_side(maps_.size());
     for (Map& map : maps_) map.texel /= static_cast<float>(side_);
@@ -147,22 +146,21 @@ void ShadowMaps::set_casters(std::vector<bool> casters, bool coarse) {
 }
 
 void ShadowMaps::invalidate() {
-    std::ranges::fill(drawn_, -1);
+    std::ranges::fill(drawn_, std::nullopt);
 }
 
-bool ShadowMaps::holds(int index, int sample) const {
-    return has_images() && drawn_[static_cast<std::size_t>(index)] == sample;
+bool ShadowMaps::holds(int index, glm::dvec2 offset) const {
+    return has_images() && drawn_[static_cast<std::size_t>(index)] == offset;
 }
 
-glm::mat4 ShadowMaps::begin(int index, int sample) {
+glm::mat4 ShadowMaps::begin(int index, glm::dvec2 offset) {
     if (!has_images()) make_images();
     const auto i = static_cast<std::size_t>(index);
-    // pixel_offset is a triangle filter of half width 1, here in texels.
-    const glm::dvec2 shift = pixel_offset(sample) * (2.0 / side_);
+    const glm::dvec2 shift = offset * (2.0 / side_);
     glm::mat4 moved(1.0f);
     moved[3] = glm::vec4(static_cast<float>(shift.x), static_cast<float>(shift.y), 0.0f, 1.0f);
     current_[i] = moved * maps_[i].clip_from_world;
-    drawn_[i] = sample;
+    drawn_[i] = offset;
     glBindFramebuffer(GL_FRAMEBUFFER, device_->target.get());
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, device_->texture.get(), 0,
                               index);

@@ -33,15 +33,15 @@ class ShadowMaps {
     // before: every map has to be drawn again.
     void set_casters(std::vector<bool> casters, bool coarse);
     void invalidate();  // every map has to be drawn again
-    // Whether the map is as begin() and the drawing after it have left it for this sample, so that it
+    // Whether the map is as begin() and the drawing after it have left it for this offset, so that it
     // need not be drawn: a map depends on the lights and the scene, with which the object is made anew,
     // and not on the camera.
-    bool holds(int index, int sample) const;
+    bool holds(int index, glm::dvec2 offset) const;
 
-    // Makes map `index` the target, clears it and sets the state to draw into it. Sub-pixel sample
-    // `sample` shifts the map by a fraction of a texel, so that the average over samples has soft
-    // edges. Returns the clip_from_world of the map.
-    glm::mat4 begin(int index, int sample);
+    // Makes map `index` the target, clears it and sets the state to draw into it. The offset of the
+    // sub-pixel sample (pixel_offsets) shifts the map by as many texels, so that the average over
+    // samples has soft edges. Returns the clip_from_world of the map.
+    glm::mat4 begin(int index, glm::dvec2 offset);
 
     // The uniforms of shaders/lib/lights.glsl and the texture.
     void bind(Program& program) const;
@@ -62,9 +62,9 @@ class ShadowMaps {
     void make_images();
 
     std::vector<Map> maps_;
-    std::vector<glm::vec2> of_light_;  // first map or -1, number of maps
-    std::vector<glm::mat4> current_;   // as last drawn, with the shift
-    std::vector<int> drawn_;           // sample of each map's last drawing; -1: none
+    std::vector<glm::vec2> of_light_;               // first map or -1, number of maps
+    std::vector<glm::mat4> current_;                // as last drawn, with the shift
+    std::vector<std::optional<glm::dvec2>> drawn_;  // offset of each map's last drawing
     std::vector<bool> casters_;
     bool coarse_ = false;
     int side_ = 0;

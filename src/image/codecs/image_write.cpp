@@ -6,8 +6,10 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
@@ -30,18 +32,35 @@ void check_image(const Image& image, const std::string& name) {
                 fmt::format("{} channels, {} values", image.channels, image.pixels.size()));
 }
 
-// 8-bit codes of display values. Alpha is left out when `channels` is 3 and the image has 4.
-std::vector<std::uint8_t> codes_of(const Image& image, int channels) {
+// Noise of a pixel, evenly distributed in (-0.5, 0.5): multiples of 1/g and 1/g^2, g^3 = g + 1 (Roberts
+// 2018), folded so that neighbors differ much. It stops short of half a step, so that a value which a
+// code holds exactly, but for the rounding of floats, keeps its code.
+float dither_noise(std::size_t x, std::size_t y) {
+    const auto turns = static_cast<std::uint32_t>(x * 3242174889u + y * 2447445414u);
+    const std::uint32_t folded = turns < 0x80000000u ? 2 * turns : ~(2 * turns);
+    constexpr float kReach = 1.0f - 1.0f / 512;
+    return kReach * (static_cast<float>(folded >> 8) * (1.0f / 16777216.0f) - 0.5f);
+}
+
+// Codes of display values. Alpha is left out when `channels` is 3 and the image has 4; it is never
+// dithered.
+template <typename Code>
+std::vector<Code> codes_of(const Image& image, int channels, bool dither) {
     const auto from = static_cast<std::size_t>(image.channels);
     const auto to = static_cast<std::size_t>(channels);
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t colors = to == 4 ? 3 : to;
     const std::size_t count = image.pixels.size() / from;
-    std::vector<std::uint8_t> codes(count * to);
+    constexpr auto kMost = static_cast<float>(std::numeric_limits<Code>::max());
+    std::vector<Code> codes(count * to);
     for (std::size_t pixel = 0; pixel < count; ++pixel) {
+        const float noise = dither ? dither_noise(pixel % width, pixel / width) : 0.0f;
         for (std::size_t c = 0; c < to; ++c) {
             const float value = image.pixels[pixel * from + c];
             // The comparison is written so that NaN becomes 0.
             const float clamped = value > 0.0f ? (value < 1.0f ? value : 1.0f) : 0.0f;
-            codes[pixel * to + c] = static_cast<std::uint8_t>(clamped * 255.0f + 0.5f);
+            const float shift = c < colors ? 0.5f + noise : 0.5f;
+            codes[pixel * to + c] = static_cast<Code>(clamped * kMost + shift);
         }
     }
     return codes;
@@ -56,11 +75,18 @@ std::vector<float> premultiplied(const Image& image) {
     return pixels;
 }
 
-OIIO::ImageSpec spec_for(ImageFormat format, const Image& image, const Metadata& metadata) {
+bool has_16_bits(ImageFormat format, const WriteOptions& options) {
+    return options.bits == 16 && (format == ImageFormat::png || format == ImageFormat::tiff);
+}
+
+OIIO::ImageSpec spec_for(ImageFormat format, const Image& image, const Metadata& metadata,
+                         const WriteOptions& options) {
     const int channels = format == ImageFormat::jpeg ? std::min(image.channels, 3) : image.channels;
     const bool linear = format == ImageFormat::exr;
     OIIO::ImageSpec spec(image.width, image.height, channels,
-                         linear ? OIIO::TypeFloat : OIIO::TypeUInt8);
+                         linear                         ? OIIO::TypeFloat
+                         : has_16_bits(format, options) ? OIIO::TypeUInt16
+                                                        : OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     if (!linear) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (format == ImageFormat::jpeg) {
@@ -81,7 +107,8 @@ OIIO::ImageSpec spec_for(ImageFormat format, const Image& image, const Metadata&
 
 // The bytes of the file, encoded in memory, because not every encoder notices a full disk.
 void encode(ImageFormat format, const Image& image, const Metadata& metadata,
-            OIIO::Filesystem::IOVecOutput& target, const std::string& name) {
+            const WriteOptions& options, OIIO::Filesystem::IOVecOutput& target,
+            const std::string& name) {
     const std::unique_ptr<OIIO::ImageOutput> output =
         OIIO::ImageOutput::create(oiio_format_name(format));
     const auto fail = [&] {
@@ -89,13 +116,19 @@ void encode(ImageFormat format, const Image& image, const Metadata& metadata,
                     one_line(output ? output->geterror() : OIIO::geterror()));
     };
     if (!output || !output->supports("ioproxy")) fail();
-    const OIIO::ImageSpec spec = spec_for(format, image, metadata);
+    const OIIO::ImageSpec spec = spec_for(format, image, metadata, options);
     output->set_ioproxy(&target);
     if (!output->open(name, spec)) fail();
-    const bool written =
-        format == ImageFormat::exr
-            ? output->write_image(OIIO::TypeFloat, premultiplied(image).data())
-            : output->write_image(OIIO::TypeUInt8, codes_of(image, spec.nchannels).data());
+    bool written = false;
+    if (format == ImageFormat::exr) {
+        written = output->write_image(OIIO::TypeFloat, premultiplied(image).data());
+    } else if (has_16_bits(format, options)) {
+        const auto codes = codes_of<std::uint16_t>(image, spec.nchannels, false);
+        written = output->write_image(OIIO::TypeUInt16, codes.data());
+    } else {
+        const auto codes = codes_of<std::uint8_t>(image, spec.nchannels, options.dither);
+        written = output->write_image(OIIO::TypeUInt8, codes.data());
+    }
     if (!written || !output->close() || output->has_error()) fail();
 }
 
@@ -104,11 +137,13 @@ void encode(ImageFormat format, const Image& image, const Metadata& metadata,
 namespace oiio {
 
 void write_image(const std::filesystem::path& path, const Image& image,
-                 const std::map<std::string, std::string>& metadata) {
+                 const std::map<std::string, std::string>& metadata, const WriteOptions& options) {
     const ImageFormat format = require_written_format(path);
     check_image(image, path.string());
+    if (options.bits != 8 && options.bits != 16)
+        throw Error(path.string(), "bits", "8 or 16", std::to_string(options.bits));
     OIIO::Filesystem::IOVecOutput target;
-    encode(format, image, metadata, target, path.string());
+    encode(format, image, metadata, options, target, path.string());
     write_bytes(path, std::as_bytes(std::span(target.buffer())));
 }
 

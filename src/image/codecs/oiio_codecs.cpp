@@ -25,8 +25,9 @@ class OiioCodecs final : public Codecs {
         return oiio::read_image_info(path);
     }
     void write_image(const std::filesystem::path& path, const Image& image,
-                     const std::map<std::string, std::string>& metadata) const override {
-        oiio::write_image(path, image, metadata);
+                     const std::map<std::string, std::string>& metadata,
+                     const WriteOptions& options) const override {
+        oiio::write_image(path, image, metadata, options);
     }
     std::vector<ImagePart> read_image_parts(const std::filesystem::path& path) const override {
         return oiio::read_image_parts(path);

@@ -14,7 +14,7 @@ Texture decode_texture(std::span<const std::byte> bytes, const std::string& name
                        ColorSpace color_space, std::vector<std::string>* warnings);
 ImageInfo read_image_info(const std::filesystem::path& path);
 void write_image(const std::filesystem::path& path, const Image& image,
-                 const std::map<std::string, std::string>& metadata);
+                 const std::map<std::string, std::string>& metadata, const WriteOptions& options);
 std::vector<ImagePart> read_image_parts(const std::filesystem::path& path);
 void write_image_parts(const std::filesystem::path& path, const std::vector<ImagePart>& parts);
 bool has_image_part_attribute(const std::filesystem::path& path, std::string_view name);

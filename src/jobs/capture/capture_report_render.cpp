@@ -52,7 +52,9 @@ void add_renderings(const CaptureReportRequest& request, Page& page, Pictures& p
         }
         page.device = context->renderer();
         gpu::Renderer renderer(*context, stage.scene, nullptr);
-        const Image linear = renderer.render(stage.camera, stage.settings, progress);
+        RenderSettings settings = stage.settings;
+        settings.robust_limit = robust_limit(stage.values);
+        const Image linear = renderer.render(stage.camera, settings, progress);
         const std::string file = fmt::format("render_{}.png", k);
         pictures.push_back({file, to_display(linear, stage.exposure_ev, stage.tone_map)});
         page.renderings.emplace_back(models[k], file);

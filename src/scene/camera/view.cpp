@@ -137,14 +137,4 @@ Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile) {
     return {left, bottom, std::max(right - left, 0), std::max(top - bottom, 0)};
 }
 
-glm::dvec2 pixel_offset(int index) {
-    // R2 sequence (Roberts 2018) from the middle, mapped through the inverse cumulative
-    // distribution of the triangle.
-    const auto triangle = [index](double step) {
-        const double u = std::fmod(0.5 + step * index, 1.0);
-        return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 * (1 - u));
-    };
-    return {triangle(0.75487766624669276), triangle(0.56984029099805327)};
-}
-
 }  // namespace burnish

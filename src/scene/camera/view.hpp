@@ -54,8 +54,4 @@ View make_view(const Camera& camera, const Bounds& bounds, int width, int height
 // that reaches behind the eye.
 Tile screen_bounds(const View& view, const Bounds& box, const Tile& tile);
 
-// Offset of sample `index` in pixels, distributed as the pixel filter: a triangle of half width 1
-// pixel. Sample 0 is the middle.
-glm::dvec2 pixel_offset(int index);
-
 }  // namespace burnish

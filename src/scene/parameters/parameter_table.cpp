@@ -22,6 +22,8 @@ std::span<const std::string_view> scratch_direction_names() {
 
 namespace {
 
+constexpr std::array<std::string_view, 2> kBitDepths = {"8", "16"};
+
 using Kind = ParameterKind;
 using Group = ParameterGroup;
 
@@ -225,6 +227,10 @@ void add_render(Table& t) {
         "exact");
     t.integer("image_light_samples", 1, 1024, standard.image_light_samples, "",
               "environment samples for each sample of a pixel");
+    t.boolean(
+        "robust_mean", true,
+        "samples brighter than twice white count less, so that bright edges are smooth; never in "
+        ".exr, which keeps energy");
     t.boolean("shadows", standard.shadows, "lights cast shadows");
     t.boolean("ground", standard.ground, "the model's shadow on the plane under it");
     t.real("exposure", -20, 20, 0.0, "EV", "brightness, in powers of two");
@@ -236,6 +242,8 @@ void add_render(Table& t) {
             "for background color: r,g,b linear or #rrggbb");
     t.real("background_blur", 0, 1, decimal(standard.background_blur), "",
            "blur of the environment as background");
+    t.choice("bit_depth", kBitDepths, ParameterChoice{0}, "bits a channel of .png and .tif");
+    t.boolean("dither", true, "noise below one step of 8 bits, in place of bands");
     t.integer("seed", 0, kMaxSeed, static_cast<int>(standard.seed), "",
               "seed of all random choices");
 }

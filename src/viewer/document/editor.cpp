@@ -137,7 +137,8 @@ void Editor::update_to(const Document& document) {
     if (change.lights != stage_.scene.lights) ++revisions_.lights;
     if (change.settings != stage_.settings) ++revisions_.settings;
     if (change.camera != stage_.camera) ++revisions_.camera;
-    if (change.exposure_ev != stage_.exposure_ev || change.tone_map != stage_.tone_map)
+    if (change.exposure_ev != stage_.exposure_ev || change.tone_map != stage_.tone_map ||
+        robust_limit(change.values) != robust_limit(stage_.values))
         ++revisions_.display;
     if (change.environment) ++revisions_.environment;
     if (document.hidden != old.hidden) ++revisions_.geometry;

@@ -31,7 +31,7 @@ struct Revisions {
     std::uint64_t environment = 0;  // its radiance; intensity and rotation are settings
     std::uint64_t camera = 0;
     std::uint64_t settings = 0;  // Stage::settings
-    std::uint64_t display = 0;   // exposure and tone map
+    std::uint64_t display = 0;   // exposure, tone map, robust mean
     bool operator==(const Revisions&) const = default;
 };
 

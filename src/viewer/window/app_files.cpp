@@ -158,6 +158,7 @@ Image App::drawn(const Camera& camera, int width, int height, bool linear) {
     settings.width = width;
     settings.height = height;
     settings.view = view;
+    if (!linear) settings.robust_limit = robust_limit(editor.stage().values);
     Image image = picture.render(camera, settings, {});
     if (linear) return image;
     const bool radiance = view == SurfaceView::radiance;
@@ -169,7 +170,8 @@ void App::save_picture(const std::filesystem::path& path, std::optional<Size> si
     const int width = size ? size->width : picture_width;
     const int height = size ? size->height : picture_height;
     const Camera camera = editor.camera_of(static_cast<double>(width) / height);
-    write_image(path, drawn(camera, width, height, holds_linear(path)), {});
+    write_image(path, drawn(camera, width, height, holds_linear(path)), {},
+                write_options(editor.stage().values));
     say("saved " + path.string());
 }
 
@@ -180,7 +182,7 @@ void App::save_turntable(const std::filesystem::path& path, int frames) {
         write_image(file,
                     drawn(turned(editor.stage().camera, angle), picture_width, picture_height,
                           holds_linear(file)),
-                    {});
+                    {}, write_options(editor.stage().values));
     }
     say(fmt::format("saved {} frames beside {}", frames, path.string()));
 }

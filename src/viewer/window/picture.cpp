@@ -98,11 +98,14 @@ void Picture::follow(const Editor& editor) {
     as_before.display = before.display;
     const bool display_only = !first && as_before == before;
     camera_ = stage.camera;
+    const float limit = robust_limit(stage.values);
+    const bool same_limit = settings_.robust_limit == limit;
     settings_ = stage.settings;
+    settings_.robust_limit = limit;
     exposure_ev_ = stage.exposure_ev;
     tone_map_ = stage.tone_map;
     display_changed_ = true;
-    if (!display_only) begun_ = false;
+    if (!display_only || !same_limit) begun_ = false;
     const auto same = [&](std::uint64_t Revisions::*part) { return now.*part == before.*part; };
     if (first || !same(&Revisions::scene) || !same(&Revisions::materials) ||
         !same(&Revisions::textures) || !same(&Revisions::lights) ||
