@@ -74,7 +74,4 @@ Light parse_light(std::string_view word);
 Camera place_camera(const Scene& scene, const ParameterValues& values, double aspect,
                     bool all_around = false);
 
-// `camera` turned about the vertical axis through its target.
-Camera turned(const Camera& camera, double angle_rad);
-
 }  // namespace burnish

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/gtc/constants.hpp>
-#include <map>
 
 #include "burnish/context.hpp"
 #include "burnish/error.hpp"
@@ -15,6 +13,8 @@
 #include "burnish/stage.hpp"
 #include "burnish/version.hpp"
 #include "core/files.hpp"
+#include "jobs/film.hpp"
+#include "jobs/turntable.hpp"
 #include "plot/sheet.hpp"
 #include "stage/material_parameters.hpp"
 
@@ -22,10 +22,8 @@ namespace burnish {
 
 namespace {
 
-using Metadata = std::map<std::string, std::string>;
-
-Metadata metadata_of(const RenderRequest& request, const Stage& stage,
-                     const gpu::Context& context) {
+// But for "burnish:device".
+Metadata metadata_of(const RenderRequest& request, const Stage& stage) {
     std::string parameters;
     for (const auto& [name, value] : stage.values.set_values())
         parameters += fmt::format("{}{}={}", parameters.empty() ? "" : "; ", name,
@@ -33,12 +31,12 @@ Metadata metadata_of(const RenderRequest& request, const Stage& stage,
     return {{"burnish:version", std::string(version())},
             {"burnish:command", request.command},
             {"burnish:parameters", parameters},
-            {"burnish:environment", stage.environment.name},
-            {"burnish:device", context.renderer()}};
+            {"burnish:environment", stage.environment.name}};
 }
 
 void check(const RenderRequest& request) {
-    require_image_extension(request.output);
+    if (!is_film(request.output)) require_image_extension(request.output);
+    check_turntable(request);
     const bool sheet = !request.compare.empty();
     if (sheet && request.compare.size() < 2)
         throw UsageError("--compare", "", "two or more methods", "one");
@@ -59,6 +57,13 @@ void check(const RenderRequest& request) {
 std::string warning_of_lost_transparency(const RenderRequest& request, const Stage& stage) {
     if (stage.settings.background != BackgroundKind::transparent) return "";
     if (!request.compare.empty()) return "--background transparent: a comparison sheet is opaque";
+    if (is_film(request.output))
+        return film_holds_alpha(request.output)
+                   ? ""
+                   : fmt::format(
+                         "--background transparent: {} keeps no transparency (.apng does): "
+                         "--background-color is behind the model",
+                         request.output.extension().string());
     if (holds_alpha(request.output)) return "";
     return fmt::format(
         "--background transparent: {} keeps no transparency (.png, .tif and .exr do)",
@@ -82,20 +87,6 @@ void warn_of_format(const RenderRequest& request, const Stage& stage,
     if (!holds_alpha(request.output)) warn("bit_depth", "holds 8 bits a channel");
     if (write_options(stage.values).bits == 16 && holds_alpha(request.output))
         warn("dither", "of 16 bits shows no bands");
-}
-
-// Progress of part `index` of `count` equal parts of a longer job.
-Progress part_of(const Progress& whole, std::size_t index, std::size_t count) {
-    return whole.with_report([=](std::string_view stage, double done) {
-        whole.step(stage, (static_cast<double>(index) + done) / static_cast<double>(count));
-    });
-}
-
-void write_result(const std::filesystem::path& path, const Image& linear, const Stage& stage,
-                  const Metadata& metadata) {
-    const bool keep = holds_linear(path);
-    write_image(path, keep ? linear : to_display(linear, stage.exposure_ev, stage.tone_map),
-                metadata, write_options(stage.values));
 }
 
 // Checks all pictures of a sheet before the first one is drawn.
@@ -147,21 +138,19 @@ void render_comparison(const RenderRequest& request, Stage& stage, gpu::Renderer
                 write_options(stage.values));
 }
 
-std::vector<std::filesystem::path> render_turntable(const RenderRequest& request,
-                                                    const Stage& stage, gpu::Renderer& renderer,
-                                                    const Metadata& metadata,
-                                                    const Progress& progress) {
-    std::vector<std::filesystem::path> written;
-    const auto frames = static_cast<std::size_t>(request.turntable);
-    for (std::size_t i = 0; i < frames; ++i) {
-        const double angle =
-            glm::two_pi<double>() * static_cast<double>(i) / static_cast<double>(frames);
-        const Image linear = renderer.render(turned(stage.camera, angle), stage.settings,
-                                             part_of(progress, i, frames));
-        written.push_back(numbered(request.output, static_cast<int>(i)));
-        write_result(written.back(), linear, stage, metadata);
-    }
-    return written;
+// A still or a sheet.
+RenderReport render_one(const RenderRequest& request, Stage& stage, const Progress& progress) {
+    gpu::Context context(request.gl_device);
+    const bool lit = !stage.environment.radiance.empty();
+    gpu::Renderer renderer(context, stage.scene, lit ? &stage.environment : nullptr);
+    Metadata metadata = metadata_of(request, stage);
+    metadata["burnish:device"] = context.renderer();
+    if (!request.compare.empty())
+        render_comparison(request, stage, renderer, metadata, progress);
+    else
+        write_picture(request.output, renderer.render(stage.camera, stage.settings, progress),
+                      stage, metadata);
+    return {{request.output}, {}, {}, context.renderer()};
 }
 
 }  // namespace
@@ -171,9 +160,23 @@ std::filesystem::path numbered(const std::filesystem::path& path, int number) {
            fmt::format("{}_{:04d}{}", path.stem().string(), number, path.extension().string());
 }
 
+void write_picture(const std::filesystem::path& path, const Image& linear, const Stage& stage,
+                   const Metadata& metadata) {
+    const bool keep = holds_linear(path);
+    write_image(path, keep ? linear : to_display(linear, stage.exposure_ev, stage.tone_map),
+                metadata, write_options(stage.values));
+}
+
+Progress part_of(const Progress& whole, std::size_t index, std::size_t count) {
+    return whole.with_report([=](std::string_view stage, double done) {
+        whole.step(stage, (static_cast<double>(index) + done) / static_cast<double>(count));
+    });
+}
+
 RenderReport render(const RenderRequest& request, const Progress& progress) {
     check(request);
     require_writable(request.output);
+    if (is_film(request.output)) require_film_maker(request.output);
     progress.step("load", 0);
     StageRequest asked = request.stage;
     // Warnings are those of a method of the sheet, a deformation where there is one.
@@ -185,25 +188,16 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     require_drawable(stage.scene.materials, request.compare);
     if (!holds_linear(request.output)) stage.settings.robust_limit = robust_limit(stage.values);
 
-    gpu::Context context(request.gl_device);
-    const bool lit = !stage.environment.radiance.empty();
-    gpu::Renderer renderer(context, stage.scene, lit ? &stage.environment : nullptr);
-    const Metadata metadata = metadata_of(request, stage, context);
-
-    RenderReport report{{}, stage.scene.warnings, stage.scene.notes, context.renderer()};
+    std::vector<std::string> warnings = stage.scene.warnings;
     const std::string lost = warning_of_lost_transparency(request, stage);
-    if (!lost.empty()) report.warnings.push_back(lost);
-    warn_of_format(request, stage, report.warnings);
-    if (!request.compare.empty()) {
-        render_comparison(request, stage, renderer, metadata, progress);
-        report.written = {request.output};
-    } else if (request.turntable > 0) {
-        report.written = render_turntable(request, stage, renderer, metadata, progress);
-    } else {
-        write_result(request.output, renderer.render(stage.camera, stage.settings, progress), stage,
-                     metadata);
-        report.written = {request.output};
-    }
+    if (!lost.empty()) warnings.push_back(lost);
+    warn_of_format(request, stage, warnings);
+    RenderReport report =
+        request.turntable > 0
+            ? render_turntable(request, stage, metadata_of(request, stage), progress)
+            : render_one(request, stage, progress);
+    report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
+    report.notes.insert(report.notes.begin(), stage.scene.notes.begin(), stage.scene.notes.end());
     return report;
 }
 

@@ -202,18 +202,6 @@ Camera place_camera(const Scene& scene, const ParameterValues& values, double as
     return camera;
 }
 
-Camera turned(const Camera& camera, double angle_rad) {
-    const auto c = static_cast<float>(std::cos(angle_rad));
-    const auto s = static_cast<float>(std::sin(angle_rad));
-    const auto turn = [&](glm::vec3 v) {
-        return glm::vec3{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
-    };
-    Camera result = camera;
-    result.position = camera.target + turn(camera.position - camera.target);
-    result.up = turn(camera.up);
-    return result;
-}
-
 Stage open_stage(const std::string& input, const ParameterValues& values) {
     require_one_roughness(values, true);
     Stage stage;

@@ -81,6 +81,25 @@ TEST(RenderCommand, TurnsTheTable) {
               read_image(folder.path("t_0001.png")).pixels);
 }
 
+TEST(RenderCommand, TurnsAPartOfTheTable) {
+    const Folder folder;
+    const std::string out = folder.path("t.png");
+    const auto turned = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"builtin:plane", "--turntable", "4"});
+        return run_burnish(render(more, out));
+    };
+    ASSERT_EQ(turned({"--turn", "light", "--frames", "2-3"}).exit_code, 0);
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"t_0002.png", "t_0003.png"}));
+    const Outcome resumed = turned({"--turn", "light", "--frames", "1-3", "--resume"});
+    EXPECT_EQ(resumed.output, folder.path("t_0001.png") + "\n");
+    EXPECT_NE(resumed.complaint.find("note: --resume: kept 2 of 3 pictures"), std::string::npos)
+        << resumed.complaint;
+    expect_complaint(turned({"--turn", "lights"}), 2, {"--turn", "lights", "light"});
+    expect_complaint(turned({"--frames", "1-x"}), 2, {"--frames", "whole number", "\"x\""});
+    expect_complaint(turned({"--frames", "4"}), 2, {"--frames", "from 0 to 3", "found 4"});
+    expect_complaint(turned({"--fps", "24"}), 2, {"--fps: expected -o FILE of a film"});
+}
+
 TEST(RenderCommand, RendersTheExampleScenes) {
     const Folder folder;
     for (const auto& entry : fs::directory_iterator(test::source_folder() / "examples/scenes")) {

@@ -135,6 +135,7 @@ const std::map<std::string, std::string> kPublic = {
     {"render_settings", "scene"},
     {"scene", "scene"},
     {"surface", "scene"},
+    {"turntable", "scene"},
     {"ndf_grid", "scene"},
     {"tabulated_material", "scene"},
     {"builtin_meshes", "scene"},

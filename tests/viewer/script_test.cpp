@@ -87,6 +87,8 @@ TEST(ViewerScript, EveryCommandIsRead) {
     EXPECT_EQ(save.size, (Size{640, 480}));
     EXPECT_EQ(only<SaveCommand>("save scene s.json").size, std::nullopt);
     EXPECT_EQ(only<TurntableCommand>("turntable 24 t.png").frames, 24);
+    EXPECT_EQ(only<TurntableCommand>("turntable 24 t.png").turn, Turn::object);
+    EXPECT_EQ(only<TurntableCommand>("turntable 24 t.mp4 camera").turn, Turn::camera);
     EXPECT_EQ(only<ScreenshotCommand>("screenshot w.png").file, "w.png");
     EXPECT_EQ(only<ResizeCommand>("resize 1280x720").size, (Size{1280, 720}));
     only<QuitCommand>("quit");
@@ -175,6 +177,7 @@ TEST(ViewerScript, ErrorsNameTheLineAndTheNearestWord) {
     refused("save picture a.png 640", {"WIDTHxHEIGHT"});
     refused("save picture a.png 0x5", {"1 to 16384"});
     refused("turntable 0 a.png", {"1 to 9999"});
+    refused("turntable 9 a.png lights", {"what turns", "light"});
     refused("resize 99999x9", {"1 to 16384"});
     refused("expect fps", {"a comparison"});
     refused("expect fps > fast", {"a number behind"});

@@ -118,6 +118,27 @@ TEST_F(SavedWindow, ASceneThatIsOpenedAgainShowsItsValues) {
     EXPECT_NE(logged.at("alpha_x"), "the input's");
 }
 
+// What turns is what `render` turns, and the lights of the window are its own again afterwards.
+TEST_F(SavedWindow, TurntablesAreThoseOfRender) {
+    play(fmt::format("set samples 2\nset image_light prefiltered\nlight 20,40\n"
+                     "drag orbit 30 10 2\nwait rest\nsave picture {0} 320x240\n"
+                     "turntable 3 {1}\nturntable 3 {2} light\nsave picture {3} 320x240\n"
+                     "save scene {4}\n",
+                     path("before.png"), path("object.png"), path("light.png"), path("after.png"),
+                     path("saved.json")),
+         {"builtin:drape"});
+    EXPECT_LE(levels_between(picture("before.png"), picture("after.png")), kOneLevel);
+    const Image first = picture("object_0000.png");
+    for (const std::string turn : {"object", "light"}) {
+        const Outcome rendered = run_burnish(
+            {"render", path("saved.json"), "--turntable", "3", "--turn", turn, "--frames", "1",
+             "--size", fmt::format("{}x{}", first.width, first.height), "-o", path("r.png")});
+        ASSERT_EQ(rendered.exit_code, 0) << rendered.complaint;
+        EXPECT_LE(levels_between(picture(turn + "_0001.png"), picture("r_0001.png")), kOneLevel);
+        EXPECT_GT(levels_between(picture(turn + "_0001.png"), first), 20) << turn;
+    }
+}
+
 TEST_F(SavedWindow, TurntableFramesMapsAndModelsAreWritten) {
     play(fmt::format("set samples 1\nwait rest\nturntable 3 {}\nsave gltf {}\n", path("turn.png"),
                      path("exported")),

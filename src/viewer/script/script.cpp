@@ -318,8 +318,11 @@ constexpr VerbRow kVerbs[] = {
     {"save", read_save},
     {"turntable",
      [](WordReader& w) -> Action {
-         const int frames = w.whole("pictures of a full turn", 1, 9999);
-         return TurntableCommand{frames, w.word("a file")};
+         TurntableCommand command;
+         command.frames = w.whole("pictures of a full turn", 1, 9999);
+         command.file = w.word("a file");
+         if (w.more()) command.turn = static_cast<Turn>(w.one_of(turn_names(), "what turns"));
+         return command;
      }},
     {"screenshot", [](WordReader& w) -> Action { return ScreenshotCommand{w.word("a file")}; }},
     {"expect", read_expect},

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "burnish/scene.hpp"
+#include "burnish/turntable.hpp"
 #include "viewer/document/document.hpp"
 #include "viewer/motion/navigation.hpp"
 
@@ -171,10 +172,11 @@ struct SaveCommand {
     std::string file;
     std::optional<Size> size;  // none: that of the view
 };
-// turntable N FILE
+// turntable N FILE [TURN]
 struct TurntableCommand {
     int frames = 1;  // 1 to 9999
     std::string file;
+    Turn turn = Turn::object;
 };
 // screenshot FILE: of the whole window
 struct ScreenshotCommand {

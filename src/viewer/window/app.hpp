@@ -68,7 +68,8 @@ class App {
     void open_document(Document document, const std::string& name);
     void save_scene(const std::filesystem::path& path);
     void save_picture(const std::filesystem::path& path, std::optional<Size> size);
-    void save_turntable(const std::filesystem::path& path, int frames);
+    // Numbered pictures of a full turn in the size of the view, or a film of them (film.hpp).
+    void save_turntable(const std::filesystem::path& path, int frames, Turn turn);
     void save_gltf(const std::filesystem::path& folder);
     // The folder that `burnish scratch` or `burnish weave` makes with the material's settings.
     void save_maps(const std::filesystem::path& folder);
@@ -202,7 +203,7 @@ class App {
 
   private:
     // The refined picture in the view that is shown, as a display has it or linear.
-    Image drawn(const Camera& camera, int width, int height, bool linear);
+    Image drawn(const Camera& camera, RenderSettings settings, bool linear);
     // Fits a rig that was opened, once nothing else is read, and opens the material.
     void fit_rig();
     // The paths without unfitted rigs, of which the last is fitted.

@@ -1,14 +1,11 @@
 // The part of App that reads and writes files.
 #include <fmt/format.h>
 
-#include <glm/gtc/constants.hpp>
-
 #include "burnish/builtin_meshes.hpp"
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "jobs/capture/capture_fit.hpp"
 #include "jobs/export_material.hpp"
-#include "jobs/render.hpp"
 #include "viewer/document/file_names.hpp"
 #include "viewer/document/load_stage.hpp"
 #include "viewer/document/open_files.hpp"
@@ -153,10 +150,7 @@ void App::save_scene(const std::filesystem::path& path) {
     say("saved " + path.string());
 }
 
-Image App::drawn(const Camera& camera, int width, int height, bool linear) {
-    RenderSettings settings = editor.stage().settings;
-    settings.width = width;
-    settings.height = height;
+Image App::drawn(const Camera& camera, RenderSettings settings, bool linear) {
     settings.view = view;
     if (!linear) settings.robust_limit = robust_limit(editor.stage().values);
     Image image = picture.render(camera, settings, {});
@@ -167,24 +161,13 @@ Image App::drawn(const Camera& camera, int width, int height, bool linear) {
 }
 
 void App::save_picture(const std::filesystem::path& path, std::optional<Size> size) {
-    const int width = size ? size->width : picture_width;
-    const int height = size ? size->height : picture_height;
-    const Camera camera = editor.camera_of(static_cast<double>(width) / height);
-    write_image(path, drawn(camera, width, height, holds_linear(path)), {},
+    RenderSettings settings = editor.stage().settings;
+    settings.width = size ? size->width : picture_width;
+    settings.height = size ? size->height : picture_height;
+    const Camera camera = editor.camera_of(static_cast<double>(settings.width) / settings.height);
+    write_image(path, drawn(camera, settings, holds_linear(path)), {},
                 write_options(editor.stage().values));
     say("saved " + path.string());
-}
-
-void App::save_turntable(const std::filesystem::path& path, int frames) {
-    for (int i = 0; i < frames; ++i) {
-        const double angle = glm::two_pi<double>() * i / frames;
-        const std::filesystem::path file = numbered(path, i);
-        write_image(file,
-                    drawn(turned(editor.stage().camera, angle), picture_width, picture_height,
-                          holds_linear(file)),
-                    {}, write_options(editor.stage().values));
-    }
-    say(fmt::format("saved {} frames beside {}", frames, path.string()));
 }
 
 void App::save_gltf(const std::filesystem::path& folder) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "burnish/error.hpp"
+#include "burnish/turntable.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -17,6 +18,7 @@ struct Dialog {
     std::string path;
     std::string failed;
     bool opened = false;
+    int turn = 0;  // what turns on a turntable
 };
 
 Dialog& dialog() {
@@ -52,11 +54,22 @@ void run_dialog(App& app, const Dialog& d) {
     if (d.ask == Ask::open) return app.open({d.path});
     if (d.ask == Ask::scene) return app.save_scene(d.path);
     if (d.ask == Ask::picture) return app.save_picture(d.path, std::nullopt);
-    if (d.ask == Ask::turntable) return app.save_turntable(d.path, 48);
+    if (d.ask == Ask::turntable) return app.save_turntable(d.path, 48, static_cast<Turn>(d.turn));
     if (d.ask == Ask::maps) return app.save_maps(d.path);
     if (d.ask == Ask::environment) return app.set_environment(d.path);
     if (d.ask == Ask::compared) return app.compare_with_file(d.path);
     app.save_gltf(d.path);
+}
+
+void draw_turns(Dialog& d) {
+    ImGui::TextUnformatted("Turns:");
+    for (int i = 0; i < static_cast<int>(turn_names().size()); ++i) {
+        ImGui::SameLine();
+        ImGui::RadioButton(std::string(turn_names()[static_cast<std::size_t>(i)]).c_str(), &d.turn,
+                           i);
+    }
+    ImGui::SameLine();
+    ImGui::TextDisabled("(films: .mp4, .webm, .apng)");
 }
 
 // Files and folders beside the path that begin as it does.
@@ -81,7 +94,7 @@ std::vector<std::string> completions(const std::string& path) {
 }  // namespace
 
 void ask_for(Ask ask, std::string path) {
-    dialog() = {ask, std::move(path), {}, true};
+    dialog() = {ask, std::move(path), {}, true, 0};
 }
 
 bool is_asking() {
@@ -102,6 +115,7 @@ void draw_dialog(App& app) {
         if (!d.opened) d.ask = Ask::none;
         return;
     }
+    if (d.ask == Ask::turntable) draw_turns(d);
     if (d.opened) ImGui::SetKeyboardFocusHere();
     d.opened = false;
     ImGui::SetNextItemWidth(-1);

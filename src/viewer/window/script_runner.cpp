@@ -479,7 +479,7 @@ void ScriptRunner::execute(const Command& command) {
                 if (c.kind == SaveKind::gltf) app_.save_gltf(c.file);
                 if (c.kind == SaveKind::maps) app_.save_maps(c.file);
             } else if constexpr (std::is_same_v<T, TurntableCommand>) {
-                app_.save_turntable(c.file, c.frames);
+                app_.save_turntable(c.file, c.frames, c.turn);
             } else if constexpr (std::is_same_v<T, ScreenshotCommand>) {
                 screenshot_ = c.file;
             } else if constexpr (std::is_same_v<T, ExpectCommand>) {
