@@ -71,6 +71,8 @@ class AnisotropyStrengthScreenshot : public testing::Test {
         const std::string model = sample_model("AnisotropyStrengthTest");
         BURNISH_REQUIRE_SAMPLE(model);
         stage_ = stage_of_screenshot(model, kCamera);
+        // The renderer of the screenshot reflects light once.
+        for (Material& material : stage_.scene.materials) material.single_scattering = true;
         theirs_ =
             read_image(sample("models/AnisotropyStrengthTest/screenshot/screenshot-large.png"),
                        {.as_data = true});

@@ -132,6 +132,7 @@ TEST(InspectorShapes, CutsAreRadiiOfTheLobe) {
 TEST(InspectorAlbedo, IsThatOfTheModelByQuadrature) {
     for (const double elevation : {80.0, 45.0, 20.0}) {
         Material m;
+        m.single_scattering = true;
         m.lobe = AlphaLobe{{0.3f, 0.5f}};
         m.base_color = glm::vec4(1.0f);
         const Scene scene = test::one_object(test::unit_plane(), m);

@@ -45,7 +45,8 @@ MethodReport report_of(const LobeReport& report, Method method, glm::dvec3 to_ey
     m.G = lobe.G(wi, wo);
     if (!lobe.has_meaning()) return m;
     m.F = lobe.F(wi, wo);
-    m.f_specular = lobe.specular(wi, wo);
+    m.gain = lobe.gain(wo);
+    m.f_specular = lobe.specular(wi, wo) / m.gain;
     m.f = lobe.eval(wi, wo);
     m.f_cos = lobe.eval_cos(wi, wo);
     m.pdf = lobe.pdf(wi, wo);

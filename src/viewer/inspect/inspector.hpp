@@ -32,8 +32,9 @@ struct MethodReport {
     double D = 0;                       // at the half vector; NaN for phong and lafortune, as G
     double G = 0;
     glm::dvec3 F{0.0};           // RGB
-    glm::dvec3 f_specular{0.0};  // RGB, the specular term
-    glm::dvec3 f{0.0};           // with the diffuse term
+    glm::dvec3 f_specular{0.0};  // RGB, the specular term of light that is reflected once
+    glm::dvec3 gain{1.0};        // PointLobe::gain
+    glm::dvec3 f{0.0};           // f_specular times gain, and the diffuse term
     glm::dvec3 f_cos{0.0};
     double pdf = 0;                  // of drawing the light's direction
     glm::dvec3 peak{0.0};            // half vector of the highest D

@@ -183,6 +183,11 @@ glm::dvec3 PointLobe::F(glm::dvec3 to_light, glm::dvec3 to_eye) const {
         surface_, f64::half_angle_cosine(f64::vec3(to_light), f64::vec3(to_eye))));
 }
 
+glm::dvec3 PointLobe::gain(glm::dvec3 to_eye) const {
+    if (!sees(to_eye)) return glm::dvec3(1.0);
+    return of(towards(surface_, seen_from(to_eye), local(to_eye)).gain);
+}
+
 glm::dvec3 PointLobe::specular(glm::dvec3 to_light, glm::dvec3 to_eye) const {
     if (!sees(to_eye)) return glm::dvec3(0.0);
     const f64::Perturbation p = seen_from(to_eye);

@@ -52,6 +52,8 @@ class PointLobe {
     // below the surface's.
     glm::dvec3 specular(glm::dvec3 to_light, glm::dvec3 to_eye) const;
     glm::dvec3 eval(glm::dvec3 to_light, glm::dvec3 to_eye) const;  // and the diffuse term
+    // RGB factor of `specular` by the light that facets reflect more than once; 1 where the model has none.
+    glm::dvec3 gain(glm::dvec3 to_eye) const;
     // eval times the cosine n~.wi: radiance under unit irradiance of a surface that faces the light.
     glm::dvec3 eval_cos(glm::dvec3 to_light, glm::dvec3 to_eye) const;
     struct Sample {

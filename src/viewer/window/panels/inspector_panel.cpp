@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -151,6 +152,10 @@ void number_table(App& app, const LobeReport& r) {
              [](const MethodReport& m) { return number(m.D); });
     text_row("G", "masking and shadowing", r, [](const MethodReport& m) { return number(m.G); });
     color_rows("F", "Fresnel's reflectance", r, [&](std::size_t i) { return r.methods[i].F; });
+    text_row("gain", "factor by light that facets reflect more than once, of the brightest channel",
+             r, [](const MethodReport& m) {
+                 return number(std::max({m.gain.x, m.gain.y, m.gain.z}));
+             });
     color_rows("f", "the reflectance, with its diffuse term, per steradian", r,
                [&](std::size_t i) { return r.methods[i].f; });
     normal_rows(r);
