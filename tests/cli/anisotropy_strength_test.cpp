@@ -143,8 +143,9 @@ TEST_P(AnisotropyStrengthTest, StrengthStretchesAlongTheTangents) {
                 EXPECT_GT(here.along, here.across) << where;
             }
             if (here.along > 1.5 * here.across) {
-                // The streak bends away from the tangent of its middle, towards the pole.
-                EXPECT_LT(std::abs(here.turned_deg), 4.0) << where;
+                // The streak bends away from the tangent of its middle, towards the pole. At roughness 0
+                // it is narrower than a pixel: 16 samples find its direction within 7.2 degrees.
+                EXPECT_LT(std::abs(here.turned_deg), column > 0 ? 4.0 : 9.0) << where;
             }
             below = here;
         }

@@ -120,7 +120,8 @@ TEST_F(PrefilteredLight, ErrsAQuarterAsMuchAsBentNormals) {
     for (const auto& [environment, least] : environments_under_test()) {
         const char* name = environment.name.c_str();
         Scene scene = tilted_sphere();
-        scene.materials[0].single_scattering = true;  // the lobe alone: what the bent normal stands for
+        scene.materials[0].single_scattering =
+            true;  // the lobe alone: what the bent normal stands for
         gpu::Renderer renderer(*context, scene, &environment);
         for (const glm::vec2 alpha : {glm::vec2(0.1f, 0.4f), glm::vec2(0.2f, 0.6f)}) {
             for (const float degrees : {0.0f, 45.0f}) {
