@@ -187,8 +187,10 @@ TEST(GltfBake, AWeaveIsTheTileOfItsMaps) {
             const bool warp = maps.yarns[t] <= maps.ends;
             ASSERT_EQ(code(baked.textures[0], x, y, 0), warp ? 1.0 : 0.0) << x << "," << y;
             for (int c = 0; c < 2; ++c)
-                worst = std::max(worst, std::abs(code(baked.textures[2], x, y, c) -
-                                                 static_cast<double>(normals[3 * t + c])));
+                worst = std::max(
+                    worst,
+                    std::abs(code(baked.textures[2], x, y, c) -
+                             static_cast<double>(normals[3 * t + static_cast<std::size_t>(c)])));
             // Fibers run along the yarn, and grooves along the fibers; across them alpha is 0.45.
             const ReadLobe lobe = lobe_at(baked, x, y);
             ASSERT_NEAR(lobe.across, 0.45, 1e-3);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gpu/device/albedo_tables.hpp"
+#include "gpu/draw/material_state.hpp"
 #include "gpu/draw/passes.hpp"
 
 namespace burnish::gpu {
