@@ -5,12 +5,10 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "burnish/context.hpp"
-#include "burnish/error.hpp"
 #include "image_light.hpp"
+#include "page_tables.hpp"
 
 namespace burnish::bench {
 namespace {
@@ -52,24 +50,14 @@ std::string table() {
     return text;
 }
 
-void rewrite(const char* path) {
-    std::ifstream in(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    const std::size_t marker = text.find(kMarker);
-    if (marker == std::string::npos) throw Error(path, "", "the marker line", "none");
-    text.resize(marker + kMarker.size());
-    text += '\n';
-    text += table();
-    std::ofstream(path, std::ios::binary) << text;
-}
-
 }  // namespace
 }  // namespace burnish::bench
 
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
     try {
-        burnish::bench::rewrite(argv[1]);
+        burnish::bench::write_tables(argv[1], burnish::bench::kMarker,
+                                     "\n" + burnish::bench::table());
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "tabulate_image_light: %s\n", error.what());

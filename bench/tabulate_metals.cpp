@@ -10,20 +10,18 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <glm/common.hpp>
-#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "burnish/conductors.hpp"
-#include "burnish/error.hpp"
 #include "burnish/f64.hpp"
 #include "burnish/image_io.hpp"
 #include "models/fresnel_words.hpp"
 #include "models/metal_charts.hpp"
 #include "models/spectra/fresnel_fit.hpp"
+#include "page_tables.hpp"
 #include "plot/sheet.hpp"
 
 namespace burnish::bench {
@@ -125,20 +123,15 @@ std::string film_color_table() {
     return text;
 }
 
-void rewrite(const char* path) {
-    std::ifstream in(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    const std::size_t marker = text.find(kMarker);
-    if (marker == std::string::npos) throw Error(path, "", "the marker line", "none");
-    text.resize(marker + kMarker.size());
-    text +=
+std::string tables() {
+    std::string text =
         "\n## Colors at normal incidence, beside three charts\n\nIn parentheses: the largest "
         "difference of a channel, of 255. Bold: at most 3.\n\n" +
         chart_table();
     text += "\n## Errors of the index per channel\n\n" + pair_error_table();
     text += "\n## Errors of the curve under a film of 10 to 1000 nm\n\n" + film_error_table();
     text += "\n## Colors under a film at normal incidence, sRGB\n\n" + film_color_table();
-    std::ofstream(path, std::ios::binary) << text;
+    return text;
 }
 
 void print_pairs() {
@@ -251,7 +244,8 @@ int main(int argc, char** argv) {
         } else if (first == "--sheet") {
             burnish::bench::write_sheet(argv[2]);
         } else {
-            burnish::bench::rewrite(argv[1]);
+            burnish::bench::write_tables(argv[1], burnish::bench::kMarker,
+                                         burnish::bench::tables());
         }
         return 0;
     } catch (const std::exception& error) {

@@ -4,7 +4,7 @@
 //
 // The plane through the normal and the view cuts the lobe. The covariance of the lobe's slopes has along^2 in
 // that plane, across^2 perpendicular to it, and a mixed term, which is 0 where the view lies on an axis of the
-// lobe. E is even in the mixed term, so that a polynomial in its square serves: 0.7 % for alphas from 0.05 to 1.
+// lobe. E is even in the mixed term, so that a polynomial in its square serves: within 1 % for alphas from 0.05 to 1.
 
 // The largest alpha of the table: that of the parameters alpha_x and alpha_y, or of exponents of 0.
 FN Float albedo_most_alpha(int mdf) { return mdf == kMdfAshikhminShirley ? Float(1) : Float(1.5); }
