@@ -101,7 +101,9 @@ TEST_P(Furnace, SingleScatteringLosesLight) {
     m.single_scattering = true;
     const double albedo = albedo_of(SurfacePoint(m), {0, 0, 1}).x;
     EXPECT_LT(albedo, 0.75);
-    if (GetParam() == Mdf::ggx) EXPECT_NEAR(albedo, 0.307, 0.003);
+    if (GetParam() == Mdf::ggx) {
+        EXPECT_NEAR(albedo, 0.307, 0.003);
+    }
 }
 
 // Light that is reflected more than once meets the metal's color more than once: the lost share of a
