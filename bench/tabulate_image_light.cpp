@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
     if (argc != 2) return 2;
     try {
         burnish::bench::write_tables(argv[1], burnish::bench::kMarker,
-                                     "\n" + burnish::bench::table());
+                                     std::string("\n").append(burnish::bench::table()));
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "tabulate_image_light: %s\n", error.what());
