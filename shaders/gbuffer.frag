@@ -1,10 +1,20 @@
 // Writes the data that resolve.frag needs to shade a pixel once.
+#include "shading/prelude.glsl"
+#include "shading/surface/visibility.glsl"
 #include "shaders/lib/pack.glsl"
 
 in vec3 v_position;
 in vec3 v_normal;
 in vec4 v_tangent;
 in vec2 v_uv;
+#ifdef VISIBILITY
+in vec4 v_blocked0;
+in vec4 v_blocked1;
+in vec4 v_blocked2;
+in vec4 v_blocked3;
+in vec3 v_around_color;
+in vec3 v_around_slope;
+#endif
 
 layout(location = 0) out uvec4 o_packed;
 #ifdef POSITION
@@ -12,6 +22,11 @@ layout(location = 1) out vec4 o_position;
 #endif
 #ifdef SHAPE
 layout(location = 2) out vec4 o_shape;
+#endif
+
+#ifdef VISIBILITY
+layout(location = 3) out uvec4 o_seen0;
+layout(location = 4) out uvec4 o_seen1;
 #endif
 
 void main() {
@@ -27,6 +42,13 @@ void main() {
 #endif
 #ifdef POSITION
     o_position = vec4(v_position, 1.0);
+#endif
+#ifdef VISIBILITY
+    o_seen0 = uvec4(packed_three(vec3(v_blocked0.x - 0.5, v_blocked0.yz)),
+                    packed_three(vec3(v_blocked0.w, v_blocked1.xy)),
+                    packed_three(vec3(v_blocked1.zw, v_blocked2.x)), packed_three(v_blocked2.yzw));
+    o_seen1 = uvec4(packed_three(v_blocked3.xyz), packed_three(vec3(v_blocked3.w, 0.0, 0.0)),
+                    packed_color(v_around_color), packed_three(v_around_slope * 0.125));
 #endif
 #ifdef SHAPE
     o_shape = vec4(dx, dy);

@@ -14,6 +14,7 @@
 #include "shaders/lib/specular.glsl"
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/environment.glsl"
+#include "shaders/lib/visibility.glsl"
 #include "shaders/lib/image_light.glsl"
 #ifdef CLOTH
 #include "shaders/lib/cloth.glsl"
@@ -29,6 +30,10 @@ uniform highp usampler2D u_packed;
 uniform sampler2D u_position;
 #ifdef TABULATED
 uniform highp sampler2D u_shape;
+#endif
+#ifdef VISIBILITY
+uniform highp usampler2D u_seen0;
+uniform highp usampler2D u_seen1;
 #endif
 uniform vec3 u_ray_center;
 uniform vec3 u_ray_x;
@@ -55,6 +60,12 @@ void main() {
     s.tangent = packed_tangent(words);
     s.uv = vec4(packed_uv(words), 0.0, 0.0);
     s.color = vec4(1.0);
+#ifdef VISIBILITY
+    uvec4 seen0 = texelFetch(u_seen0, pixel, 0);
+    uvec4 seen1 = texelFetch(u_seen1, pixel, 0);
+    s.blocked = packed_blocked(seen0, seen1);
+    s.around = packed_around(seen1);
+#endif
     s.front = true;
     s.pixel = uvec2(pixel + u_tile_origin);
 #ifdef VIEW

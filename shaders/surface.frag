@@ -13,6 +13,7 @@
 #include "shaders/lib/specular.glsl"
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/environment.glsl"
+#include "shaders/lib/visibility.glsl"
 #include "shaders/lib/image_light.glsl"
 #ifdef CLOTH
 #include "shaders/lib/cloth.glsl"
@@ -32,6 +33,14 @@ in vec2 v_uv;
 #endif
 #ifdef VERTEX_COLOR
 in vec4 v_color;
+#endif
+#ifdef VISIBILITY
+in vec4 v_blocked0;
+in vec4 v_blocked1;
+in vec4 v_blocked2;
+in vec4 v_blocked3;
+in vec3 v_around_color;
+in vec3 v_around_slope;
 #endif
 
 uniform ivec2 u_tile_origin;
@@ -55,6 +64,10 @@ void main() {
     s.color = v_color;
 #else
     s.color = vec4(1.0);
+#endif
+#ifdef VISIBILITY
+    s.blocked = harmonics_of(v_blocked0, v_blocked1, v_blocked2, v_blocked3);
+    s.around = Surroundings(v_around_color, v_around_slope);
 #endif
     s.front = gl_FrontFacing;
     s.pixel = uvec2(ivec2(gl_FragCoord.xy) + u_tile_origin);

@@ -8,6 +8,14 @@ layout(location = 2) in vec4 a_tangent;
 layout(location = 3) in vec2 a_texcoord0;
 layout(location = 4) in vec2 a_texcoord1;
 layout(location = 5) in vec4 a_color;
+#ifdef VISIBILITY
+layout(location = 6) in vec4 a_blocked0;  // Harmonics in the order of its members
+layout(location = 7) in vec4 a_blocked1;
+layout(location = 8) in vec4 a_blocked2;
+layout(location = 9) in vec4 a_blocked3;
+layout(location = 10) in vec4 a_around0;  // Surroundings
+layout(location = 11) in vec4 a_around1;
+#endif
 
 uniform mat4 u_clip_from_world;
 uniform mat4 u_world_from_local;
@@ -28,6 +36,14 @@ out vec2 v_uv;
 #ifdef VERTEX_COLOR
 out vec4 v_color;
 #endif
+#ifdef VISIBILITY
+out vec4 v_blocked0;
+out vec4 v_blocked1;
+out vec4 v_blocked2;
+out vec4 v_blocked3;
+out vec3 v_around_color;
+out vec3 v_around_slope;
+#endif
 
 void main() {
     vec4 world = u_world_from_local * vec4(a_position, 1.0);
@@ -46,6 +62,14 @@ void main() {
 #endif
 #ifdef VERTEX_COLOR
     v_color = a_color;
+#endif
+#ifdef VISIBILITY
+    v_blocked0 = a_blocked0;
+    v_blocked1 = a_blocked1;
+    v_blocked2 = a_blocked2;
+    v_blocked3 = a_blocked3;
+    v_around_color = a_around0.xyz;
+    v_around_slope = vec3(a_around0.w, a_around1.xy);
 #endif
     gl_Position = u_clip_from_world * world;
 }

@@ -27,6 +27,7 @@
 #include "shading/surface/tangent.glsl"
 #include "shading/surface/axes.glsl"
 #include "shading/surface/light.glsl"
+#include "shading/surface/visibility.glsl"
 #include "shading/surface/diffuse.glsl"
 #include "shading/surface/specular.glsl"
 #include "shading/surface/surface.glsl"

@@ -58,7 +58,8 @@ enum class SurfaceView {
     albedo,          // of the whole surface towards the eye, sampled in a white furnace: gray 0 to
                      // 1; red where the lobe gains energy, darker up to 2
     not_finite,      // magenta where the radiance is infinite or no number, else gray
-    highlight_error  // angle from the peak of the lobe to that of follow-grain: 0 to 45 degrees
+    highlight_error,  // angle from the peak of the lobe to that of follow-grain: 0 to 45 degrees
+    openness  // share of a uniform environment that reaches a diffuse surface: 0 to 1
 };
 std::span<const std::string_view> surface_view_names();  // in the order of the enumeration
 
@@ -78,6 +79,7 @@ struct RenderSettings {
     float background_blur = 0.0f;       // 0..1
     bool shadows = true;                // of punctual lights; they are never darkened otherwise
     bool ground = false;                // a shadow on the plane under the scene (ground.hpp)
+    bool visibility = true;             // what Renderer::set_visibility was given is taken into account
     // For pictures that are displayed: the radiance from which on a color is as good as white. A sample
     // with a brighter channel gets the weight limit / brightest, so that it neither sparkles nor leaves
     // an edge jagged. That darkens only pixels with such samples. 0: the plain mean, which keeps energy,

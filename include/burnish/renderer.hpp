@@ -35,6 +35,7 @@
 #include "burnish/render_settings.hpp"
 #include "burnish/scene.hpp"
 #include "burnish/upload_counts.hpp"
+#include "burnish/visibility.hpp"
 
 namespace burnish {
 namespace BURNISH_API gpu {
@@ -106,6 +107,10 @@ class Renderer {
     void set_environment(const Environment* environment, const Progress& progress = {});
     void set_environment(std::shared_ptr<const PreparedEnvironment> prepared);
     void set_lights(std::span<const Light> lights);  // at most 16
+    // What the vertices see of the environment (burnish/visibility.hpp), of all instances; null: everything. An
+    // edit of a mesh, or of the mesh of an instance, forgets it for that instance; after other edits it stays.
+    // Throws Error where it is of another scene.
+    void set_visibility(std::shared_ptr<const Visibility> visibility);
 
     int add_material(const Material& material, const Progress& progress = {});
     void update_material(int id, const Material& material, const Progress& progress = {});

@@ -61,11 +61,11 @@ vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
 
 #if IMAGE_LIGHT > 0
 #ifndef METAL
-vec3 cloth_lit_by_irradiance(ClothFamily f) {
+vec3 cloth_lit_by_irradiance(Surface s, ClothFamily f) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = normal_facing(normalize(cloth_node(u_weave_nodes[f.family], i)), f.wo);
-        sum += environment_irradiance(frame_to_outer(f.a, n)) *
+        sum += seen_irradiance(s, frame_to_outer(f.a, n)) *
                (cloth_node_weight(i) * diffuse_albedo(BRDF, u_dielectric_f0, max(dot(n, f.wo), 0.0)));
     }
     return f.m.surface.diffuse * sum * f.share;
@@ -128,7 +128,7 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place
         float cover = put_yarn(m, place.at + (shift - 0.5) * reach);
         Frame a = axes;
         Perturbation p = facing_perturbation(s, m, a);
-        sum += cover * image_sample(m, a, p, frame_to_local(a, s.to_eye), lattice_point(first, i),
+        sum += cover * image_sample(s, m, a, p, frame_to_local(a, s.to_eye), lattice_point(first, i),
                                     select_of(index, rotation));
     }
     return sum / float(u_image_samples);
@@ -150,15 +150,15 @@ vec3 cloth_from_afar(Surface s, Shading m, Frame a, ClothPlace place, bool seen)
         sum += cloth_lit_by_lights(s, f, a.n);
 #endif
 #if IMAGE_LIGHT > 0 && !defined(METAL)
-        sum += cloth_lit_by_irradiance(f) * occlusion_at(s);
+        sum += cloth_lit_by_irradiance(s, f) * occlusion_left(s, a.n, occlusion_at(s));
 #endif
 #if IMAGE_LIGHT > 1
-        sum += cloth_image_specular(s, f) * specular_open(s, m, f.wo.z);
+        sum += cloth_image_specular(s, f) * specular_open(s, m, a.n, f.wo.z);
 #endif
     }
 #if IMAGE_LIGHT == 1
     int samples = seen ? u_image_samples : 0;
-    sum += cloth_image_specular(s, m, a, place, samples) * specular_open(s, m, dot(a.n, s.to_eye));
+    sum += cloth_image_specular(s, m, a, place, samples) * specular_open(s, m, a.n, dot(a.n, s.to_eye));
 #endif
     return sum;
 }

@@ -31,14 +31,15 @@ vec2 lattice_point(vec2 first, int i) {
 // mip of that size. As the total grows, this converges to mip 0 and the exact integral. wi may lie below
 // the geometric horizon where the map tilts n~ enough. A mapped bump must match the modeled one
 // (NormalTangentTest), so only the horizon of n~ counts.
-vec3 image_sample(Shading m, Frame a, Perturbation p, vec3 wo, vec2 xi, float select) {
+vec3 image_sample(Surface s, Shading m, Frame a, Perturbation p, vec3 wo, vec2 xi, float select) {
     float pdf;
     vec3 wi = specular_draw(m, p, wo, xi, select, pdf);
     float cos_i = dot(p.n, wi);
     bool counts = pdf > 0.0 && cos_i > 0.0;
     float weight = specular_at(m, p, wi, wo) * cos_i / max(pdf, kTiny);
     float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
-    vec3 radiance = environment_radiance(frame_to_outer(a, wi), lod);
+    vec3 towards = frame_to_outer(a, wi);
+    vec3 radiance = seen_radiance(s, towards, environment_radiance(towards, lod));
     vec3 term = specular_color(m.surface, half_angle_cosine(wi, wo)) * radiance * weight;
     return counts ? finite_radiance(term) : vec3(0.0);
 }
@@ -52,14 +53,14 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     int samples = max(u_image_samples / m.taps, 1);
     for (int i = 0; i < samples; ++i) {
         uint index = (u_frame * uint(samples) + uint(i)) * uint(m.taps) + uint(m.tap);
-        sum += image_sample(m, a, p, wo, point_of(index, rotation), select_of(index, rotation));
+        sum += image_sample(s, m, a, p, wo, point_of(index, rotation), select_of(index, rotation));
     }
     return sum / float(samples);
 #else
     vec2 first = first_point(rotation);
     for (int i = 0; i < u_image_samples; ++i) {
         float select = select_of(u_frame * uint(u_image_samples) + uint(i), rotation);
-        sum += image_sample(m, a, p, wo, lattice_point(first, i), select);
+        sum += image_sample(s, m, a, p, wo, lattice_point(first, i), select);
     }
     return sum / float(u_image_samples);
 #endif
@@ -84,8 +85,9 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     // f cos has one more cosine factor for lafortune.
     float n = BRDF == kBrdfLafortune ? lobe.n + 1.0 : lobe.n;
     float alpha = kCosineLobeWidth * alpha_from_cosine_exponent(n);
-    vec3 towards = environment_direction(frame_to_outer(a, wi));
-    vec3 radiance = round_lobe_radiance(towards, alpha) * u_environment_scale;
+    vec3 towards = frame_to_outer(a, wi);
+    vec3 radiance = seen_radiance(
+        s, towards, round_lobe_radiance(environment_direction(towards), alpha) * u_environment_scale);
     float albedo = dot(p.n, wo) > 0.0 ? cosine_lobe_albedo(lobe, p, wo) : 0.0;
     return specular_fresnel(m.surface, half_angle_cosine(wi, wo)) * radiance * albedo;
 }
@@ -117,8 +119,9 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     vec3 bent = normalize(mix(across, p.n, keep * keep));
     vec3 wi = reflect(-wo, bent);
     // Perceptual roughness is sqrt(alpha), so the lobe has the width alpha = roughness^2.
-    vec3 towards = environment_direction(frame_to_outer(a, wi));
-    vec3 radiance = lobe_radiance(towards, lobe_lod(narrow * narrow)) * u_environment_scale;
+    vec3 towards = frame_to_outer(a, wi);
+    vec3 radiance = lobe_radiance(environment_direction(towards), lobe_lod(narrow * narrow));
+    radiance = seen_radiance(s, towards, radiance * u_environment_scale);
     return radiance * m.surface.gain *
            split_sum(specular_fresnel(m.surface, 1.0), roughness, max(dot(p.n, wo), 0.0));
 }

@@ -60,3 +60,43 @@ float packed_footprint(uvec4 p) {
 vec2 packed_uv(uvec4 p) {
     return vec2(uintBitsToFloat(p.z), uintBitsToFloat(p.w));
 }
+
+// Three numbers in [-1/2, 1/2], 10 bits each.
+uint packed_three(vec3 v) {
+    uvec3 q = uvec3(ivec3(clamp(v, -0.5, 0.5) * 1022.0 + 511.5));
+    return q.x | (q.y << 10) | (q.z << 20);
+}
+
+vec3 from_packed_three(uint word) {
+    ivec3 q = ivec3(int(word & 1023u), int((word >> 10) & 1023u), int((word >> 20) & 1023u));
+    return vec3(q) * (1.0 / 1022.0) - 0.5;
+}
+
+// A color: 9 bits a channel of a common exponent, 2^-15 to 2^16.
+uint packed_color(vec3 color) {
+    float most = max(max(color.r, max(color.g, color.b)), 1e-9);
+    float exponent = clamp(floor(log2(most)) + 1.0, -15.0, 16.0);
+    uvec3 q = uvec3(ivec3(clamp(color * exp2(-exponent), 0.0, 1.0) * 511.0 + 0.5));
+    return q.x | (q.y << 9) | (q.z << 18) | (uint(int(exponent) + 15) << 27);
+}
+
+vec3 from_packed_color(uint word) {
+    ivec3 q = ivec3(int(word & 511u), int((word >> 9) & 511u), int((word >> 18) & 511u));
+    return vec3(q) * (exp2(float(int(word >> 27)) - 15.0) / 511.0);
+}
+
+#ifdef VISIBILITY
+// Harmonics and Surroundings: every coefficient but the first is in [-1/2, 1/2], as no function in [0, 1] has
+// another; slopes up to 4.
+Harmonics packed_blocked(uvec4 a, uvec4 b) {
+    vec3 v0 = from_packed_three(a.x);
+    vec3 v1 = from_packed_three(a.y);
+    vec3 v2 = from_packed_three(a.z);
+    return Harmonics(v0.x + 0.5, vec3(v0.yz, v1.x), vec3(v1.yz, v2.x), v2.yz, from_packed_three(a.w),
+                     from_packed_three(b.x), from_packed_three(b.y).x);
+}
+
+Surroundings packed_around(uvec4 b) {
+    return Surroundings(from_packed_color(b.z), from_packed_three(b.w) * 8.0);
+}
+#endif

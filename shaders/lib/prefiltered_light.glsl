@@ -161,6 +161,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     MajorAxis axis = major_axis(eye, middle.h, turn_of(middle, map, p, vec3(ax, 0.0, 0.0)),
                                 turn_of(middle, map, p, vec3(0.0, ay, 0.0)));
     vec3 across = vec3(-ax * axis.along.y, ay * axis.along.x, 0.0);
+    Frame world = axes;
     axes.t = environment_direction(axes.t);
     axes.b = environment_direction(axes.b);
     axes.n = environment_direction(axes.n);
@@ -186,10 +187,11 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
                               : min(gi.z / max(go.z, 1e-3), 1.0);
         share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;
         vec3 radiance = lobe_radiance(frame_to_outer(axes, wi), lobe_lod(kWidth * kWidth * blur2));
+        radiance = seen_radiance(s, frame_to_outer(world, wi), radiance * u_environment_scale);
         sum += specular_color(m.surface, wo_h) * radiance * (share * energy_at(at, p, go, wo_h));
         energy += share;
     }
     // 1e-3: below the share of any look-up when the view is above the horizon.
     float scale = albedo_at(albedo_place(lobe, go)) / max(energy, 1e-3);
-    return dot(p.n, wo) > 0.0 ? sum * (scale * u_environment_scale) : vec3(0.0);
+    return dot(p.n, wo) > 0.0 ? sum * scale : vec3(0.0);
 }

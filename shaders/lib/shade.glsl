@@ -20,9 +20,11 @@ vec3 lit_by_lights(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
 #endif
 
 #if IMAGE_LIGHT > 0
-float specular_open(Surface s, Shading m, float cos_o) {
+// `n`: the normal in world space.
+float specular_open(Surface s, Shading m, vec3 n, float cos_o) {
 #ifdef HAS_OCCLUSION_MAP
-    return specular_occlusion(occlusion_at(s), max(cos_o, 0.0), m.surface.lobe);
+    float occlusion = occlusion_left(s, n, occlusion_at(s));
+    return specular_occlusion(occlusion, max(cos_o, 0.0), m.surface.lobe);
 #else
     return 1.0;
 #endif
@@ -30,11 +32,12 @@ float specular_open(Surface s, Shading m, float cos_o) {
 
 // Irradiance covers all directions, so diffuse_eval is averaged over wi.
 vec3 lit_by_environment(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
-    vec3 sum = image_specular(s, m, a, p, wo) * specular_open(s, m, dot(p.n, wo));
+    vec3 n = frame_to_outer(a, p.n);
+    vec3 sum = image_specular(s, m, a, p, wo) * specular_open(s, m, n, dot(p.n, wo));
 #ifndef METAL
     float albedo = diffuse_albedo(m.surface.brdf, m.surface.dielectric_f0, max(dot(p.n, wo), 0.0));
-    sum += m.surface.diffuse * environment_irradiance(frame_to_outer(a, p.n)) *
-           (albedo * occlusion_at(s));
+    sum += m.surface.diffuse * seen_irradiance(s, n) *
+           (albedo * occlusion_left(s, n, occlusion_at(s)));
 #endif
     return sum;
 }

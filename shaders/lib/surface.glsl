@@ -11,6 +11,10 @@ struct Surface {
     vec4 shape;  // of the pixel on uv.xy: step to the right in xy, upwards in zw
 #endif
     vec4 color;  // vertex color
+#ifdef VISIBILITY
+    Harmonics blocked;
+    Surroundings around;
+#endif
     bool front;
     uvec2 pixel;  // in the whole picture, independent of the tile
 };

@@ -24,6 +24,7 @@ const int kViewSlopeVariance = 9;
 const int kViewMoments = 10;
 const int kViewNotFinite = 12;
 const int kViewHighlightError = 13;
+const int kViewOpenness = 14;
 
 // The largest angle that the view of the highlight error tells apart.
 const float kMostHighlightError = 0.78539816;  // 45 degrees
@@ -102,6 +103,13 @@ vec3 surface_view(Surface s) {
     if (u_view == kViewTextureCoordinates) { return color_of_place(place); }
     if (u_view == kViewSlopeVariance) { return color_of_number(slope_deviation(s, m)); }
     if (u_view == kViewMoments) { return color_of_moments(s); }
+    if (u_view == kViewOpenness) {
+#ifdef VISIBILITY
+        return color_of_number(1.0 - blocked_about(s.blocked, frame_to_outer(lobe, p.n)));
+#else
+        return color_of_number(1.0);
+#endif
+    }
     if (u_view == kViewHighlightError) {
         float angle = acos(clamp(dot(lobe_peak(p), p.n), -1.0, 1.0));
         return color_of_number(angle / kMostHighlightError);

@@ -14,6 +14,7 @@
 #include "burnish/version.hpp"
 #include "core/files.hpp"
 #include "jobs/film.hpp"
+#include "jobs/lit_visibility.hpp"
 #include "jobs/turntable.hpp"
 #include "plot/sheet.hpp"
 #include "stage/material_parameters.hpp"
@@ -141,8 +142,15 @@ void render_comparison(const RenderRequest& request, Stage& stage, gpu::Renderer
 // A still or a sheet.
 RenderReport render_one(const RenderRequest& request, Stage& stage, const Progress& progress) {
     gpu::Context context(request.gl_device);
-    const bool lit = !stage.environment.radiance.empty();
-    gpu::Renderer renderer(context, stage.scene, lit ? &stage.environment : nullptr);
+    gpu::Renderer renderer(context);
+    renderer.set_scene(stage.scene, progress);
+    const auto environment = stage.environment.radiance.empty()
+                                 ? nullptr
+                                 : prepare_environment(stage.environment, progress);
+    renderer.set_environment(environment);
+    LitVisibility visibility(stage, environment, progress);
+    renderer.set_visibility(
+        visibility.lit(stage.scene.lights, stage.settings.environment_rotation, progress));
     Metadata metadata = metadata_of(request, stage);
     metadata["burnish:device"] = context.renderer();
     if (!request.compare.empty())
@@ -150,7 +158,7 @@ RenderReport render_one(const RenderRequest& request, Stage& stage, const Progre
     else
         write_picture(request.output, renderer.render(stage.camera, stage.settings, progress),
                       stage, metadata);
-    return {{request.output}, {}, {}, context.renderer()};
+    return {{request.output}, visibility.warnings(), {}, context.renderer()};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "core/files.hpp"
 #include "core/text.hpp"
 #include "jobs/film.hpp"
+#include "jobs/lit_visibility.hpp"
 
 namespace burnish {
 namespace {
@@ -111,8 +112,17 @@ void draw_missing(const RenderRequest& request, const Stage& stage, std::vector<
     const auto missing = static_cast<std::size_t>(std::ranges::count(frames, false, &Frame::kept));
     if (missing == 0) return;
     gpu::Context context(request.gl_device);
-    const bool lit = !stage.environment.radiance.empty();
-    gpu::Renderer renderer(context, stage.scene, lit ? &stage.environment : nullptr);
+    gpu::Renderer renderer(context);
+    renderer.set_scene(stage.scene, progress);
+    const auto environment = stage.environment.radiance.empty()
+                                 ? nullptr
+                                 : prepare_environment(stage.environment, progress);
+    renderer.set_environment(environment);
+    LitVisibility visibility(stage, environment, progress);
+    report.warnings.insert(report.warnings.end(), visibility.warnings().begin(),
+                           visibility.warnings().end());
+    renderer.set_visibility(
+        visibility.lit(stage.scene.lights, stage.settings.environment_rotation, progress));
     report.device = context.renderer();
     std::size_t done = 0;
     for (Frame& frame : frames) {
@@ -121,7 +131,11 @@ void draw_missing(const RenderRequest& request, const Stage& stage, std::vector<
             turntable_frame(stage.camera, stage.scene.lights, stage.settings.environment_rotation,
                             turn_of(request), frame.index, request.turntable);
         // The camera's turn leaves the lights, and the shadows that were made of them.
-        if (turn_of(request) != Turn::camera) renderer.set_lights(turned.lights);
+        if (turn_of(request) != Turn::camera) {
+            renderer.set_lights(turned.lights);
+            renderer.set_visibility(
+                visibility.lit(turned.lights, turned.environment_rotation, progress));
+        }
         RenderSettings settings = stage.settings;
         settings.environment_rotation = turned.environment_rotation;
         frame.metadata["burnish:device"] = context.renderer();

@@ -106,6 +106,7 @@ RenderSettings render_settings(const ParameterValues& values) {
     settings.image_light_samples = values.integer("image_light_samples");
     settings.shadows = values.boolean("shadows");
     settings.ground = values.boolean("ground");
+    settings.visibility = values.boolean("visibility");
     settings.environment_intensity = static_cast<float>(values.real("environment_intensity"));
     settings.environment_rotation =
         static_cast<float>(glm::radians(values.real("environment_rotation")));

@@ -77,30 +77,38 @@ void Targets::bind_frame() const {
     glBindFramebuffer(GL_FRAMEBUFFER, frame_target_.get());
 }
 
-void Targets::add_to_gbuffer(std::optional<GlTexture>& image, GLenum place) {
+void Targets::add_to_gbuffer(std::optional<GlTexture>& image, GLenum place, bool words) {
     if (image) return;
     image.emplace();
-    define_texture(image->get(), {GL_RGBA32F, GL_FLOAT}, GL_RGBA, width_, height_);
+    const ColorFormat format =
+        words ? ColorFormat{GL_RGBA32UI, GL_UNSIGNED_INT} : ColorFormat{GL_RGBA32F, GL_FLOAT};
+    define_texture(image->get(), format, words ? GL_RGBA_INTEGER : GL_RGBA, width_, height_);
     glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
     glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, image->get(), 0);
 }
 
-void Targets::bind_gbuffer(bool with_position, bool with_shape) {
+void Targets::bind_gbuffer(bool with_position, bool with_shape, bool with_visibility) {
     if (!gbuffer_) {
         gbuffer_.emplace();
         define_texture(gbuffer_->words.get(), {GL_RGBA32UI, GL_UNSIGNED_INT}, GL_RGBA_INTEGER,
                        width_, height_);
         attach(gbuffer_->target.get(), gbuffer_->words.get(), depth_.get());
     }
-    if (with_position) add_to_gbuffer(gbuffer_->position, GL_COLOR_ATTACHMENT1);
-    if (with_shape) add_to_gbuffer(gbuffer_->shape, GL_COLOR_ATTACHMENT2);
+    if (with_position) add_to_gbuffer(gbuffer_->position, GL_COLOR_ATTACHMENT1, false);
+    if (with_shape) add_to_gbuffer(gbuffer_->shape, GL_COLOR_ATTACHMENT2, false);
+    if (with_visibility) {
+        add_to_gbuffer(gbuffer_->seen[0], GL_COLOR_ATTACHMENT3, true);
+        add_to_gbuffer(gbuffer_->seen[1], GL_COLOR_ATTACHMENT4, true);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, gbuffer_->target.get());
     // Only the images that this frame needs: an attached image costs time even if it is not
     // written.
-    const GLenum outputs[] = {GL_COLOR_ATTACHMENT0,
-                              static_cast<GLenum>(with_position ? GL_COLOR_ATTACHMENT1 : GL_NONE),
-                              static_cast<GLenum>(with_shape ? GL_COLOR_ATTACHMENT2 : GL_NONE)};
-    glDrawBuffers(with_shape ? 3 : with_position ? 2 : 1, outputs);
+    const auto output = [](bool on, GLenum place) { return on ? place : GLenum{GL_NONE}; };
+    const GLenum outputs[] = {GL_COLOR_ATTACHMENT0, output(with_position, GL_COLOR_ATTACHMENT1),
+                              output(with_shape, GL_COLOR_ATTACHMENT2),
+                              output(with_visibility, GL_COLOR_ATTACHMENT3),
+                              output(with_visibility, GL_COLOR_ATTACHMENT4)};
+    glDrawBuffers(with_visibility ? 5 : with_shape ? 3 : with_position ? 2 : 1, outputs);
     if (!complete()) throw Error("the device cannot render to several float images at once");
 }
 
@@ -113,6 +121,8 @@ void Targets::bind_gbuffer_textures(Program& program) const {
     bind(kPackedUnit, gbuffer_->words.get(), "u_packed");
     if (gbuffer_->position) bind(kPositionUnit, gbuffer_->position->get(), "u_position");
     if (gbuffer_->shape) bind(kShapeUnit, gbuffer_->shape->get(), "u_shape");
+    if (gbuffer_->seen[0]) bind(kSeenUnits, gbuffer_->seen[0]->get(), "u_seen0");
+    if (gbuffer_->seen[1]) bind(kSeenUnits + 1, gbuffer_->seen[1]->get(), "u_seen1");
 }
 
 void Targets::clear_sum(bool weighted) {

@@ -28,7 +28,7 @@ class Targets {
 
     void bind_frame() const;  // color, depth and stencil
     // The images of gbuffer.frag with the same depth and stencil; created at the first call.
-    void bind_gbuffer(bool with_position, bool with_shape);
+    void bind_gbuffer(bool with_position, bool with_shape, bool with_visibility);
     void bind_gbuffer_textures(Program& program) const;
 
     // `weighted`: a robust mean, whose sum of weights is kept beside it.
@@ -46,11 +46,11 @@ class Targets {
   private:
     std::vector<float> read(GLenum image, int width, int height) const;
     void bind_sum(Program& program) const;
-    void add_to_gbuffer(std::optional<GlTexture>& image, GLenum place);
+    void add_to_gbuffer(std::optional<GlTexture>& image, GLenum place, bool words);
 
     struct GBuffer {
         GlTexture words;
-        std::optional<GlTexture> position, shape;
+        std::optional<GlTexture> position, shape, seen[2];
         Framebuffer target;
     };
 

@@ -28,5 +28,6 @@ inline constexpr GLuint kTabulatedUnits = 20;  // and the next four
 inline constexpr GLuint kShapeUnit = 25;       // also an image of gbuffer.frag
 inline constexpr GLuint kSlopeCovarianceUnit = 26;
 inline constexpr GLuint kWeightsUnit = 27;  // beside kSumUnit
+inline constexpr GLuint kSeenUnits = 28;    // images of gbuffer.frag, and the next one
 
 }  // namespace burnish::gpu

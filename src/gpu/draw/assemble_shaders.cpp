@@ -24,6 +24,7 @@ SurfaceVariant with_everything() {
     v.position = true;
     v.image_light = 1;
     v.shadow_maps = 24;
+    v.visibility = true;
     return v;
 }
 
@@ -66,6 +67,7 @@ std::vector<SurfaceVariant> variants() {
             v.lights = image_light;
             v.image_light = image_light;
             v.view = image_light == 3;
+            v.visibility = image_light > 1;
             list.push_back(v);
             if (image_light != 1) continue;
             v.view = v.furnace = true;
@@ -140,7 +142,8 @@ const std::map<std::string, std::vector<std::string>> kDefines = {
     {"gouraud.vert",
      {"#define LIGHTS 0\n", "#define LIGHTS 2\n", "#define LIGHTS 2\n#define POSITION\n"}},
     {"gbuffer.frag",
-     {"", "#define SHAPE\n", "#define POSITION\n#define SHAPE\n#define DOUBLE_SIDED\n"}},
+     {"", "#define SHAPE\n", "#define VISIBILITY\n",
+      "#define POSITION\n#define SHAPE\n#define DOUBLE_SIDED\n"}},
 };
 
 bool is_of_variants(const std::string& stage) {

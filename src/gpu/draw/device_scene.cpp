@@ -108,6 +108,11 @@ void DeviceScene::place(Placement placement) noexcept {
 
 void DeviceScene::set_instances(Instances instances) {
     place(placement(instances, meshes_, materials_.size()));
+    // An instance with another mesh sees everything until it is told.
+    for (std::size_t i = 0; i < visible_.size(); ++i)
+        if (i >= instances.size() || !instances[i] || !instances_[i] ||
+            instances[i]->mesh != instances_[i]->mesh)
+            visible_[i] = nullptr;
     instances_ = std::move(instances);
 }
 
@@ -154,7 +159,35 @@ void DeviceScene::set_scene(const Scene& scene, const Progress& progress) {
     textures_.set_slots(std::move(textures));
     meshes_ = std::move(meshes);
     instances_ = std::move(instances);
+    visible_.clear();
     lights_ = std::move(lights);
+}
+
+void DeviceScene::set_visibility(const Visibility* visibility) {
+    std::vector<std::shared_ptr<const VisibleMesh>> fresh;
+    if (visibility != nullptr) {
+        if (visibility->instances.size() != instances_.size())
+            throw Error(name_, "visibility",
+                        "of " + std::to_string(instances_.size()) + " instances",
+                        "of " + std::to_string(visibility->instances.size()));
+        fresh.resize(instances_.size());
+        for (std::size_t i = 0; i < fresh.size(); ++i) {
+            const InstanceVisibility& own = visibility->instances[i];
+            if (own.vertices.empty() || !instances_[i] || instances_[i]->mesh < 0) continue;
+            const VisibleMesh* before = i < visible_.size() ? visible_[i].get() : nullptr;
+            fresh[i] = std::make_shared<const VisibleMesh>(
+                meshes_[static_cast<std::size_t>(instances_[i]->mesh)].buffers, own, before);
+        }
+    }
+    visible_ = std::move(fresh);
+}
+
+void DeviceScene::draw(const DrawItem& item, bool coarse, bool visibility) const {
+    const auto index = static_cast<std::size_t>(item.instance);
+    if (visibility && index < visible_.size() && visible_[index])
+        visible_[index]->draw(coarse);
+    else
+        mesh(item.mesh).draw(coarse);
 }
 
 void DeviceScene::set_environment(const std::shared_ptr<const PreparedEnvironment>& prepared) {
@@ -261,6 +294,8 @@ void DeviceScene::update_mesh(int id, const Mesh& mesh) {
     meshes[checked(id, meshes.size(), "mesh")] = make_mesh(mesh);
     place(placement(instances_, meshes, materials_.size()));
     meshes_ = std::move(meshes);
+    for (std::size_t i = 0; i < visible_.size(); ++i)
+        if (instances_[i] && instances_[i]->mesh == id) visible_[i] = nullptr;
 }
 
 void DeviceScene::set_coarse_mesh(int id, std::span<const std::uint32_t> indices) {

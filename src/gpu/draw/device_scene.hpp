@@ -28,6 +28,7 @@
 #include "gpu/upload/lights.hpp"
 #include "gpu/upload/tabulated_maps.hpp"
 #include "gpu/upload/texture_upload.hpp"
+#include "gpu/upload/visible_mesh.hpp"
 
 namespace burnish::gpu {
 
@@ -73,6 +74,7 @@ class DeviceScene {
     int add_instance(const Instance& instance);
     void update_instance(int id, const Instance& instance);
     void remove_instance(int id);
+    void set_visibility(const Visibility* visibility);
 
     // Access for drawing.
     MaterialSlot& material(int id) { return materials_[static_cast<std::size_t>(id)]; }
@@ -82,6 +84,9 @@ class DeviceScene {
     const MaterialSlot& material(int id) const { return materials_[static_cast<std::size_t>(id)]; }
     std::span<MaterialSlot> materials() { return materials_; }
     const MeshBuffers& mesh(int id) const { return *meshes_[static_cast<std::size_t>(id)].buffers; }
+    bool has_visibility() const { return !visible_.empty(); }
+    // Draws the triangles of an item; `visibility`: with what its vertices see.
+    void draw(const DrawItem& item, bool coarse, bool visibility) const;
     const std::vector<DrawItem>& items() const { return items_; }
     const Bounds& bounds() const { return bounds_; }
     std::size_t triangles(bool coarse = false) const;  // of all instances
@@ -114,6 +119,7 @@ class DeviceScene {
     std::map<std::pair<int, Method>, MaterialSlot> under_methods_;  // of materials_
     std::vector<MeshSlot> meshes_;
     Instances instances_;
+    std::vector<std::shared_ptr<const VisibleMesh>> visible_;  // by instance; empty: of none
     std::vector<Light> light_list_;
     // The ground finds its sky lights in it.
     std::shared_ptr<const Environment> environment_source_;

@@ -28,7 +28,9 @@ bool is_robust(const RenderSettings& settings) {
 }
 
 Painter::Painter(Context& context, DeviceScene& scene)
-    : context_(context), scene_(scene), timer_(context, kPassCount) {}
+    : context_(context), scene_(scene), timer_(context, kPassCount) {
+    glGetIntegerv(GL_MAX_DRAW_BUFFERS, &draw_buffers_);
+}
 
 // The points of shaders/lib/image_light.glsl.
 void Painter::set_lattice(Program& program, int samples) {
@@ -189,7 +191,7 @@ void Painter::paint_deferred(const Frame& frame, Targets& targets,
     std::map<int, Bounds> seen;  // by material
     {
         const auto time = timed(Pass::surface_data);
-        targets.bind_gbuffer(needs_.position, needs_.shape);
+        targets.bind_gbuffer(needs_.position, needs_.shape, needs_.visibility);
         std::erase_if(forward, [&](std::size_t i) {
             const DrawItem& item = scene_.items()[i];
             if (!can_defer(frame, item)) return false;
@@ -237,7 +239,7 @@ void Painter::draw_item(Program& program, const DrawItem& item, bool coarse) {
     program.set("u_normal_from_local", item.normal_from_local);
     program.set("u_mirror", item.mirrored ? -1.0f : 1.0f);
     apply_culling(!scene_.material(item.material).material.double_sided, item.mirrored);
-    scene_.mesh(item.mesh).draw(coarse);
+    scene_.draw(item, coarse, needs_.visibility);
 }
 
 void Painter::paint_item(const Frame& frame, const DrawItem& item) {

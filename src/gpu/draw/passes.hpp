@@ -68,6 +68,7 @@ class Painter {
         bool position = false;  // of surfaces, beside their normals
         bool shape = false;     // footprint on the texture: tabulated materials read it
         bool ground = false;
+        bool visibility = false;     // vertices say what they see
         std::uint64_t frame = 0;     // version of the frame's uniforms
         std::uint64_t settings = 0;  // version of the settings that materials depend on
     };
@@ -89,6 +90,7 @@ class Painter {
     Program& plain_program(const char* vertex, const char* fragment, bool wait);
     bool can_defer(const Frame& frame, const DrawItem& item);
     bool shows_environment(const Frame& frame) const;
+    bool sees_surroundings(const Frame& frame) const;
     static bool is_furnace(const Frame& frame);
 
     void draw_casters(const glm::mat4& clip_from_world, bool coarse);
@@ -114,6 +116,7 @@ class Painter {
     DeviceScene& scene_;
     VertexArray empty_;
     SectionTimer timer_;
+    int draw_buffers_ = 0;  // images that a stage can write at once
     PointLattice lattice_;  // of as many points
     int lattice_samples_ = 0;
     Needs needs_;              // needs of the frame in progress

@@ -46,8 +46,21 @@ bool Painter::sees_ground(const Frame& frame) {
            frame.variant != ShadingVariant::gouraud && scene_.ground().faces(frame.view.eye);
 }
 
+// Whether vertices say what they see: of an environment that lights, or in the view of it.
+bool Painter::sees_surroundings(const Frame& frame) const {
+    const RenderSettings& o = *frame.options;
+    if (!o.visibility || !scene_.has_visibility() || frame.variant == ShadingVariant::gouraud ||
+        is_furnace(frame))
+        return false;
+    const bool lit = scene_.environment() != nullptr && o.environment_intensity > 0.0f &&
+                     o.image_light != ImageLight::off;
+    return lit || o.view == SurfaceView::openness;
+}
+
 bool Painter::defers(const Frame& frame, bool shape) const {
     if (frame.variant == ShadingVariant::gouraud) return false;
+    // Five images of gbuffer.frag, which every desktop has, and ES need not.
+    if (draw_buffers_ < 5 && sees_surroundings(frame)) return false;
     if (frame.options->surface_pass != SurfacePass::automatic) {
         return frame.options->surface_pass == SurfacePass::deferred;
     }
@@ -65,6 +78,7 @@ Painter::Needs Painter::needs_of(const Frame& frame) {
     needs.defers = defers(frame, needs.shape);
     needs.shadows = frame.options->shadows && !is_furnace(frame) && scene_.shadows().count() > 0 &&
                     frame.variant != ShadingVariant::gouraud;
+    needs.visibility = sees_surroundings(frame);
     needs.position = scene_.lights().any_positional() || needs.shadows;
     needs.ground = sees_ground(frame);
     needs.frame = new_uniform_version();
@@ -91,8 +105,10 @@ SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot,
     const bool lit = scene_.environment() != nullptr && frame.options->environment_intensity > 0.0f;
     v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
     v.view = frame.options->view != SurfaceView::radiance;
+    v.visibility = needs_.visibility;
     if (is_furnace(frame)) {
         v.furnace = true;
+        v.visibility = false;
         v.image_light = static_cast<int>(ImageLight::importance);
         v.occlusion_map = false;
     }
@@ -134,6 +150,7 @@ Program& Painter::surface_program(MaterialSlot& slot, const SurfaceVariant& vari
 Program& Painter::gbuffer_program(const MaterialSlot& slot, bool wait) {
     std::string defines = needs_.position ? "#define POSITION\n" : "";
     if (needs_.shape) defines += "#define SHAPE\n";
+    if (needs_.visibility) defines += "#define VISIBILITY\n";
     if (slot.material.double_sided) defines += "#define DOUBLE_SIDED\n";
     return of(context_.programs(), wait, "surface.vert", "gbuffer.frag", defines);
 }

@@ -275,6 +275,10 @@ void Renderer::set_lights(std::span<const Light> lights) {
     impl_->edit([&](DeviceScene& s) { s.set_lights(lights); });
 }
 
+void Renderer::set_visibility(std::shared_ptr<const Visibility> visibility) {
+    impl_->edit([&](DeviceScene& s) { s.set_visibility(visibility.get()); });
+}
+
 int Renderer::add_material(const Material& material, const Progress& progress) {
     return impl_->edit([&](DeviceScene& s) { return s.add_material(material, progress); });
 }

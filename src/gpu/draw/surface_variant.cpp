@@ -46,6 +46,7 @@ std::string SurfaceVariant::defines() const {
         {vertex_color, "VERTEX_COLOR"},
         {light_count_at_run_time, "LIGHT_COUNT_AT_RUN_TIME"},
         {position, "POSITION"},
+        {visibility, "VISIBILITY"},
         {view, "VIEW"},
         {furnace, "FURNACE"},
         {alpha_mode == AlphaMode::mask, "MASK"},

@@ -38,9 +38,10 @@ struct SurfaceVariant {
     bool light_count_at_run_time = false;
     bool position = false;  // a light needs the position of the surface
     int shadow_maps = 0;
-    int image_light = 0;   // 0 off, 1 importance, 2 bent normal, 3 prefiltered
-    bool view = false;     // a SurfaceView in place of the radiance
-    bool furnace = false;  // and that is the albedo, in a white environment
+    int image_light = 0;      // 0 off, 1 importance, 2 bent normal, 3 prefiltered
+    bool visibility = false;  // vertices know what they see of the environment
+    bool view = false;        // a SurfaceView in place of the radiance
+    bool furnace = false;     // and that is the albedo, in a white environment
 
     // Whether gbuffer.frag stores all that shading needs.
     bool can_resolve() const {

@@ -24,14 +24,22 @@ enum Location : GLuint { position, normal, tangent, texcoord0, texcoord1, color 
 // Interleaves the attributes a mesh has.
 class Interleaver {
   public:
+    struct Part {
+        GLuint location;
+        int components;
+        std::size_t offset;
+        const float* values;
+    };
+
     template <typename Vector>
     void add(Location location, const std::vector<Vector>& values) {
         if (values.empty()) return;
-        parts_.push_back({location, &values[0][0], Vector::length(), stride_});
+        parts_.push_back({location, Vector::length(), stride_, &values[0][0]});
         stride_ += static_cast<std::size_t>(Vector::length());
         count_ = values.size();
     }
 
+    // Into the bound buffer.
     void upload() const {
         std::vector<float> data(stride_ * count_);
         for (const Part& part : parts_) {
@@ -42,22 +50,12 @@ class Interleaver {
         }
         glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)),
                      data.data(), GL_STATIC_DRAW);
-        for (const Part& part : parts_) {
-            const std::size_t offset = part.offset * sizeof(float);
-            glEnableVertexAttribArray(part.location);
-            glVertexAttribPointer(part.location, part.components, GL_FLOAT, GL_FALSE,
-                                  static_cast<GLsizei>(stride_ * sizeof(float)),
-                                  reinterpret_cast<const void*>(offset));
-        }
     }
 
+    const std::vector<Part>& parts() const { return parts_; }
+    std::size_t stride() const { return stride_; }
+
   private:
-    struct Part {
-        Location location;
-        const float* values;
-        int components;
-        std::size_t offset;
-    };
     std::vector<Part> parts_;
     std::size_t stride_ = 0;
     std::size_t count_ = 0;
@@ -155,6 +153,10 @@ MeshBuffers::MeshBuffers(const Mesh& mesh) : content_(content_of(mesh)) {
     interleaver.add(Location::texcoord1, mesh.texcoord1);
     interleaver.add(Location::color, mesh.colors);
     interleaver.upload();
+    stride_ = interleaver.stride();
+    for (const Interleaver::Part& part : interleaver.parts())
+        attributes_.push_back({part.location, part.components, part.offset});
+    describe_vertices();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
     upload_indices(mesh.indices);
     glBindVertexArray(0);
@@ -176,18 +178,40 @@ void MeshBuffers::set_coarse(std::span<const std::uint32_t> indices) {
     check_gl("uploading a coarse mesh");
 }
 
-void MeshBuffers::draw(bool coarse) const {
-    if (count(coarse) == 0) return;
-    // Constants for the attributes that a mesh lacks.
+void MeshBuffers::describe_vertices() const {
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+    for (const Attribute& attribute : attributes_) {
+        const std::size_t offset = attribute.offset * sizeof(float);
+        glEnableVertexAttribArray(attribute.location);
+        glVertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
+                              static_cast<GLsizei>(stride_ * sizeof(float)),
+                              reinterpret_cast<const void*>(offset));
+    }
+}
+
+void MeshBuffers::bind_triangles(bool coarse) const {
+    const bool by_coarse = coarse && coarse_count_ > 0;
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, by_coarse ? coarse_->get() : indices_.get());
+}
+
+void MeshBuffers::set_constants() {
     glVertexAttrib4f(Location::tangent, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::texcoord0, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::texcoord1, 0.0f, 0.0f, 0.0f, 1.0f);
     glVertexAttrib4f(Location::color, 1.0f, 1.0f, 1.0f, 1.0f);
+    // Nothing blocks the view.
+    for (GLuint i = 0; i < kVisibilityLocations; ++i)
+        glVertexAttrib4f(kVisibilityLocation + i, 0.0f, 0.0f, 0.0f, 0.0f);
+}
+
+void MeshBuffers::draw(bool coarse) const {
+    if (count(coarse) == 0) return;
+    set_constants();
     glBindVertexArray(array_.get());
-    const bool by_coarse = coarse && coarse_count_ > 0;
-    if (by_coarse) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, coarse_->get());
+    // The binding of indices is part of the vertex array.
+    bind_triangles(coarse);
     glDrawElements(GL_TRIANGLES, count(coarse), GL_UNSIGNED_INT, nullptr);
-    if (by_coarse) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
+    if (coarse) bind_triangles(false);
     glBindVertexArray(0);
 }
 
@@ -208,6 +232,7 @@ std::vector<DrawItem> draw_items(std::span<const std::optional<Instance>> instan
                         "something else");
         }
         DrawItem item;
+        item.instance = static_cast<int>(i);
         item.mesh = instance.mesh;
         item.material = instance.material;
         item.world_from_local = instance.transform;

@@ -232,6 +232,13 @@ void add_render(Table& t) {
         "samples brighter than twice white count less, so that bright edges are smooth; never in "
         ".exr, which keeps energy");
     t.boolean("shadows", standard.shadows, "lights cast shadows");
+    t.boolean("visibility", standard.visibility,
+              "surfaces shade one another from the environment, found by rays");
+    t.belongs_to = "visibility";
+    t.integer("bounces", 0, 8, 1, "",
+              "reflections by which light reaches a place that other surfaces shade; 0: it stays black");
+    t.integer("visibility_rays", 16, 4096, 256, "", "rays of each vertex: more is smoother");
+    t.belongs_to = "";
     t.boolean("ground", standard.ground, "the model's shadow on the plane under it");
     t.real("exposure", -20, 20, 0.0, "EV", "brightness, in powers of two");
     t.choice("tone_map", tone_map_names(), choice_of(ToneMap::khronos_neutral),

@@ -1,0 +1,185 @@
+#include "rays/bounce_light.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "core/parallel.hpp"
+#include "rays/vectors.hpp"
+#include "rays/vertex_rays.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr std::size_t kPointsOfTask = 64;  // points a task
+
+float luminance_of(const glm::vec3& color) {
+    return f32::luminance(to_f32(color));
+}
+
+// Calls body(point) for all points on all cores, and reports between groups of them.
+template <typename Body>
+void for_points(std::size_t points, std::string_view stage, const Progress& progress,
+                const Body& body) {
+    constexpr std::size_t kGroup = 4096;
+    for (std::size_t first = 0; first < points; first += kGroup) {
+        progress.step(stage, static_cast<double>(first) / static_cast<double>(points));
+        const std::size_t count = std::min(kGroup, points - first);
+        parallel_for(count, kPointsOfTask, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) body(static_cast<std::uint32_t>(first + i));
+        });
+    }
+}
+
+// The mean color of what was hit, and how its luminance grows along the directions: the plane of least squares.
+struct HitSums {
+    glm::vec3 color{0.0f}, direction{0.0f}, weighted{0.0f};
+    glm::mat3 squares{0.0f};
+    float luminance = 0.0f, count = 0.0f;
+
+    void add(const glm::vec3& w, const glm::vec3& radiance) {
+        const float y = luminance_of(radiance);
+        color += radiance;
+        direction += w;
+        weighted += y * w;
+        squares += glm::outerProduct(w, w);
+        luminance += y;
+        count += 1.0f;
+    }
+
+    f32::Surroundings fit() const {
+        f32::Surroundings s{};
+        if (!(count > 0.0f) || !(luminance > 0.0f)) return s;
+        const glm::vec3 middle = direction / count;
+        const float mean = luminance / count;
+        // Ridge: with few hits, or hits in one direction, the slope is 0.
+        glm::mat3 spread = squares / count - glm::outerProduct(middle, middle);
+        const float ridge = 0.02f + 1.0f / count;
+        for (int i = 0; i < 3; ++i) spread[i][i] += ridge;
+        const glm::vec3 slope = glm::inverse(spread) * (weighted / count - mean * middle);
+        // mean + slope.(w - middle) = base (1 + slope.w/base); a base below a quarter of the mean would let the
+        // color of few hits grow without bound.
+        const float base = std::max(mean - glm::dot(slope, middle), 0.25f * mean);
+        s.color = to_f32(color / count * (base / mean));
+        s.slope = to_f32(slope / base);
+        return s;
+    }
+};
+
+}  // namespace
+
+BounceLight::BounceLight(const BounceScene& scene, const SceneLight& light,
+                         const Progress& progress)
+    : scene_(scene),
+      environment_(light.environment.get(), light.intensity, light.rotation),
+      sky_(scene.mesh.points(), glm::vec3(0.0f)),
+      lamps_(scene.mesh.points(), glm::vec3(0.0f)) {
+    for_points(scene.mesh.points(), "light", progress, [&](std::uint32_t point) {
+        const f32::vec3 n = to_f32(scene_.mesh.normal(point));
+        const f32::Harmonics& blocked = scene_.blocked[point];
+        const glm::vec3 open = to_glm(f32::open_direction(blocked, n));
+        const float length = glm::length(open);
+        if (length > 0.0f)
+            sky_[point] =
+                (1.0f - f32::blocked_about(blocked, n)) * environment_.irradiance(open / length);
+        lamps_[point] = lamps_at(point, light);
+    });
+}
+
+glm::vec3 BounceLight::lamps_at(std::uint32_t point, const SceneLight& light) const {
+    glm::vec3 sum(0.0f);
+    const glm::vec3 position = scene_.mesh.position(point), normal = scene_.mesh.normal(point);
+    const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, 1.0f);
+    for (const Light& lamp : light.lights) {
+        const bool placed = lamp.type != LightType::directional;
+        const glm::vec3 place = placed ? lamp.position : -1.0f * lamp.direction;
+        const f32::vec2 cone =
+            lamp.type == LightType::spot
+                ? f32::spot_cone(std::cos(lamp.inner_cone), std::cos(lamp.outer_cone))
+                : f32::vec2(0.0f, 1.0f);
+        const float range = lamp.range > 0.0f ? 1.0f / (lamp.range * lamp.range) : 0.0f;
+        const f32::LightAtPoint at =
+            f32::light_at(to_f32(place), placed ? 1.0f : 0.0f, to_f32(lamp.direction), cone, range,
+                          to_f32(position));
+        const glm::vec3 wi = to_glm(at.wi);
+        const float cosine = glm::dot(normal, wi);
+        if (!(cosine > 0.0f) || !(at.falloff > 0.0f)) continue;
+        const RayOrigins::Start start = origins.at(0, wi);
+        const float farthest = placed ? glm::length(place - position) : 0.0f;
+        if (start.found && scene_.rays.is_blocked({start.origin, wi, 0.0f, farthest})) continue;
+        sum += lamp.color * (lamp.intensity * at.falloff * cosine / std::numbers::pi_v<float>);
+    }
+    return sum;
+}
+
+// Radiance of a point that a ray along `direction` has hit.
+glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction,
+                                   std::span<const f32::Surroundings> before) const {
+    const WorldMesh& mesh = scene_.mesh.meshes()[hit.mesh];
+    const BounceMaterial& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
+    const std::span<const std::uint32_t> points = scene_.mesh.points_of(hit.mesh);
+    const std::array<float, 3> weights = {1.0f - hit.u - hit.v, hit.u, hit.v};
+    glm::vec3 normal(0.0f), sky(0.0f), lamps(0.0f), color(0.0f), slope(0.0f);
+    f32::Harmonics blocked{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = mesh.indices[3 * static_cast<std::size_t>(hit.triangle) + k];
+        const std::uint32_t point = points[vertex];
+        normal += weights[k] * mesh.normals[vertex];
+        sky += weights[k] * sky_[point];
+        lamps += weights[k] * lamps_[point];
+        blocked = blocked + scene_.blocked[point] * weights[k];
+        if (before.empty()) continue;
+        color += weights[k] * to_glm(before[point].color);
+        slope += weights[k] * to_glm(before[point].slope);
+    }
+    const float length = glm::length(normal);
+    normal = length > 0.0f ? normal / length : glm::normalize(hit.normal);
+    const f32::Surroundings around{to_f32(color), to_f32(slope)};
+    const float share = f32::blocked_about(blocked, to_f32(normal));
+    const glm::vec3 all =
+        sky + lamps + to_glm(f32::surroundings_about(around, share, to_f32(normal)));
+    const glm::vec3 mirror = direction - 2.0f * glm::dot(direction, normal) * normal;
+    const float hidden = f32::blocked_towards(blocked, to_f32(mirror));
+    // The highlight of a lamp is spread as that of a diffuse surface.
+    const glm::vec3 reflected = (1.0f - hidden) * environment_.radiance(mirror, material.alpha) +
+                                lamps +
+                                hidden * to_glm(f32::surroundings_towards(around, to_f32(mirror)));
+    return material.emitted + material.diffuse * all + material.specular * reflected;
+}
+
+f32::Surroundings BounceLight::surroundings_of(std::uint32_t point,
+                                               std::span<const f32::Surroundings> before,
+                                               std::span<const glm::vec3> directions) const {
+    const glm::vec3 normal = scene_.mesh.normal(point);
+    if (!(scene_.blocked[point].mean > 0.0f) || glm::dot(normal, normal) == 0.0f) return {};
+    HitSums sums;
+    for (const float side : {1.0f, -1.0f}) {
+        if (side < 0.0f && !scene_.mesh.is_double_sided(point)) break;
+        const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, side);
+        const HemisphereAxes axes(side * normal, point);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const glm::vec3 w = axes(directions[i]);
+            const RayOrigins::Start start = origins.at(i, w);
+            if (!start.found) continue;
+            const std::optional<RayHit> hit = scene_.rays.nearest({start.origin, w, 0.0f, 0.0f});
+            if (hit) sums.add(w, radiance_of(*hit, w, before));
+        }
+    }
+    return sums.fit();
+}
+
+std::vector<f32::Surroundings> BounceLight::bounce(std::span<const f32::Surroundings> before,
+                                                   int count, const Progress& progress) const {
+    const std::vector<glm::vec3> directions = even_hemisphere(count);
+    std::vector<f32::Surroundings> after(scene_.mesh.points());
+    for_points(after.size(), "light between surfaces", progress, [&](std::uint32_t point) {
+        after[point] = surroundings_of(point, before, directions);
+    });
+    return after;
+}
+
+}  // namespace burnish

@@ -1,0 +1,50 @@
+// The light that surfaces reflect to one another.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "burnish/f32.hpp"
+#include "burnish/progress.hpp"
+#include "burnish/visibility.hpp"
+#include "rays/bounce_material.hpp"
+#include "rays/environment_lookup.hpp"
+#include "rays/ray_scene.hpp"
+#include "rays/sample_mesh.hpp"
+
+namespace burnish {
+
+// References stay the caller's.
+struct BounceScene {
+    const SampleMesh& mesh;
+    const SampleMesh::Fans& fans;
+    const RayScene& rays;  // of mesh.meshes()
+    std::span<const BounceMaterial> materials;
+    std::span<const f32::Harmonics> blocked;  // of every point
+};
+
+class BounceLight {
+  public:
+    // Finds the light that reaches every point from the environment and the lights.
+    BounceLight(const BounceScene& scene, const SceneLight& light, const Progress& progress);
+
+    // What blocks the view of every point, lit directly and by `before`, the surroundings of one reflection
+    // less (empty: none). `count`: rays a point.
+    std::vector<f32::Surroundings> bounce(std::span<const f32::Surroundings> before, int count,
+                                          const Progress& progress) const;
+
+  private:
+    glm::vec3 lamps_at(std::uint32_t point, const SceneLight& light) const;
+    glm::vec3 radiance_of(const RayHit& hit, const glm::vec3& direction,
+                          std::span<const f32::Surroundings> before) const;
+    f32::Surroundings surroundings_of(std::uint32_t point,
+                                      std::span<const f32::Surroundings> before,
+                                      std::span<const glm::vec3> directions) const;
+
+    BounceScene scene_;
+    EnvironmentLookup environment_;
+    std::vector<glm::vec3> sky_, lamps_;  // irradiance over pi of every point
+};
+
+}  // namespace burnish

@@ -1,0 +1,20 @@
+// A material as it reflects light to other surfaces: by its mean colors.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "burnish/scene.hpp"
+
+namespace burnish {
+
+struct BounceMaterial {
+    glm::vec3 diffuse{0.0f};   // albedo
+    glm::vec3 specular{0.0f};  // reflectance at normal incidence
+    float alpha = 1.0f;        // root of the product of the roughness pair
+    glm::vec3 emitted{0.0f};   // radiance
+};
+
+BounceMaterial bounce_material(const Material& material, std::span<const Texture> textures);
+
+}  // namespace burnish

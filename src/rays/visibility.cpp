@@ -1,0 +1,343 @@
+#include "burnish/visibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+#include <utility>
+
+#include "burnish/error.hpp"
+#include "burnish/f32.hpp"
+#include "core/parallel.hpp"
+#include "rays/bounce_light.hpp"
+#include "rays/bounce_material.hpp"
+#include "rays/ray_scene.hpp"
+#include "rays/sample_mesh.hpp"
+#include "rays/vectors.hpp"
+#include "rays/vertex_rays.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr int kFewestRays = 16;
+// Rays of all points together: 3 seconds of two cores.
+constexpr double kMostRays = 1.5e7;
+// Edges are split until they are shorter than this part of the scene's diagonal, and where visibility changes
+// fast until they are shorter than the second.
+constexpr float kCoarseEdges = 1.0f / 32.0f, kFineEdges = 1.0f / 400.0f;
+// The root mean square over all directions of the difference of blocked shares from which on it changes fast:
+// above what rays leave to chance.
+constexpr float kFastChange = 0.12f;
+constexpr std::size_t kMostSplitEdges = 60'000;
+constexpr int kRounds = 8;  // of splitting: each halves the edges
+// Rays of a point that carry light.
+constexpr int kBounceRays = 64;
+// An instance whose points are all blocked beyond this share sees nothing.
+constexpr float kSeesNothing = 0.995f;
+
+void require_sound(const VisibilitySettings& settings) {
+    if (settings.rays >= kFewestRays && settings.rays <= 4096) return;
+    throw Error("visibility", "rays", "16 to 4096", std::to_string(settings.rays));
+}
+
+float diagonal_of(const std::vector<WorldMesh>& meshes) {
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const WorldMesh& mesh : meshes) {
+        for (const glm::vec3& p : mesh.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    }
+    return low.x <= high.x ? glm::length(high - low) : 0.0f;
+}
+
+float root_mean_square(const f32::Harmonics& h) {
+    return std::sqrt(f32::harmonics_product(h, h));
+}
+
+std::int16_t packed(float value) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0f, 1.0f) * 32767.0f));
+}
+
+std::array<std::int16_t, 16> packed(const f32::Harmonics& h) {
+    return {packed(h.mean), packed(h.x1.x), packed(h.x1.y), packed(h.x1.z),
+            packed(h.x2.x), packed(h.x2.y), packed(h.x2.z), packed(h.y2.x),
+            packed(h.y2.y), packed(h.x3.x), packed(h.x3.y), packed(h.x3.z),
+            packed(h.y3.x), packed(h.y3.y), packed(h.y3.z), packed(h.z3)};
+}
+
+std::array<std::uint16_t, 8> packed(const f32::Surroundings& s) {
+    const auto half = [](float value) {
+        return glm::packHalf1x16(std::isfinite(value) ? std::clamp(value, -60000.0f, 60000.0f)
+                                                      : 0.0f);
+    };
+    return {half(s.color.x),
+            half(s.color.y),
+            half(s.color.z),
+            half(s.slope.x),
+            half(s.slope.y),
+            half(s.slope.z),
+            0,
+            0};
+}
+
+// The mean of an attribute of the parents of a vertex.
+glm::vec3 middle(const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 sum = a + b;
+    const float length = glm::length(sum);
+    return length > 0.0f ? sum / length : a;
+}
+
+// The mesh with the vertices that splitting has added.
+std::shared_ptr<const Mesh> split_mesh(const Mesh& mesh, const WorldMesh& world,
+                                       std::span<const SampleMesh::Parents> added) {
+    auto out = std::make_shared<Mesh>(mesh);
+    for (const auto [a, b] : added) {
+        const auto average = [a = a, b = b](auto& values) {
+            if (!values.empty()) values.push_back(0.5f * (values[a] + values[b]));
+        };
+        average(out->positions);
+        average(out->texcoord0);
+        average(out->texcoord1);
+        average(out->colors);
+        if (!out->normals.empty()) out->normals.push_back(middle(out->normals[a], out->normals[b]));
+        if (!out->tangents.empty())
+            out->tangents.emplace_back(
+                middle(glm::vec3(out->tangents[a]), glm::vec3(out->tangents[b])),
+                out->tangents[a].w);
+    }
+    out->indices = world.indices;
+    if (world.mirrored)
+        for (std::size_t c = 0; c + 2 < out->indices.size(); c += 3)
+            std::swap(out->indices[c + 1], out->indices[c + 2]);
+    return out;
+}
+
+}  // namespace
+
+struct VisibilityFinder::Impl {
+    Impl(const Scene& scene, const VisibilitySettings& settings, const Progress& progress)
+        : mesh(world_meshes(scene)) {
+        require_sound(settings);
+        for (const Material& material : scene.materials)
+            materials.push_back(bounce_material(material, scene.textures));
+        diagonal = diagonal_of(mesh.meshes());
+        if (settings.split) split_long_edges();
+        rays = RayScene(mesh.meshes());
+        count = ray_count(settings.rays);
+        find(progress);
+        if (settings.split) split_fast_changes(settings.rays, progress);
+        smooth();
+        instances = scene.instances.size();
+        make_result(scene);
+    }
+
+    int ray_count(int wanted) const {
+        const double points = static_cast<double>(std::max<std::size_t>(mesh.points(), 1));
+        return std::clamp(static_cast<int>(kMostRays / points), kFewestRays, wanted);
+    }
+
+    float length_of(std::uint32_t a, std::uint32_t b) const {
+        return glm::length(mesh.position(a) - mesh.position(b));
+    }
+
+    void split_long_edges() {
+        const float longest = kCoarseEdges * diagonal;
+        for (int round = 0; round < kRounds; ++round)
+            if (mesh.split([&](auto a, auto b) { return length_of(a, b) > longest; },
+                           kMostSplitEdges) == 0)
+                return;
+    }
+
+    void split_fast_changes(int wanted, const Progress& progress) {
+        const float shortest = kFineEdges * diagonal;
+        const auto changes = [&](std::uint32_t a, std::uint32_t b) {
+            // Points of this round are not known yet, and shortest keeps rounding from splitting for ever.
+            if (a >= blocked.size() || b >= blocked.size() || length_of(a, b) < 2.0f * shortest)
+                return false;
+            return root_mean_square(blocked[a] + blocked[b] * -1.0f) > kFastChange;
+        };
+        std::size_t left = kMostSplitEdges;
+        for (int round = 0; round < kRounds && left > 0; ++round) {
+            const std::size_t edges = mesh.split(changes, left);
+            if (edges == 0) return;
+            left -= std::min(left, edges);
+            count = std::min(count, ray_count(wanted));
+            find(progress);
+        }
+    }
+
+    // Finds what the points see that have been added since the last call.
+    void find(const Progress& progress) {
+        fans = mesh.fans();
+        const std::size_t first = blocked.size(), points = mesh.points();
+        blocked.resize(points);
+        const std::vector<glm::vec3> directions = even_hemisphere(count);
+        constexpr std::size_t kGroup = 4096, kGrain = 64;
+        for (std::size_t from = first; from < points; from += kGroup) {
+            progress.step("visibility", static_cast<double>(from) / static_cast<double>(points));
+            parallel_for(std::min(kGroup, points - from), kGrain,
+                         [&](std::size_t begin, std::size_t end) {
+                             for (std::size_t i = begin; i < end; ++i) {
+                                 const auto point = static_cast<std::uint32_t>(from + i);
+                                 blocked[point] = blocked_at(mesh, fans, rays, point, directions);
+                             }
+                         });
+        }
+        traced += (points - first) * static_cast<std::size_t>(count);
+    }
+
+    // The mean with neighbors that differ by no more than chance explains: fewer rays, more chance.
+    void smooth() {
+        const float chance = 1.0f / std::sqrt(static_cast<float>(count));
+        const int rounds = count >= 128 ? 1 : count >= 48 ? 2 : 4;
+        for (int round = 0; round < rounds; ++round) {
+            std::vector<f32::Harmonics> next(blocked.size());
+            parallel_for(blocked.size(), 256, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    next[i] = smoothed(static_cast<std::uint32_t>(i), chance);
+            });
+            blocked = std::move(next);
+        }
+    }
+
+    // Calls visit(neighbor) for the other points of the triangles about a point, twice for inner edges.
+    template <typename Visit>
+    void for_neighbors(std::uint32_t point, const Visit& visit) const {
+        for (const SampleMesh::Corner& corner : fans.of(point)) {
+            const WorldMesh& world = mesh.meshes()[corner.mesh];
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t other = mesh.points_of(
+                    corner.mesh)[world.indices[3 * std::size_t{corner.triangle} + k]];
+                if (other != point) visit(other);
+            }
+        }
+    }
+
+    f32::Harmonics smoothed(std::uint32_t point, float chance) const {
+        f32::Harmonics sum = blocked[point] * 2.0f;
+        float weights = 2.0f;
+        for_neighbors(point, [&](std::uint32_t other) {
+            if (glm::dot(mesh.normal(point), mesh.normal(other)) < 0.9f) return;
+            const float difference =
+                root_mean_square(blocked[other] + blocked[point] * -1.0f) / chance;
+            const float weight = 0.5f * std::exp(-difference * difference);
+            sum = sum + blocked[other] * weight;
+            weights += weight;
+        });
+        return sum * (1.0f / weights);
+    }
+
+    // The surroundings of points that no ray has hit anything from, and of noisy ones, from their neighbors.
+    void smooth(std::vector<f32::Surroundings>& around) const {
+        std::vector<f32::Surroundings> next(around.size());
+        parallel_for(around.size(), 256, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto point = static_cast<std::uint32_t>(i);
+                // What blocks more is known by more rays.
+                float weights = 2.0f * blocked[point].mean + 1e-6f;
+                f32::Surroundings sum{around[i].color * weights, around[i].slope * weights};
+                for_neighbors(point, [&](std::uint32_t other) {
+                    const float weight =
+                        0.25f * blocked[other].mean *
+                        std::max(glm::dot(mesh.normal(point), mesh.normal(other)), 0.0f);
+                    sum.color = sum.color + around[other].color * weight;
+                    sum.slope = sum.slope + around[other].slope * weight;
+                    weights += weight;
+                });
+                next[i] = {sum.color * (1.0f / weights), sum.slope * (1.0f / weights)};
+            }
+        });
+        around = std::move(next);
+    }
+
+    // Whether nothing of the mesh sees out.
+    bool sees_nothing(std::size_t m) const {
+        return std::ranges::all_of(mesh.points_of(m), [&](std::uint32_t point) {
+            return f32::blocked_about(blocked[point], to_f32(mesh.normal(point))) > kSeesNothing;
+        });
+    }
+
+    void make_result(const Scene& scene) {
+        result.instances.resize(instances);
+        for (std::size_t m = 0; m < mesh.meshes().size(); ++m) {
+            const WorldMesh& world = mesh.meshes()[m];
+            const auto index = static_cast<std::size_t>(world.instance);
+            const Mesh& own = scene.meshes[static_cast<std::size_t>(scene.instances[index].mesh)];
+            if (sees_nothing(m)) {
+                result.warnings.push_back(
+                    fmt::format("{}: visibility: none of its vertices sees out, as its normals "
+                                "point inwards or it is "
+                                "closed in: it is lit as if nothing stood before it "
+                                "(visibility=false does so for all)",
+                                own.name.empty() ? "mesh" : own.name));
+                continue;
+            }
+            InstanceVisibility& instance = result.instances[index];
+            if (!mesh.added(m).empty()) instance.mesh = split_mesh(own, world, mesh.added(m));
+            for (const std::uint32_t point : mesh.points_of(m))
+                instance.vertices.push_back({packed(blocked[point]), {}});
+        }
+    }
+
+    Visibility lit_by(std::span<const f32::Surroundings> around) const {
+        Visibility lit = result;
+        for (std::size_t m = 0; m < mesh.meshes().size(); ++m) {
+            InstanceVisibility& instance =
+                lit.instances[static_cast<std::size_t>(mesh.meshes()[m].instance)];
+            const std::span<const std::uint32_t> points = mesh.points_of(m);
+            for (std::size_t v = 0; v < instance.vertices.size(); ++v)
+                instance.vertices[v].around = packed(around[points[v]]);
+        }
+        return lit;
+    }
+
+    SampleMesh mesh;
+    SampleMesh::Fans fans;
+    std::vector<BounceMaterial> materials;
+    RayScene rays{{}};  // of the meshes before edges were split where visibility changes
+    std::optional<RayScene> split_rays;   // of the meshes as they are
+    std::vector<f32::Harmonics> blocked;  // of every point
+    float diagonal = 0.0f;
+    int count = 0;  // rays a point
+    std::size_t traced = 0, instances = 0;
+    Visibility result;
+};
+
+VisibilityFinder::VisibilityFinder(const Scene& scene, const VisibilitySettings& settings,
+                                   const Progress& progress)
+    : impl_(std::make_unique<Impl>(scene, settings, progress)) {}
+
+VisibilityFinder::~VisibilityFinder() = default;
+VisibilityFinder::VisibilityFinder(VisibilityFinder&&) noexcept = default;
+VisibilityFinder& VisibilityFinder::operator=(VisibilityFinder&&) noexcept = default;
+
+std::shared_ptr<const Visibility> VisibilityFinder::visibility() const {
+    return std::make_shared<const Visibility>(impl_->result);
+}
+
+std::shared_ptr<const Visibility> VisibilityFinder::lit(const SceneLight& light, int bounces,
+                                                        const Progress& progress) {
+    if (bounces < 0 || bounces > 8)
+        throw Error("visibility", "bounces", "0 to 8", std::to_string(bounces));
+    if (bounces == 0) return visibility();
+    // Rays that carry light end on the triangles that the points belong to.
+    if (!impl_->split_rays) impl_->split_rays.emplace(impl_->mesh.meshes());
+    const BounceScene scene{impl_->mesh, impl_->fans, *impl_->split_rays, impl_->materials,
+                            impl_->blocked};
+    const BounceLight direct(scene, light, progress);
+    std::vector<f32::Surroundings> around;
+    const int count = std::min(kBounceRays, impl_->count);
+    for (int i = 0; i < bounces; ++i) around = direct.bounce(around, count, progress);
+    impl_->smooth(around);
+    return std::make_shared<const Visibility>(impl_->lit_by(around));
+}
+
+std::size_t VisibilityFinder::rays() const {
+    return impl_->traced;
+}
+
+}  // namespace burnish
