@@ -58,6 +58,10 @@ struct SceneLight {
     std::span<const Light> lights;
 };
 
+// The scene with the mean color of each texture in place of its texels, which is all that a finder reads of them:
+// for a finder on a thread of its own.
+Scene scene_for_visibility(const Scene& scene);
+
 class VisibilityFinder {
   public:
     // Finds what the vertices see. Surfaces that blend block nothing, masked ones block with all of their
@@ -69,6 +73,10 @@ class VisibilityFinder {
     ~VisibilityFinder();
     VisibilityFinder(VisibilityFinder&&) noexcept;
     VisibilityFinder& operator=(VisibilityFinder&&) noexcept;
+
+    // The materials that light is reflected by from now on, in the order of the scene's. Which surfaces block is
+    // not changed.
+    void set_materials(std::span<const Material> materials, std::span<const Texture> textures);
 
     // Without the light of surroundings.
     std::shared_ptr<const Visibility> visibility() const;

@@ -16,6 +16,8 @@ namespace burnish {
 namespace {
 
 constexpr std::size_t kPointsOfTask = 64;  // points a task
+// Rays of all points together that carry light: a second of two cores.
+constexpr std::size_t kMostBounceRays = 3'000'000;
 
 float luminance_of(const glm::vec3& color) {
     return f32::luminance(to_f32(color));
@@ -72,10 +74,12 @@ struct HitSums {
 
 }  // namespace
 
-BounceLight::BounceLight(const BounceScene& scene, const SceneLight& light,
+BounceLight::BounceLight(const BounceScene& scene, const SceneLight& light, int bounces,
                          const Progress& progress)
     : scene_(scene),
       environment_(light.environment.get(), light.intensity, light.rotation),
+      directions_(even_hemisphere(scene.count)),
+      step_(scene.hits.count() * static_cast<std::size_t>(bounces) / kMostBounceRays + 1),
       sky_(scene.mesh.points(), glm::vec3(0.0f)),
       lamps_(scene.mesh.points(), glm::vec3(0.0f)) {
     for_points(scene.mesh.points(), "light", progress, [&](std::uint32_t point) {
@@ -152,19 +156,21 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
 }
 
 f32::Surroundings BounceLight::surroundings_of(std::uint32_t point,
-                                               std::span<const f32::Surroundings> before,
-                                               std::span<const glm::vec3> directions) const {
+                                               std::span<const f32::Surroundings> before) const {
     const glm::vec3 normal = scene_.mesh.normal(point);
     if (!(scene_.blocked[point].mean > 0.0f) || glm::dot(normal, normal) == 0.0f) return {};
     HitSums sums;
-    for (const float side : {1.0f, -1.0f}) {
-        if (side < 0.0f && !scene_.mesh.is_double_sided(point)) break;
-        const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, side);
-        const HemisphereAxes axes(side * normal, point);
-        for (std::size_t i = 0; i < directions.size(); ++i) {
-            const glm::vec3 w = axes(directions[i]);
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        if (side == 1 && !scene_.mesh.is_double_sided(point)) break;
+        const float up = side == 0 ? 1.0f : -1.0f;
+        const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, up);
+        const HemisphereAxes axes(up * normal, point);
+        const std::span<const std::uint32_t> hits = scene_.hits.of(point, side);
+        std::size_t number = 0;
+        for (std::size_t i = 0; i < directions_.size(); ++i) {
+            if ((hits[i / 32] >> (i % 32) & 1U) == 0 || number++ % step_ != 0) continue;
+            const glm::vec3 w = axes(directions_[i]);
             const RayOrigins::Start start = origins.at(i, w);
-            if (!start.found) continue;
             const std::optional<RayHit> hit = scene_.rays.nearest({start.origin, w, 0.0f, 0.0f});
             if (hit) sums.add(w, radiance_of(*hit, w, before));
         }
@@ -173,12 +179,10 @@ f32::Surroundings BounceLight::surroundings_of(std::uint32_t point,
 }
 
 std::vector<f32::Surroundings> BounceLight::bounce(std::span<const f32::Surroundings> before,
-                                                   int count, const Progress& progress) const {
-    const std::vector<glm::vec3> directions = even_hemisphere(count);
+                                                   const Progress& progress) const {
     std::vector<f32::Surroundings> after(scene_.mesh.points());
-    for_points(after.size(), "light between surfaces", progress, [&](std::uint32_t point) {
-        after[point] = surroundings_of(point, before, directions);
-    });
+    for_points(after.size(), "light between surfaces", progress,
+               [&](std::uint32_t point) { after[point] = surroundings_of(point, before); });
     return after;
 }
 

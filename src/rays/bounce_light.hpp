@@ -12,6 +12,7 @@
 #include "rays/environment_lookup.hpp"
 #include "rays/ray_scene.hpp"
 #include "rays/sample_mesh.hpp"
+#include "rays/vertex_rays.hpp"
 
 namespace burnish {
 
@@ -22,16 +23,20 @@ struct BounceScene {
     const RayScene& rays;  // of mesh.meshes()
     std::span<const BounceMaterial> materials;
     std::span<const f32::Harmonics> blocked;  // of every point
+    const HitTable& hits;
+    int count = 0;  // rays a point
 };
 
 class BounceLight {
   public:
     // Finds the light that reaches every point from the environment and the lights.
-    BounceLight(const BounceScene& scene, const SceneLight& light, const Progress& progress);
+    // `bounces`: how often bounce() will be called, which shares its rays among the calls.
+    BounceLight(const BounceScene& scene, const SceneLight& light, int bounces,
+                const Progress& progress);
 
     // What blocks the view of every point, lit directly and by `before`, the surroundings of one reflection
-    // less (empty: none). `count`: rays a point.
-    std::vector<f32::Surroundings> bounce(std::span<const f32::Surroundings> before, int count,
+    // less (empty: none).
+    std::vector<f32::Surroundings> bounce(std::span<const f32::Surroundings> before,
                                           const Progress& progress) const;
 
   private:
@@ -39,11 +44,12 @@ class BounceLight {
     glm::vec3 radiance_of(const RayHit& hit, const glm::vec3& direction,
                           std::span<const f32::Surroundings> before) const;
     f32::Surroundings surroundings_of(std::uint32_t point,
-                                      std::span<const f32::Surroundings> before,
-                                      std::span<const glm::vec3> directions) const;
+                                      std::span<const f32::Surroundings> before) const;
 
     BounceScene scene_;
     EnvironmentLookup environment_;
+    std::vector<glm::vec3> directions_;
+    std::size_t step_ = 1;  // of the blocked rays of a point, one in so many carries light
     std::vector<glm::vec3> sky_, lamps_;  // irradiance over pi of every point
 };
 

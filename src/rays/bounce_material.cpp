@@ -7,6 +7,7 @@
 
 #include "burnish/draft.hpp"
 #include "burnish/tabulated_material.hpp"
+#include "burnish/visibility.hpp"
 #include "image/texel_value.hpp"
 #include "rays/vectors.hpp"
 #include "scene/material/material_values.hpp"
@@ -14,31 +15,10 @@
 namespace burnish {
 namespace {
 
-// Linear red, green and blue, the mean over at most 256 x 256 texels spread evenly; 1 without a texture.
+// 1 without a texture.
 glm::vec3 mean_of(const TextureUse& use, std::span<const Texture> textures) {
     if (!use || static_cast<std::size_t>(use.texture) >= textures.size()) return glm::vec3(1.0f);
-    const Texture& texture = textures[static_cast<std::size_t>(use.texture)];
-    if (texture.empty()) return glm::vec3(1.0f);
-    const auto channels = static_cast<std::size_t>(texture.channels);
-    const int step_x = std::max(texture.width / 256, 1), step_y = std::max(texture.height / 256, 1);
-    glm::dvec3 sum(0.0);
-    double count = 0.0;
-    for (int y = 0; y < texture.height; y += step_y) {
-        for (int x = 0; x < texture.width; x += step_x) {
-            const std::size_t texel =
-                (static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width) +
-                 static_cast<std::size_t>(x)) *
-                channels;
-            for (int c = 0; c < 3; ++c) {
-                const std::size_t channel = channels < 3 ? 0 : static_cast<std::size_t>(c);
-                float value = texel_value(texture, texel + channel);
-                if (texture.color_space == ColorSpace::srgb) value = f32::linear_from_srgb(value);
-                sum[c] += std::isfinite(value) ? static_cast<double>(value) : 0.0;
-            }
-            count += 1.0;
-        }
-    }
-    return glm::vec3(sum / count);
+    return mean_color(textures[static_cast<std::size_t>(use.texture)]);
 }
 
 glm::vec3 mean_of(const Image& image) {
@@ -69,6 +49,32 @@ glm::vec3 cloth_color(const Cloth& cloth, const glm::vec3& otherwise) {
 
 }  // namespace
 
+glm::vec3 mean_color(const Texture& texture) {
+    if (texture.empty()) return glm::vec3(1.0f);
+    constexpr int kMost = 256;  // texels along a side
+    const auto channels = static_cast<std::size_t>(texture.channels);
+    const int step_x = std::max(texture.width / kMost, 1);
+    const int step_y = std::max(texture.height / kMost, 1);
+    glm::dvec3 sum(0.0);
+    double count = 0.0;
+    for (int y = 0; y < texture.height; y += step_y) {
+        for (int x = 0; x < texture.width; x += step_x) {
+            const std::size_t texel =
+                (static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width) +
+                 static_cast<std::size_t>(x)) *
+                channels;
+            for (int c = 0; c < 3; ++c) {
+                const std::size_t channel = channels < 3 ? 0 : static_cast<std::size_t>(c);
+                float value = texel_value(texture, texel + channel);
+                if (texture.color_space == ColorSpace::srgb) value = f32::linear_from_srgb(value);
+                sum[c] += std::isfinite(value) ? static_cast<double>(value) : 0.0;
+            }
+            count += 1.0;
+        }
+    }
+    return glm::vec3(sum / count);
+}
+
 BounceMaterial bounce_material(const Material& material, std::span<const Texture> textures) {
     const auto values = material_values<f32::SurfaceMaterial>(material);
     const Cloth* cloth = cloth_of(material);
@@ -94,6 +100,24 @@ BounceMaterial bounce_material(const Material& material, std::span<const Texture
     out.diffuse = glm::clamp(out.diffuse, 0.0f, 1.0f);
     out.specular = glm::clamp(out.specular, 0.0f, 1.0f);
     out.emitted = material.emissive * mean_of(material.emissive_texture, textures);
+    return out;
+}
+
+Scene scene_for_visibility(const Scene& scene) {
+    Scene out;
+    out.name = scene.name;
+    out.meshes = scene.meshes;
+    out.materials = scene.materials;
+    out.instances = scene.instances;
+    for (const Texture& texture : scene.textures) {
+        const glm::vec3 mean = mean_color(texture);
+        Texture& one = out.textures.emplace_back();
+        one.width = one.height = 1;
+        one.channels = 3;
+        one.type = TexelType::f32;
+        one.texels.resize(3 * sizeof(float));
+        for (int c = 0; c < 3; ++c) set_texel_value(one, static_cast<std::size_t>(c), mean[c]);
+    }
     return out;
 }
 

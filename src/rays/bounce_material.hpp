@@ -15,6 +15,9 @@ struct BounceMaterial {
     glm::vec3 emitted{0.0f};   // radiance
 };
 
+// Linear red, green and blue, the mean over texels spread evenly.
+glm::vec3 mean_color(const Texture& texture);
+
 BounceMaterial bounce_material(const Material& material, std::span<const Texture> textures);
 
 }  // namespace burnish

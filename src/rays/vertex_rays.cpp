@@ -1,6 +1,7 @@
 #include "rays/vertex_rays.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -49,6 +50,12 @@ f32::Harmonics operator*(const f32::Harmonics& a, float factor) {
     c.y3 = a.y3 * factor;
     c.z3 = a.z3 * factor;
     return c;
+}
+
+std::size_t HitTable::count() const {
+    std::size_t sum = 0;
+    for (const std::uint32_t word : bits_) sum += static_cast<std::size_t>(std::popcount(word));
+    return sum;
 }
 
 RayOrigins::RayOrigins(const SampleMesh& mesh, std::span<const SampleMesh::Corner> fan,
@@ -109,7 +116,8 @@ struct Side {
 };
 
 Side side_of(const SampleMesh& mesh, std::span<const SampleMesh::Corner> fan, const RayScene& rays,
-             std::uint32_t point, float side, std::span<const glm::vec3> directions) {
+             std::uint32_t point, float side, std::span<const glm::vec3> directions,
+             std::span<std::uint32_t> hits) {
     const glm::vec3 up = side * mesh.normal(point);
     const RayOrigins origins(mesh, fan, point, side);
     const HemisphereAxes axes(up, point);
@@ -118,6 +126,7 @@ Side side_of(const SampleMesh& mesh, std::span<const SampleMesh::Corner> fan, co
         const glm::vec3 w = axes(directions[i]);
         const RayOrigins::Start start = origins.at(i, w);
         if (!start.found || !rays.is_blocked({start.origin, w, 0.0f, 0.0f})) continue;
+        hits[i / 32] |= 1U << (i % 32);
         sum.own = sum.own + f32::harmonics_at(to_f32(w));
         sum.mirrored = sum.mirrored + f32::harmonics_at(to_f32(w - 2.0f * glm::dot(w, up) * up));
         sum.share += 1.0f;
@@ -134,13 +143,13 @@ Side side_of(const SampleMesh& mesh, std::span<const SampleMesh::Corner> fan, co
 
 f32::Harmonics blocked_at(const SampleMesh& mesh, const SampleMesh::Fans& fans,
                           const RayScene& rays, std::uint32_t point,
-                          std::span<const glm::vec3> directions) {
+                          std::span<const glm::vec3> directions, HitTable& hits) {
     const std::span<const SampleMesh::Corner> fan = fans.of(point);
     const glm::vec3 normal = mesh.normal(point);
     if (fan.empty() || glm::dot(normal, normal) == 0.0f) return f32::Harmonics{};
-    const Side front = side_of(mesh, fan, rays, point, 1.0f, directions);
+    const Side front = side_of(mesh, fan, rays, point, 1.0f, directions, hits.of(point, 0));
     if (!mesh.is_double_sided(point)) return front.own + front.mirrored;
-    const Side back = side_of(mesh, fan, rays, point, -1.0f, directions);
+    const Side back = side_of(mesh, fan, rays, point, -1.0f, directions, hits.of(point, 1));
     if (back.share > kClosed) return front.own + front.mirrored;
     if (front.share > kClosed) return back.own + back.mirrored;
     return front.own + back.own;

@@ -51,12 +51,36 @@ class HemisphereAxes {
     glm::vec3 tangent_{1.0f, 0.0f, 0.0f}, bitangent_{0.0f, 1.0f, 0.0f}, normal_;
 };
 
+// Which rays of the points are blocked, a bit each: on the side of the normal, and of double-sided points on the
+// other side too.
+class HitTable {
+  public:
+    HitTable() = default;
+    // `sides`: 1, or 2 where any point is double-sided.
+    HitTable(int rays, int sides)
+        : words_((static_cast<std::size_t>(rays) + 31) / 32),
+          sides_(static_cast<std::size_t>(sides)) {}
+    void resize(std::size_t points) { bits_.resize(points * sides_ * words_, 0); }
+    std::span<std::uint32_t> of(std::uint32_t point, std::size_t side) {
+        return std::span(bits_).subspan((point * sides_ + side) * words_, words_);
+    }
+    std::span<const std::uint32_t> of(std::uint32_t point, std::size_t side) const {
+        return std::span(bits_).subspan((point * sides_ + side) * words_, words_);
+    }
+    std::size_t count() const;  // of blocked rays
+
+  private:
+    std::size_t words_ = 0, sides_ = 1;
+    std::vector<std::uint32_t> bits_;
+};
+
 // The blocked share of the directions about a point. Directions below the surface get the value of their mirror
 // image above it: a perturbed lobe that reaches there sees no edge. A double-sided point has two sides of its
-// own, unless one of them is closed in. `directions`: of even_hemisphere.
+// own, unless one of them is closed in. `directions`: of even_hemisphere. `hits`: has room for the point, and
+// receives its blocked rays.
 f32::Harmonics blocked_at(const SampleMesh& mesh, const SampleMesh::Fans& fans,
                           const RayScene& rays, std::uint32_t point,
-                          std::span<const glm::vec3> directions);
+                          std::span<const glm::vec3> directions, HitTable& hits);
 
 // Sums and multiples of functions.
 f32::Harmonics operator+(const f32::Harmonics& a, const f32::Harmonics& b);

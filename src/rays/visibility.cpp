@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
+#include <optional>
 #include <utility>
 
 #include "burnish/error.hpp"
@@ -14,6 +15,7 @@
 #include "core/parallel.hpp"
 #include "rays/bounce_light.hpp"
 #include "rays/bounce_material.hpp"
+#include "rays/near_points.hpp"
 #include "rays/ray_scene.hpp"
 #include "rays/sample_mesh.hpp"
 #include "rays/vectors.hpp"
@@ -27,15 +29,18 @@ constexpr int kFewestRays = 16;
 constexpr double kMostRays = 1.5e7;
 // Edges are split until they are shorter than this part of the scene's diagonal, and where visibility changes
 // fast until they are shorter than the second.
-constexpr float kCoarseEdges = 1.0f / 32.0f, kFineEdges = 1.0f / 400.0f;
+constexpr float kCoarseEdges = 1.0f / 32.0f, kFineEdges = 1.0f / 1000.0f;
 // The root mean square over all directions of the difference of blocked shares from which on it changes fast:
 // above what rays leave to chance.
 constexpr float kFastChange = 0.12f;
-constexpr std::size_t kMostSplitEdges = 60'000;
+// Edges that may be split: a third of the points, within these.
+constexpr std::size_t kFewestSplitEdges = 10'000, kMostSplitEdges = 40'000;
 constexpr int kRounds = 8;  // of splitting: each halves the edges
-// Rays of a point that carry light.
-constexpr int kBounceRays = 64;
 // An instance whose points are all blocked beyond this share sees nothing.
+constexpr int kLightRounds = 2;  // of smoothing the light of surroundings
+// Radii of smoothing, in diagonals of the scene, of what is blocked and of light, and the difference of blocked shares from which on two points do
+// not share their light.
+constexpr float kSmoothing = 1.0f / 120.0f, kLightSmoothing = 1.0f / 50.0f, kAlike = 0.15f;
 constexpr float kSeesNothing = 0.995f;
 
 void require_sound(const VisibilitySettings& settings) {
@@ -125,34 +130,48 @@ struct VisibilityFinder::Impl {
         for (const Material& material : scene.materials)
             materials.push_back(bounce_material(material, scene.textures));
         diagonal = diagonal_of(mesh.meshes());
-        if (settings.split) split_long_edges();
+        split_left =
+            settings.split ? std::clamp(mesh.points() / 3, kFewestSplitEdges, kMostSplitEdges) : 0;
+        split_long_edges();
         rays = RayScene(mesh.meshes());
         count = ray_count(settings.rays);
+        hits = HitTable(count, any_double_sided() ? 2 : 1);
         find(progress);
-        if (settings.split) split_fast_changes(settings.rays, progress);
-        smooth();
+        split_fast_changes(progress);
+        for (int i = 0; i < 2; ++i) smooth();
         instances = scene.instances.size();
         make_result(scene);
     }
 
     int ray_count(int wanted) const {
-        const double points = static_cast<double>(std::max<std::size_t>(mesh.points(), 1));
+        const double points =
+            static_cast<double>(std::max<std::size_t>(mesh.points() + split_left, 1));
         return std::clamp(static_cast<int>(kMostRays / points), kFewestRays, wanted);
+    }
+
+    bool any_double_sided() const {
+        return std::ranges::any_of(mesh.meshes(), &WorldMesh::double_sided);
     }
 
     float length_of(std::uint32_t a, std::uint32_t b) const {
         return glm::length(mesh.position(a) - mesh.position(b));
     }
 
-    void split_long_edges() {
-        const float longest = kCoarseEdges * diagonal;
-        for (int round = 0; round < kRounds; ++round)
-            if (mesh.split([&](auto a, auto b) { return length_of(a, b) > longest; },
-                           kMostSplitEdges) == 0)
-                return;
+    // Splits edges in rounds, each of which halves them. Returns false when nothing is left to split.
+    bool split(const SampleMesh::Wants& wants) {
+        const std::size_t edges = split_left > 0 ? mesh.split(wants, split_left) : 0;
+        split_left -= edges;
+        return edges > 0;
     }
 
-    void split_fast_changes(int wanted, const Progress& progress) {
+    void split_long_edges() {
+        const float longest = kCoarseEdges * diagonal;
+        const auto is_long = [&](auto a, auto b) { return length_of(a, b) > longest; };
+        for (int round = 0; round < kRounds && split(is_long); ++round) {
+        }
+    }
+
+    void split_fast_changes(const Progress& progress) {
         const float shortest = kFineEdges * diagonal;
         const auto changes = [&](std::uint32_t a, std::uint32_t b) {
             // Points of this round are not known yet, and shortest keeps rounding from splitting for ever.
@@ -160,14 +179,7 @@ struct VisibilityFinder::Impl {
                 return false;
             return root_mean_square(blocked[a] + blocked[b] * -1.0f) > kFastChange;
         };
-        std::size_t left = kMostSplitEdges;
-        for (int round = 0; round < kRounds && left > 0; ++round) {
-            const std::size_t edges = mesh.split(changes, left);
-            if (edges == 0) return;
-            left -= std::min(left, edges);
-            count = std::min(count, ray_count(wanted));
-            find(progress);
-        }
+        for (int round = 0; round < kRounds && split(changes); ++round) find(progress);
     }
 
     // Finds what the points see that have been added since the last call.
@@ -175,81 +187,74 @@ struct VisibilityFinder::Impl {
         fans = mesh.fans();
         const std::size_t first = blocked.size(), points = mesh.points();
         blocked.resize(points);
+        hits.resize(points);
         const std::vector<glm::vec3> directions = even_hemisphere(count);
         constexpr std::size_t kGroup = 4096, kGrain = 64;
         for (std::size_t from = first; from < points; from += kGroup) {
             progress.step("visibility", static_cast<double>(from) / static_cast<double>(points));
-            parallel_for(std::min(kGroup, points - from), kGrain,
-                         [&](std::size_t begin, std::size_t end) {
-                             for (std::size_t i = begin; i < end; ++i) {
-                                 const auto point = static_cast<std::uint32_t>(from + i);
-                                 blocked[point] = blocked_at(mesh, fans, rays, point, directions);
-                             }
-                         });
+            parallel_for(
+                std::min(kGroup, points - from), kGrain, [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                        const auto point = static_cast<std::uint32_t>(from + i);
+                        blocked[point] = blocked_at(mesh, fans, rays, point, directions, hits);
+                    }
+                });
         }
         traced += (points - first) * static_cast<std::size_t>(count);
     }
 
-    // The mean with neighbors that differ by no more than chance explains: fewer rays, more chance.
-    void smooth() {
-        const float chance = 1.0f / std::sqrt(static_cast<float>(count));
-        const int rounds = count >= 128 ? 1 : count >= 48 ? 2 : 4;
-        for (int round = 0; round < rounds; ++round) {
-            std::vector<f32::Harmonics> next(blocked.size());
-            parallel_for(blocked.size(), 256, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i)
-                    next[i] = smoothed(static_cast<std::uint32_t>(i), chance);
-            });
-            blocked = std::move(next);
-        }
+    // How alike two points see, 0 to 1: differences that chance explains count little.
+    float likeness(std::uint32_t a, std::uint32_t b, float chance) const {
+        const float difference = root_mean_square(blocked[a] + blocked[b] * -1.0f) / chance;
+        return std::exp(-difference * difference);
     }
 
-    // Calls visit(neighbor) for the other points of the triangles about a point, twice for inner edges.
-    template <typename Visit>
-    void for_neighbors(std::uint32_t point, const Visit& visit) const {
-        for (const SampleMesh::Corner& corner : fans.of(point)) {
-            const WorldMesh& world = mesh.meshes()[corner.mesh];
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t other = mesh.points_of(
-                    corner.mesh)[world.indices[3 * std::size_t{corner.triangle} + k]];
-                if (other != point) visit(other);
-            }
-        }
-    }
-
-    f32::Harmonics smoothed(std::uint32_t point, float chance) const {
-        f32::Harmonics sum = blocked[point] * 2.0f;
-        float weights = 2.0f;
-        for_neighbors(point, [&](std::uint32_t other) {
-            if (glm::dot(mesh.normal(point), mesh.normal(other)) < 0.9f) return;
-            const float difference =
-                root_mean_square(blocked[other] + blocked[point] * -1.0f) / chance;
-            const float weight = 0.5f * std::exp(-difference * difference);
-            sum = sum + blocked[other] * weight;
-            weights += weight;
-        });
-        return sum * (1.0f / weights);
-    }
-
-    // The surroundings of points that no ray has hit anything from, and of noisy ones, from their neighbors.
-    void smooth(std::vector<f32::Surroundings>& around) const {
-        std::vector<f32::Surroundings> next(around.size());
-        parallel_for(around.size(), 256, [&](std::size_t begin, std::size_t end) {
+    // Calls body(point, near points) for all points.
+    template <typename Body>
+    void for_points(const NearPoints& near, const Body& body) const {
+        parallel_for(blocked.size(), 256, [&](std::size_t begin, std::size_t end) {
+            std::vector<NearPoints::Near> found;
             for (std::size_t i = begin; i < end; ++i) {
-                const auto point = static_cast<std::uint32_t>(i);
-                // What blocks more is known by more rays.
-                float weights = 2.0f * blocked[point].mean + 1e-6f;
-                f32::Surroundings sum{around[i].color * weights, around[i].slope * weights};
-                for_neighbors(point, [&](std::uint32_t other) {
-                    const float weight =
-                        0.25f * blocked[other].mean *
-                        std::max(glm::dot(mesh.normal(point), mesh.normal(other)), 0.0f);
-                    sum.color = sum.color + around[other].color * weight;
-                    sum.slope = sum.slope + around[other].slope * weight;
-                    weights += weight;
-                });
-                next[i] = {sum.color * (1.0f / weights), sum.slope * (1.0f / weights)};
+                near.find(static_cast<std::uint32_t>(i), found);
+                body(static_cast<std::uint32_t>(i), found);
             }
+        });
+    }
+
+    // The mean with near points that differ by no more than chance explains: fewer rays, more chance.
+    void smooth() {
+        const NearPoints near(mesh, fans, kSmoothing * diagonal);
+        const float chance = 1.0f / std::sqrt(static_cast<float>(count));
+        std::vector<f32::Harmonics> next(blocked.size());
+        for_points(near, [&](std::uint32_t point, std::span<const NearPoints::Near> found) {
+            f32::Harmonics sum = blocked[point];
+            float weights = 1.0f;
+            for (const NearPoints::Near& other : found) {
+                const float weight = other.weight * likeness(point, other.point, chance);
+                sum = sum + blocked[other.point] * weight;
+                weights += weight;
+            }
+            next[point] = sum * (1.0f / weights);
+        });
+        blocked = std::move(next);
+    }
+
+    // The light of surroundings from near points that see alike: what blocks more is known by more rays.
+    void smooth(std::vector<f32::Surroundings>& around) const {
+        const NearPoints near(mesh, fans, kLightSmoothing * diagonal);
+        std::vector<f32::Surroundings> next(around.size());
+        for_points(near, [&](std::uint32_t point, std::span<const NearPoints::Near> found) {
+            // 1e-6: a point that nothing blocks takes the light of its neighbors.
+            float weights = blocked[point].mean + 1e-6f;
+            f32::Surroundings sum{around[point].color * weights, around[point].slope * weights};
+            for (const NearPoints::Near& other : found) {
+                const float weight =
+                    blocked[other.point].mean * other.weight * likeness(point, other.point, kAlike);
+                sum.color = sum.color + around[other.point].color * weight;
+                sum.slope = sum.slope + around[other.point].slope * weight;
+                weights += weight;
+            }
+            next[point] = {sum.color * (1.0f / weights), sum.slope * (1.0f / weights)};
         });
         around = std::move(next);
     }
@@ -301,8 +306,10 @@ struct VisibilityFinder::Impl {
     RayScene rays{{}};  // of the meshes before edges were split where visibility changes
     std::optional<RayScene> split_rays;   // of the meshes as they are
     std::vector<f32::Harmonics> blocked;  // of every point
+    HitTable hits;
     float diagonal = 0.0f;
-    int count = 0;  // rays a point
+    int count = 0;               // rays a point
+    std::size_t split_left = 0;  // edges that may still be split
     std::size_t traced = 0, instances = 0;
     Visibility result;
 };
@@ -315,6 +322,13 @@ VisibilityFinder::~VisibilityFinder() = default;
 VisibilityFinder::VisibilityFinder(VisibilityFinder&&) noexcept = default;
 VisibilityFinder& VisibilityFinder::operator=(VisibilityFinder&&) noexcept = default;
 
+void VisibilityFinder::set_materials(std::span<const Material> materials,
+                                     std::span<const Texture> textures) {
+    impl_->materials.clear();
+    for (const Material& material : materials)
+        impl_->materials.push_back(bounce_material(material, textures));
+}
+
 std::shared_ptr<const Visibility> VisibilityFinder::visibility() const {
     return std::make_shared<const Visibility>(impl_->result);
 }
@@ -326,13 +340,12 @@ std::shared_ptr<const Visibility> VisibilityFinder::lit(const SceneLight& light,
     if (bounces == 0) return visibility();
     // Rays that carry light end on the triangles that the points belong to.
     if (!impl_->split_rays) impl_->split_rays.emplace(impl_->mesh.meshes());
-    const BounceScene scene{impl_->mesh, impl_->fans, *impl_->split_rays, impl_->materials,
-                            impl_->blocked};
-    const BounceLight direct(scene, light, progress);
+    const BounceScene scene{impl_->mesh,    impl_->fans, *impl_->split_rays, impl_->materials,
+                            impl_->blocked, impl_->hits, impl_->count};
+    const BounceLight direct(scene, light, bounces, progress);
     std::vector<f32::Surroundings> around;
-    const int count = std::min(kBounceRays, impl_->count);
-    for (int i = 0; i < bounces; ++i) around = direct.bounce(around, count, progress);
-    impl_->smooth(around);
+    for (int i = 0; i < bounces; ++i) around = direct.bounce(around, progress);
+    for (int i = 0; i < kLightRounds; ++i) impl_->smooth(around);
     return std::make_shared<const Visibility>(impl_->lit_by(around));
 }
 

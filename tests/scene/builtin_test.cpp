@@ -138,11 +138,21 @@ TEST(BuiltInSolid, AreasAndVolumesAreThoseOfTheSolids) {
     EXPECT_NEAR(area_of(make_builtin_mesh("plane")), 1.0, 1e-6);
     // The rounded edges reduce the volume pi r^2 h, r = 1/pi, by less than 0.2 %.
     EXPECT_NEAR(volume_of(make_builtin_mesh("cylinder")) / (0.8 / pi), 0.999, 2e-3);
+    // The pot: the outer cylinder less the inner one, the round edges by Pappus' theorem (a corner of radius f
+    // lacks (1 - pi/4) f^2 at about 0.223 f from its sides).
+    const double r = 1.0 / pi, h = 0.46, w = 0.014, outer = 0.05, inner = outer - w;
+    const auto corner = [](double f, double radius) {
+        return (1.0 - pi / 4.0) * f * f * 2.0 * pi * (radius - 0.2234 * f);
+    };
+    const double rim = (0.5 - pi / 8.0) * w * w * 2.0 * pi * (r - 0.5 * w);
+    const double volume = pi * r * r * h - pi * (r - w) * (r - w) * (h - w) - corner(outer, r) +
+                          corner(inner, r - w) - rim;
+    EXPECT_NEAR(volume_of(make_builtin_mesh("pot")) / volume, 1.0, 3e-3);
 }
 
 // By positions alone, every edge has two triangles: no gap at the seams, bit for bit.
 TEST(BuiltInSolid, Closed) {
-    for (const std::string_view name : {"sphere", "torus", "cylinder"}) {
+    for (const std::string_view name : {"sphere", "torus", "cylinder", "pot"}) {
         const Mesh mesh = make_builtin_mesh(name, 5000);
         std::map<std::tuple<float, float, float>, int> ids;
         const auto id = [&](const glm::vec3& p) {
@@ -161,7 +171,7 @@ TEST(BuiltInSolid, Closed) {
 }
 
 TEST(BuiltInSolid, NoSeamInTheTangents) {
-    for (const std::string_view name : {"sphere", "torus", "cylinder"}) {
+    for (const std::string_view name : {"sphere", "torus", "cylinder", "pot"}) {
         const Mesh mesh = make_builtin_mesh(name, 5000);
         std::map<std::tuple<float, float, float>, std::size_t> first;
         int shared = 0;

@@ -158,7 +158,7 @@ void add_render_command(CLI::App& parent, Session& session) {
     command
         ->add_option("input", request.stage.input,
                      ".gltf, .glb, .obj, a scene .json, or builtin:sphere, plane, cylinder, "
-                     "torus, drape")
+                     "torus, drape, pot")
         ->required()
         ->type_name("MODEL|SCENE");
     command

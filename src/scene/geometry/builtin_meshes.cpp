@@ -19,8 +19,8 @@ namespace burnish {
 namespace {
 
 constexpr std::string_view kPrefix = "builtin:";
-constexpr std::array<std::string_view, 5> kNames = {"sphere", "plane", "cylinder", "torus",
-                                                    "drape"};
+constexpr std::array<std::string_view, 6> kNames = {"sphere", "plane", "cylinder",
+                                                    "torus",  "drape", "pot"};
 // The limit of the parameter table: 32-bit indices and a few hundred megabytes at most.
 constexpr int kMostTriangles = 4000000;
 
@@ -124,6 +124,13 @@ void add_fillet(std::vector<ProfilePoint>& profile, double radius, double y, dou
     }
 }
 
+// v as meters along the profile.
+void measure_profile(std::vector<ProfilePoint>& profile) {
+    for (std::size_t i = 1; i < profile.size(); ++i)
+        profile[i].v = profile[i - 1].v + std::hypot(profile[i].radius - profile[i - 1].radius,
+                                                     profile[i].y - profile[i - 1].y);
+}
+
 // A solid of revolution: one profile from the middle of the top over a rounded edge and the side to
 // the middle of the bottom, so that the grain runs around everywhere. Texels are square on the
 // side.
@@ -145,9 +152,44 @@ Mesh make_cylinder(int triangles) {
     add_fillet(profile, flat, -straight, kFillet, 0.5 * std::numbers::pi, kFilletSteps);
     for (int i = kCapSteps - 1; i >= 0; --i)
         profile.push_back({flat * i / kCapSteps, -kHalfHeight, 0.0, -1.0, 0.0});
-    for (std::size_t i = 1; i < profile.size(); ++i)  // v: meters along the profile
-        profile[i].v = profile[i - 1].v + std::hypot(profile[i].radius - profile[i - 1].radius,
-                                                     profile[i].y - profile[i - 1].y);
+    measure_profile(profile);
+    return revolve(profile, segments, 2.0);
+}
+
+// An open vessel with a wall: the profile goes from the middle of the floor inside up the wall, over a round rim and
+// down the outside to the middle below. The grain runs around.
+Mesh make_pot(int triangles) {
+    constexpr double kRadius = std::numbers::inv_pi;  // circumference 2 m: two texture squares
+    constexpr double kHalfHeight = 0.23, kWall = 0.014, kFillet = 0.05;
+    constexpr int kFilletSteps = 12, kRimSteps = 8, kFloorSteps = 14, kSideSteps = 20;
+    constexpr int kRings = 2 * (kFloorSteps + kFilletSteps + kSideSteps) + kRimSteps;
+    const int segments = std::max(
+        8, static_cast<int>(std::lround((triangles > 0 ? triangles : 50000) / (2.0 * kRings))));
+    const double inside = kRadius - kWall, floor = kWall - kHalfHeight, inner = kFillet - kWall;
+    const double flat = kRadius - kFillet, rim = kHalfHeight - 0.5 * kWall;
+    std::vector<ProfilePoint> profile;
+    for (int i = 0; i < kFloorSteps; ++i)
+        profile.push_back({flat * i / kFloorSteps, floor, 0.0, 1.0, 0.0});
+    for (int i = 0; i <= kFilletSteps; ++i) {
+        const double angle = 0.5 * std::numbers::pi * i / kFilletSteps;
+        const double s = std::sin(angle), c = std::cos(angle);
+        profile.push_back({flat + inner * s, floor + inner * (1.0 - c), -s, c, 0.0});
+    }
+    const double low = floor + inner;
+    for (int i = 1; i < kSideSteps; ++i)
+        profile.push_back({inside, low + (rim - low) * i / kSideSteps, -1.0, 0.0, 0.0});
+    for (int i = 0; i <= kRimSteps; ++i) {
+        const double angle = std::numbers::pi * i / kRimSteps;
+        const double s = std::sin(angle), c = std::cos(angle);
+        profile.push_back({kRadius - 0.5 * kWall * (1.0 + c), rim + 0.5 * kWall * s, -c, s, 0.0});
+    }
+    const double edge = kFillet - kHalfHeight;
+    for (int i = 1; i < kSideSteps; ++i)
+        profile.push_back({kRadius, rim + (edge - rim) * i / kSideSteps, 1.0, 0.0, 0.0});
+    add_fillet(profile, flat, edge, kFillet, 0.5 * std::numbers::pi, kFilletSteps);
+    for (int i = kFloorSteps - 1; i >= 0; --i)
+        profile.push_back({flat * i / kFloorSteps, -kHalfHeight, 0.0, -1.0, 0.0});
+    measure_profile(profile);
     return revolve(profile, segments, 2.0);
 }
 
@@ -196,8 +238,11 @@ Mesh make_builtin_mesh(std::string_view name, int triangles) {
         case 3:
             mesh = make_torus(triangles);
             break;
-        default:
+        case 4:
             mesh = make_drape(triangles);
+            break;
+        default:
+            mesh = make_pot(triangles);
             break;
     }
     mesh.name = std::string(name);

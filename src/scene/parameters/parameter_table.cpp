@@ -235,7 +235,7 @@ void add_render(Table& t) {
     t.boolean("visibility", standard.visibility,
               "surfaces shade one another from the environment, found by rays");
     t.belongs_to = "visibility";
-    t.integer("bounces", 0, 8, 1, "",
+    t.integer("bounces", 0, 8, 2, "",
               "reflections by which light reaches a place that other surfaces shade; 0: it stays black");
     t.integer("visibility_rays", 16, 4096, 256, "", "rays of each vertex: more is smoother");
     t.belongs_to = "";

@@ -38,7 +38,7 @@ void file_menu(App& app) {
     }
     if (ImGui::BeginMenu("Built in")) {
         for (const char* name : {"builtin:sphere", "builtin:torus", "builtin:cylinder",
-                                 "builtin:plane", "builtin:drape"})
+                                 "builtin:plane", "builtin:drape", "builtin:pot"})
             if (ImGui::MenuItem(name)) app.open({name});
         ImGui::EndMenu();
     }
