@@ -27,6 +27,7 @@ constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
     {"weaves", burnish::bench::measure_weaves},
     {"distributions", burnish::bench::measure_distributions},
     {"capture", burnish::bench::measure_capture},
+    {"visibility", burnish::bench::measure_visibility},
 };
 
 }  // namespace

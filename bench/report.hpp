@@ -35,5 +35,6 @@ void measure_scratches(Report& report);
 void measure_weaves(Report& report);
 void measure_distributions(Report& report);
 void measure_capture(Report& report);
+void measure_visibility(Report& report);
 
 }  // namespace burnish::bench

@@ -13,7 +13,7 @@ in vec4 v_blocked1;
 in vec4 v_blocked2;
 in vec4 v_blocked3;
 in vec3 v_around_color;
-in vec3 v_around_slope;
+in vec4 v_around_slope;  // and the ratio of the sky, less 1
 #endif
 
 layout(location = 0) out uvec4 o_packed;
@@ -47,8 +47,8 @@ void main() {
     o_seen0 = uvec4(packed_three(vec3(v_blocked0.x - 0.5, v_blocked0.yz)),
                     packed_three(vec3(v_blocked0.w, v_blocked1.xy)),
                     packed_three(vec3(v_blocked1.zw, v_blocked2.x)), packed_three(v_blocked2.yzw));
-    o_seen1 = uvec4(packed_three(v_blocked3.xyz), packed_three(vec3(v_blocked3.w, 0.0, 0.0)),
-                    packed_color(v_around_color), packed_three(v_around_slope * 0.125));
+    o_seen1 = uvec4(packed_three(v_blocked3.xyz), packed_three(vec3(v_blocked3.w, v_around_slope.w * 0.125, 0.0)),
+                    packed_color(v_around_color), packed_three(v_around_slope.xyz * 0.125));
 #endif
 #ifdef SHAPE
     o_shape = vec4(dx, dy);

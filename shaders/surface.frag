@@ -40,7 +40,7 @@ in vec4 v_blocked1;
 in vec4 v_blocked2;
 in vec4 v_blocked3;
 in vec3 v_around_color;
-in vec3 v_around_slope;
+in vec4 v_around_slope;  // and the ratio of the sky, less 1
 #endif
 
 uniform ivec2 u_tile_origin;
@@ -67,7 +67,7 @@ void main() {
 #endif
 #ifdef VISIBILITY
     s.blocked = harmonics_of(v_blocked0, v_blocked1, v_blocked2, v_blocked3);
-    s.around = Surroundings(v_around_color, v_around_slope);
+    s.around = Surroundings(v_around_color, v_around_slope.xyz, v_around_slope.w + 1.0);
 #endif
     s.front = gl_FrontFacing;
     s.pixel = uvec2(ivec2(gl_FragCoord.xy) + u_tile_origin);

@@ -42,7 +42,7 @@ out vec4 v_blocked1;
 out vec4 v_blocked2;
 out vec4 v_blocked3;
 out vec3 v_around_color;
-out vec3 v_around_slope;
+out vec4 v_around_slope;
 #endif
 
 void main() {
@@ -69,7 +69,7 @@ void main() {
     v_blocked2 = a_blocked2;
     v_blocked3 = a_blocked3;
     v_around_color = a_around0.xyz;
-    v_around_slope = vec3(a_around0.w, a_around1.xy);
+    v_around_slope = vec4(a_around0.w, a_around1.xyz);
 #endif
     gl_Position = u_clip_from_world * world;
 }

@@ -87,7 +87,7 @@ vec3 from_packed_color(uint word) {
 
 #ifdef VISIBILITY
 // Harmonics and Surroundings: every coefficient but the first is in [-1/2, 1/2], as no function in [0, 1] has
-// another; slopes up to 4.
+// another; slopes and the ratio of the sky up to 4.
 Harmonics packed_blocked(uvec4 a, uvec4 b) {
     vec3 v0 = from_packed_three(a.x);
     vec3 v1 = from_packed_three(a.y);
@@ -97,6 +97,7 @@ Harmonics packed_blocked(uvec4 a, uvec4 b) {
 }
 
 Surroundings packed_around(uvec4 b) {
-    return Surroundings(from_packed_color(b.z), from_packed_three(b.w) * 8.0);
+    return Surroundings(from_packed_color(b.z), from_packed_three(b.w) * 8.0,
+                        from_packed_three(b.y).y * 8.0 + 1.0);
 }
 #endif

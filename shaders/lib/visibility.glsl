@@ -16,7 +16,8 @@ vec3 seen_radiance(Surface s, vec3 w, vec3 radiance) {
 vec3 seen_irradiance(Surface s, vec3 n) {
     float blocked = blocked_about(s.blocked, n);
     vec3 open = open_direction(s.blocked, n);
-    return environment_irradiance(open * inversesqrt(max(dot(open, open), kTiny))) * (1.0 - blocked) +
+    return environment_irradiance(open * inversesqrt(max(dot(open, open), kTiny))) *
+               ((1.0 - blocked) * s.around.sky) +
            surroundings_about(s.around, blocked, n);
 }
 

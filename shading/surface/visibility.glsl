@@ -65,10 +65,12 @@ FN vec3 open_direction(Harmonics blocked, vec3 n) {
            (slope - n * along) * Float(0.25);
 }
 
-// The light from what blocks the view: radiance `color` (1 + slope.w) towards direction w.
+// The light from what blocks the view: radiance `color` (1 + slope.w) towards direction w. `sky`: the ratio of the
+// irradiance of the vertex by the environment, with the shadows of its bright parts, to what open_direction gives.
 struct Surroundings {
     vec3 color;
     vec3 slope;
+    Float sky;
 };
 
 FN vec3 surroundings_towards(Surroundings s, vec3 w) {

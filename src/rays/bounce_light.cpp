@@ -15,6 +15,8 @@
 namespace burnish {
 namespace {
 
+constexpr int kSkyLamps = 64;
+constexpr float kMostSkyRatio = 4.0f;
 constexpr std::size_t kPointsOfTask = 64;  // points a task
 // Rays of all points together that carry light: a second of two cores.
 constexpr std::size_t kMostBounceRays = 3'000'000;
@@ -54,7 +56,7 @@ struct HitSums {
     }
 
     f32::Surroundings fit() const {
-        f32::Surroundings s{};
+        f32::Surroundings s{{}, {}, 1.0f};
         if (!(count > 0.0f) || !(luminance > 0.0f)) return s;
         const glm::vec3 middle = direction / count;
         const float mean = luminance / count;
@@ -82,16 +84,48 @@ BounceLight::BounceLight(const BounceScene& scene, const SceneLight& light, int 
       step_(scene.hits.count() * static_cast<std::size_t>(bounces) / kMostBounceRays + 1),
       sky_(scene.mesh.points(), glm::vec3(0.0f)),
       lamps_(scene.mesh.points(), glm::vec3(0.0f)) {
+    const std::vector<EnvironmentLookup::SkyLamp> sky_lamps = environment_.lamps(kSkyLamps);
     for_points(scene.mesh.points(), "light", progress, [&](std::uint32_t point) {
-        const f32::vec3 n = to_f32(scene_.mesh.normal(point));
-        const f32::Harmonics& blocked = scene_.blocked[point];
-        const glm::vec3 open = to_glm(f32::open_direction(blocked, n));
-        const float length = glm::length(open);
-        if (length > 0.0f)
-            sky_[point] =
-                (1.0f - f32::blocked_about(blocked, n)) * environment_.irradiance(open / length);
+        sky_[point] = sky_at(point, sky_lamps);
         lamps_[point] = lamps_at(point, light);
     });
+}
+
+// By the lamps that rays do not find blocked. The lamps of a smooth environment are few for it: what they find is
+// taken as a ratio to their own sum without shadows.
+glm::vec3 BounceLight::sky_at(std::uint32_t point,
+                              std::span<const EnvironmentLookup::SkyLamp> sky_lamps) const {
+    const glm::vec3 normal = scene_.mesh.normal(point);
+    const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, 1.0f);
+    glm::vec3 reached(0.0f), all(0.0f);
+    for (std::size_t i = 0; i < sky_lamps.size(); ++i) {
+        const float cosine = glm::dot(normal, sky_lamps[i].direction);
+        if (!(cosine > 0.0f)) continue;
+        const glm::vec3 light = sky_lamps[i].irradiance * cosine;
+        all += light;
+        const RayOrigins::Start start = origins.at(i, sky_lamps[i].direction);
+        if (!start.found ||
+            !scene_.rays.is_blocked({start.origin, sky_lamps[i].direction, 0.0f, 0.0f}))
+            reached += light;
+    }
+    if (!(luminance_of(all) > 0.0f))
+        return (1.0f - f32::blocked_about(scene_.blocked[point], to_f32(normal))) *
+               environment_.irradiance(normal);
+    return environment_.irradiance(normal) * reached / glm::max(all, glm::vec3(1e-20f));
+}
+
+float BounceLight::sky_ratio(std::uint32_t point) const {
+    const f32::vec3 n = to_f32(scene_.mesh.normal(point));
+    const f32::Harmonics& blocked = scene_.blocked[point];
+    const glm::vec3 open = to_glm(f32::open_direction(blocked, n));
+    const float length = glm::length(open);
+    if (!(length > 0.0f) || !(blocked.mean > 0.0f)) return 1.0f;
+    const glm::vec3 shown =
+        (1.0f - f32::blocked_about(blocked, n)) * environment_.irradiance(open / length);
+    // 1e-3 of the open sky: what is darker has no ratio that matters.
+    const float least = 1e-3f * luminance_of(environment_.irradiance(to_glm(n))) + 1e-20f;
+    return std::clamp((luminance_of(sky_[point]) + least) / (luminance_of(shown) + least), 0.0f,
+                      kMostSkyRatio);
 }
 
 glm::vec3 BounceLight::lamps_at(std::uint32_t point, const SceneLight& light) const {
@@ -142,7 +176,7 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
     }
     const float length = glm::length(normal);
     normal = length > 0.0f ? normal / length : glm::normalize(hit.normal);
-    const f32::Surroundings around{to_f32(color), to_f32(slope)};
+    const f32::Surroundings around{to_f32(color), to_f32(slope), 1.0f};
     const float share = f32::blocked_about(blocked, to_f32(normal));
     const glm::vec3 all =
         sky + lamps + to_glm(f32::surroundings_about(around, share, to_f32(normal)));
@@ -158,7 +192,8 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
 f32::Surroundings BounceLight::surroundings_of(std::uint32_t point,
                                                std::span<const f32::Surroundings> before) const {
     const glm::vec3 normal = scene_.mesh.normal(point);
-    if (!(scene_.blocked[point].mean > 0.0f) || glm::dot(normal, normal) == 0.0f) return {};
+    if (!(scene_.blocked[point].mean > 0.0f) || glm::dot(normal, normal) == 0.0f)
+        return {{}, {}, 1.0f};
     HitSums sums;
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         if (side == 1 && !scene_.mesh.is_double_sided(point)) break;

@@ -39,7 +39,12 @@ class BounceLight {
     std::vector<f32::Surroundings> bounce(std::span<const f32::Surroundings> before,
                                           const Progress& progress) const;
 
+    // Surroundings::sky of a point.
+    float sky_ratio(std::uint32_t point) const;
+
   private:
+    glm::vec3 sky_at(std::uint32_t point,
+                     std::span<const EnvironmentLookup::SkyLamp> sky_lamps) const;
     glm::vec3 lamps_at(std::uint32_t point, const SceneLight& light) const;
     glm::vec3 radiance_of(const RayHit& hit, const glm::vec3& direction,
                           std::span<const f32::Surroundings> before) const;

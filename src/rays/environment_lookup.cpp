@@ -5,6 +5,9 @@
 #include <glm/common.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "rays/vectors.hpp"
+#include "scene/light/cube_map.hpp"
+
 namespace burnish {
 namespace {
 
@@ -21,6 +24,17 @@ EnvironmentLookup::EnvironmentLookup(const PreparedEnvironment* environment, flo
     for (const HalfCube& level : environment->radiance)
         if (level.size <= kFinest) radiance_.push_back(cube_of(level, scale));
     irradiance_ = cube_of(environment->irradiance, scale);
+    const Cube& finest = radiance_.front();
+    for (std::size_t i = 0; i < finest.texels.size(); ++i) {
+        const int index = static_cast<int>(i), size = finest.size;
+        const int row = index / size % size, column = index % size;
+        const glm::vec3 d =
+            cube_direction(index / (size * size), (column + 0.5) / size, (row + 0.5) / size);
+        // Back from the environment to the world.
+        texels_.push_back(
+            {{cos_ * d.x + sin_ * d.z, d.y, cos_ * d.z - sin_ * d.x},
+             finest.texels[i] * static_cast<float>(cube_texel_solid_angle(size, row, column))});
+    }
 }
 
 EnvironmentLookup::Cube EnvironmentLookup::cube_of(const HalfCube& half, float scale) const {
@@ -75,6 +89,29 @@ glm::vec3 EnvironmentLookup::radiance(const glm::vec3& direction, float alpha) c
            radiance_[level].size > 4)
         ++level;
     return at(radiance_[level], direction);
+}
+
+std::vector<EnvironmentLookup::SkyLamp> EnvironmentLookup::lamps(int count) const {
+    const auto luminance_of = [](const SkyLamp& texel) {
+        return f32::luminance(to_f32(texel.irradiance));
+    };
+    double total = 0.0;
+    for (const SkyLamp& texel : texels_) total += static_cast<double>(luminance_of(texel));
+    std::vector<SkyLamp> lamps;
+    if (!(total > 0.0)) return lamps;
+    // One lamp for every equal share of the sum, in the order of the texels, half a share from its start.
+    const double share = total / count;
+    double sum = 0.0, next = 0.5 * share;
+    for (const SkyLamp& texel : texels_) {
+        const auto own = static_cast<double>(luminance_of(texel));
+        sum += own;
+        int times = 0;
+        for (; next < sum; next += share) ++times;
+        if (times == 0) continue;
+        const auto scale = static_cast<float>(times * share / own);
+        lamps.push_back({texel.direction, texel.irradiance * scale});
+    }
+    return lamps;
 }
 
 glm::vec3 EnvironmentLookup::irradiance(const glm::vec3& normal) const {

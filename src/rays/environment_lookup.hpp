@@ -16,6 +16,12 @@ class EnvironmentLookup {
     bool is_dark() const { return irradiance_.texels.empty(); }
     // The mean radiance that a lobe of roughness alpha about the unit direction sees.
     glm::vec3 radiance(const glm::vec3& direction, float alpha) const;
+    // The environment as at most `count` lights of equal luminance, directions towards them: bright parts have many.
+    struct SkyLamp {
+        glm::vec3 direction{0.0f};   // unit, world
+        glm::vec3 irradiance{0.0f};  // of a surface that faces it
+    };
+    std::vector<SkyLamp> lamps(int count) const;
     // Irradiance over pi of a surface of this unit normal.
     glm::vec3 irradiance(const glm::vec3& normal) const;
 
@@ -29,6 +35,7 @@ class EnvironmentLookup {
 
     std::vector<Cube> radiance_;  // from fine to coarse
     Cube irradiance_;
+    std::vector<SkyLamp> texels_;  // of the finest cube, with the irradiance by each
     float cos_ = 1.0f, sin_ = 0.0f;
 };
 

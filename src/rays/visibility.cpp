@@ -29,7 +29,7 @@ constexpr int kFewestRays = 16;
 constexpr double kMostRays = 1.5e7;
 // Edges are split until they are shorter than this part of the scene's diagonal, and where visibility changes
 // fast until they are shorter than the second.
-constexpr float kCoarseEdges = 1.0f / 32.0f, kFineEdges = 1.0f / 1000.0f;
+constexpr float kCoarseEdges = 1.0f / 64.0f, kFineEdges = 1.0f / 1000.0f;
 // The root mean square over all directions of the difference of blocked shares from which on it changes fast:
 // above what rays leave to chance.
 constexpr float kFastChange = 0.12f;
@@ -79,14 +79,8 @@ std::array<std::uint16_t, 8> packed(const f32::Surroundings& s) {
         return glm::packHalf1x16(std::isfinite(value) ? std::clamp(value, -60000.0f, 60000.0f)
                                                       : 0.0f);
     };
-    return {half(s.color.x),
-            half(s.color.y),
-            half(s.color.z),
-            half(s.slope.x),
-            half(s.slope.y),
-            half(s.slope.z),
-            0,
-            0};
+    return {half(s.color.x), half(s.color.y), half(s.color.z),    half(s.slope.x),
+            half(s.slope.y), half(s.slope.z), half(s.sky - 1.0f), 0};
 }
 
 // The mean of an attribute of the parents of a vertex.
@@ -239,6 +233,22 @@ struct VisibilityFinder::Impl {
         blocked = std::move(next);
     }
 
+    // The ratio of the sky, which shadows make differ more than chance does.
+    void smooth_sky(std::vector<f32::Surroundings>& around) const {
+        const NearPoints near(mesh, fans, kSmoothing * diagonal);
+        std::vector<float> next(around.size());
+        for_points(near, [&](std::uint32_t point, std::span<const NearPoints::Near> found) {
+            float sum = around[point].sky, weights = 1.0f;
+            for (const NearPoints::Near& other : found) {
+                const float weight = other.weight * likeness(point, other.point, kAlike);
+                sum += around[other.point].sky * weight;
+                weights += weight;
+            }
+            next[point] = sum / weights;
+        });
+        for (std::size_t i = 0; i < next.size(); ++i) around[i].sky = next[i];
+    }
+
     // The light of surroundings from near points that see alike: what blocks more is known by more rays.
     void smooth(std::vector<f32::Surroundings>& around) const {
         const NearPoints near(mesh, fans, kLightSmoothing * diagonal);
@@ -246,7 +256,8 @@ struct VisibilityFinder::Impl {
         for_points(near, [&](std::uint32_t point, std::span<const NearPoints::Near> found) {
             // 1e-6: a point that nothing blocks takes the light of its neighbors.
             float weights = blocked[point].mean + 1e-6f;
-            f32::Surroundings sum{around[point].color * weights, around[point].slope * weights};
+            f32::Surroundings sum{around[point].color * weights, around[point].slope * weights,
+                                  0.0f};
             for (const NearPoints::Near& other : found) {
                 const float weight =
                     blocked[other.point].mean * other.weight * likeness(point, other.point, kAlike);
@@ -254,7 +265,8 @@ struct VisibilityFinder::Impl {
                 sum.slope = sum.slope + around[other.point].slope * weight;
                 weights += weight;
             }
-            next[point] = {sum.color * (1.0f / weights), sum.slope * (1.0f / weights)};
+            next[point] = {sum.color * (1.0f / weights), sum.slope * (1.0f / weights),
+                           around[point].sky};
         });
         around = std::move(next);
     }
@@ -337,7 +349,6 @@ std::shared_ptr<const Visibility> VisibilityFinder::lit(const SceneLight& light,
                                                         const Progress& progress) {
     if (bounces < 0 || bounces > 8)
         throw Error("visibility", "bounces", "0 to 8", std::to_string(bounces));
-    if (bounces == 0) return visibility();
     // Rays that carry light end on the triangles that the points belong to.
     if (!impl_->split_rays) impl_->split_rays.emplace(impl_->mesh.meshes());
     const BounceScene scene{impl_->mesh,    impl_->fans, *impl_->split_rays, impl_->materials,
@@ -345,6 +356,9 @@ std::shared_ptr<const Visibility> VisibilityFinder::lit(const SceneLight& light,
     const BounceLight direct(scene, light, bounces, progress);
     std::vector<f32::Surroundings> around;
     for (int i = 0; i < bounces; ++i) around = direct.bounce(around, progress);
+    around.resize(impl_->mesh.points(), {{}, {}, 1.0f});
+    for (std::uint32_t i = 0; i < around.size(); ++i) around[i].sky = direct.sky_ratio(i);
+    impl_->smooth_sky(around);
     for (int i = 0; i < kLightRounds; ++i) impl_->smooth(around);
     return std::make_shared<const Visibility>(impl_->lit_by(around));
 }
