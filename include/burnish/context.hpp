@@ -15,6 +15,7 @@ namespace burnish {
 namespace BURNISH_API gpu {
 
 class AlbedoTables;
+class ClothStore;
 class ProgramCache;
 
 struct DeviceInfo {
@@ -74,6 +75,7 @@ class Context {
     // What all renderers of the context share: each program is compiled once, each table made once.
     ProgramCache& programs() const { return *programs_; }
     AlbedoTables& albedos() const { return *albedos_; }
+    ClothStore& cloths() const { return *cloths_; }
 
   private:
     struct Handles;
@@ -90,6 +92,7 @@ class Context {
     int max_texture_size_ = 0;
     std::unique_ptr<ProgramCache> programs_;
     std::unique_ptr<AlbedoTables> albedos_;
+    std::unique_ptr<ClothStore> cloths_;
 };
 
 }  // namespace gpu

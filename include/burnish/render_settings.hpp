@@ -80,6 +80,9 @@ struct RenderSettings {
     bool shadows = true;                // of punctual lights; they are never darkened otherwise
     bool ground = false;                // a shadow on the plane under the scene (ground.hpp)
     bool visibility = true;             // what Renderer::set_visibility was given is taken into account
+    // For who finds it (burnish/visibility.hpp); a renderer does not read them.
+    int bounces = 2;
+    int visibility_rays = 256;
     // For pictures that are displayed: the radiance from which on a color is as good as white. A sample
     // with a brighter channel gets the weight limit / brightest, so that it neither sparkles nor leaves
     // an edge jagged. That darkens only pixels with such samples. 0: the plain mean, which keeps energy,

@@ -117,6 +117,10 @@ class Renderer {
     // All of them, as many as there are.
     void set_materials(const std::vector<Material>& materials, const Progress& progress = {});
 
+    // Woven materials that were drawn with coarse means of their yarns (ClothStore) take full ones, where
+    // they are there by now.
+    void refine_cloths();
+
     // A texture is uploaded when a material uses it, in each form that materials read it in.
     int add_texture(Texture texture);
     void update_texture(int id, Texture texture, const Progress& progress = {});

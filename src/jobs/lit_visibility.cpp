@@ -9,12 +9,12 @@ LitVisibility::LitVisibility(const Stage& stage,
                              const Progress& progress)
     : environment_(std::move(environment)),
       intensity_(stage.settings.environment_intensity),
-      bounces_(stage.values.integer("bounces")) {
+      bounces_(stage.settings.bounces) {
     const bool lit =
         environment_ && intensity_ > 0.0f && stage.settings.image_light != ImageLight::off;
     if (!lit || !stage.settings.visibility) return;
     VisibilitySettings settings;
-    settings.rays = stage.values.integer("visibility_rays");
+    settings.rays = stage.settings.visibility_rays;
     finder_.emplace(stage.scene, settings, progress);
     warnings_ = finder_->visibility()->warnings;
 }

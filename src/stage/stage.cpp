@@ -107,6 +107,8 @@ RenderSettings render_settings(const ParameterValues& values) {
     settings.shadows = values.boolean("shadows");
     settings.ground = values.boolean("ground");
     settings.visibility = values.boolean("visibility");
+    settings.bounces = values.integer("bounces");
+    settings.visibility_rays = values.integer("visibility_rays");
     settings.environment_intensity = static_cast<float>(values.real("environment_intensity"));
     settings.environment_rotation =
         static_cast<float>(glm::radians(values.real("environment_rotation")));

@@ -155,6 +155,15 @@ TEST(Autosave, ARecoveredSceneHasItsFormerNameUntilItIsSaved) {
     EXPECT_FALSE(scene_name(document, load_stage(document)).recovered);
 }
 
+TEST(Autosave, SavingProposesTheNameOfTheSceneThatIsRecovered) {
+    EXPECT_EQ(proposed_scene_file({"/rooms/lamp.json", true}), "/rooms/lamp.json");
+    EXPECT_EQ(proposed_scene_file({"/rooms/lamp.json", false}), "/rooms/lamp.json");
+    // A model is never written over.
+    EXPECT_EQ(proposed_scene_file({"/models/part.v2.glb", true}), "/models/part.v2.json");
+    EXPECT_EQ(proposed_scene_file({"builtin:torus", true}), "scene.json");
+    EXPECT_EQ(proposed_scene_file({}), "scene.json");
+}
+
 TEST(Autosave, ANumberOfAProcessThatIsUsedAgainDoesNotHideAScene) {
     const ScratchFolder folder;
     // This process lives, but it did not start at 1.

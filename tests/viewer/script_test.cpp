@@ -53,6 +53,16 @@ TEST(ViewerScript, EveryCommandIsRead) {
     EXPECT_EQ(only<MoveCommand>("move 3 4").y, 4.0);
     EXPECT_TRUE(only<ClickCommand>("click 3 4 shift").shift);
     EXPECT_FALSE(only<ClickCommand>("click 3 4").shift);
+    EXPECT_EQ(only<MouseCommand>("mouse left 3 4").frames, 3);
+    EXPECT_EQ(only<MouseCommand>("mouse left 3 4 60").frames, 60);
+    const auto mouse = only<MouseCommand>("mouse right 3 -4 shift 5");
+    EXPECT_EQ(mouse.button, 1);
+    EXPECT_EQ(mouse.dy, -4.0);
+    EXPECT_EQ(mouse.modifier, "shift");
+    EXPECT_EQ(mouse.frames, 5);
+    EXPECT_EQ(only<TypeCommand>("type \"two words\"").text, "two words");
+    EXPECT_FALSE(only<TypeCommand>("type 0.3").enter);
+    EXPECT_TRUE(only<TypeCommand>("type 0.3 enter").enter);
     EXPECT_EQ(only<KeyCommand>("key ctrl+z").keys, "ctrl+z");
     EXPECT_EQ(only<WaitCommand>("wait 12").amount, 12.0);
     EXPECT_EQ(only<WaitCommand>("wait rest").kind, WaitKind::rest);

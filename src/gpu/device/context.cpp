@@ -10,6 +10,7 @@
 
 #include "burnish/error.hpp"
 #include "gpu/device/albedo_tables.hpp"
+#include "gpu/device/cloth_store.hpp"
 #include "gpu/device/gl.hpp"
 #include "gpu/device/program.hpp"
 
@@ -272,6 +273,7 @@ void Context::describe() {
     programs_ = std::make_unique<ProgramCache>(is_es_ ? ShaderDialect::es300 : ShaderDialect::gl330,
                                                has_extension("GL_KHR_parallel_shader_compile"));
     albedos_ = std::make_unique<AlbedoTables>();
+    cloths_ = std::make_unique<ClothStore>();
 }
 
 Context::Context(Adopt) : adopted_(current_context()) {

@@ -8,6 +8,7 @@
 #include "burnish/error.hpp"
 #include "burnish/f32.hpp"
 #include "burnish/shading_names.hpp"
+#include "gpu/device/cloth_store.hpp"
 #include "gpu/draw/material_state.hpp"
 
 namespace burnish::gpu {
@@ -43,11 +44,12 @@ MaterialSlot DeviceScene::make_slot(const Material& any, TextureStore::Slots& te
     slot.full = variant_of(material, textures, true);
     slot.flat = variant_of(material, textures, false);
     if (cloth_of(material) != nullptr) {
+        progress.step("weaves", 0.0);
+        const ClothStore::Means means = context_.cloths().require(cloth_lobe_of(material));
         for (const MaterialSlot& other : materials_)
-            if (other.cloth && other.cloth->serves(material)) slot.cloth = other.cloth;
+            if (other.cloth && other.cloth->serves(material, means)) slot.cloth = other.cloth;
         if (!slot.cloth) {
-            progress.step("weaves", 0.0);
-            slot.cloth = std::make_shared<const ClothMaps>(material);
+            slot.cloth = std::make_shared<const ClothMaps>(material, means);
             ++uploads_.cloths;
         }
     }
@@ -236,6 +238,16 @@ void DeviceScene::update_material(int id, const Material& material, const Progre
     textures_.set_slots(std::move(textures));
     slot = std::move(fresh);
     std::erase_if(under_methods_, [id](const auto& entry) { return entry.first.first == id; });
+}
+
+void DeviceScene::refine_cloths() {
+    const auto coarse = [](const MaterialSlot& slot) {
+        return slot.cloth && slot.cloth->is_coarse();
+    };
+    std::erase_if(under_methods_, [&](const auto& entry) { return coarse(entry.second); });
+    TextureStore::Slots textures = textures_.slots();
+    for (MaterialSlot& slot : materials_)
+        if (coarse(slot)) slot = make_slot(slot.material, textures, {});
 }
 
 MaterialSlot& DeviceScene::material(int id, std::optional<Method> method) {

@@ -65,6 +65,8 @@ class DeviceScene {
     void set_lights(std::span<const Light> lights);
     void update_materials(std::span<const Material> materials, const Progress& progress);  // all
     void update_material(int id, const Material& material, const Progress& progress);
+    // Those with coarse means take full ones, where the context's store has them now.
+    void refine_cloths();
     int add_material(const Material& material, const Progress& progress);
     int add_texture(Texture texture);
     void update_texture(int id, Texture texture, const Progress& progress);

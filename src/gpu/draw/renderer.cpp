@@ -291,6 +291,10 @@ void Renderer::set_materials(const std::vector<Material>& materials, const Progr
     impl_->edit([&](DeviceScene& s) { s.update_materials(materials, progress); });
 }
 
+void Renderer::refine_cloths() {
+    impl_->edit([&](DeviceScene& s) { s.refine_cloths(); });
+}
+
 int Renderer::add_texture(Texture texture) {
     return impl_->edit([&](DeviceScene& s) { return s.add_texture(std::move(texture)); });
 }

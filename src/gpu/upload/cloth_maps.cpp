@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "burnish/draft.hpp"
 #include "burnish/error.hpp"
@@ -54,15 +55,15 @@ void upload_cells(GLuint texture, const Draft& draft) {
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void upload_lobes(GLuint texture, std::initializer_list<const WeaveMean*> means) {
+void upload_lobes(GLuint texture, const ClothMeans& means) {
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     std::vector<std::array<float, 4>> texels;
-    for (const WeaveMean* mean : means)
+    for (const WeaveMean* mean : {&means.weft, &means.warp})
         texels.insert(texels.end(), mean->table.begin(), mean->table.end());
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, kWeaveTableSide, kWeaveTableSide,
-                 static_cast<GLsizei>(means.size()), 0, GL_RGBA, GL_FLOAT, texels.data());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, means.weft.side, means.weft.side, 2, 0,
+                 GL_RGBA, GL_FLOAT, texels.data());
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     for (const GLenum name :
          std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -76,14 +77,11 @@ glm::vec3 base_of(const Material& m) {
     return glm::vec3(m.base_color);
 }
 
-// Whether the maps of one material serve the other.
-bool same_cloth(const Material& a, const Material& b) {
+// Whether the levels of one cloth serve the other.
+bool same_levels(const Material& a, const Material& b) {
     const Cloth &c = *cloth_of(a), &d = *cloth_of(b);
-    return c.draft == d.draft && c.crimp == d.crimp && c.bulge == d.bulge && c.gap == d.gap &&
-           c.twist == d.twist && c.fuzz == d.fuzz && c.warp_color == d.warp_color &&
-           c.weft_color == d.weft_color && alpha_of(a) == alpha_of(b) && a.mdf == b.mdf &&
-           a.brdf == b.brdf && a.method == b.method && a.conserve == b.conserve &&
-           a.anisotropy_rotation == b.anisotropy_rotation && base_of(a) == base_of(b);
+    return c.draft == d.draft && c.gap == d.gap && c.warp_color == d.warp_color &&
+           c.weft_color == d.weft_color && base_of(a) == base_of(b);
 }
 
 glm::vec4 lobe_words(const f32::Lobe& lobe) {
@@ -104,11 +102,20 @@ bool has_yarn_colors(const Cloth& cloth) {
            (!cloth.weft_color && !d.weft_colors.empty());
 }
 
-bool ClothMaps::serves(const Material& material) const {
-    return same_cloth(material_, material);
+ClothLobe cloth_lobe_of(const Material& m) {
+    const Cloth& cloth = *cloth_of(m);
+    const WeaveLobe lobe{static_cast<int>(m.brdf), lobe_of(m), static_cast<int>(drawn_method(m)),
+                         m.conserve, turn_of(m)};
+    return {weave_families(*cloth.draft), shape_of(cloth), lobe};
 }
 
-ClothMaps::ClothMaps(const Material& m) : material_(m) {
+bool ClothMaps::serves(const Material& material,
+                       const std::shared_ptr<const ClothMeans>& means) const {
+    return means_ == means && same_levels(material_, material);
+}
+
+ClothMaps::ClothMaps(const Material& m, std::shared_ptr<const ClothMeans> means)
+    : material_(m), means_(std::move(means)) {
     const Cloth& cloth = *cloth_of(m);
     const Draft& draft = *cloth.draft;
     GLint most = 0;
@@ -126,18 +133,11 @@ ClothMaps::ClothMaps(const Material& m) : material_(m) {
     upload_cells(cells_.get(), draft);
     upload_levels(weft_.get(), levels, false);
     upload_levels(warp_.get(), levels, true);
-    const WeaveLobe lobe{static_cast<int>(m.brdf), lobe_of(m), static_cast<int>(drawn_method(m)),
-                         m.conserve, turn_of(m)};
-    const WeaveFamilies families = weave_families(draft);
-    weft_mean_ = weave_mean(families.weft, shape_of(cloth), lobe);
-    warp_mean_ = weave_mean(families.warp, shape_of(cloth), lobe);
-    upload_lobes(lobes_.get(), {&weft_mean_, &warp_mean_});
+    upload_lobes(lobes_.get(), *means_);
+    const f32::Lobe lobe = lobe_of(m);
     int layer = 0;
-    for (WeaveMean* mean : {&weft_mean_, &warp_mean_}) {
-        mean->table.clear();
-        wide_lobe_[layer++] =
-            lobe_words(f32::widen_lobe(lobe.lobe, mean->variance.x, mean->variance.y));
-    }
+    for (const WeaveMean* mean : {&means_->weft, &means_->warp})
+        wide_lobe_[layer++] = lobe_words(f32::widen_lobe(lobe, mean->variance.x, mean->variance.y));
     check_gl("uploading a weave");
 }
 
@@ -151,7 +151,7 @@ void ClothMaps::bind(Program& program, const Material& m) const {
     program.set("u_weave_yarns", cloth.yarns);
     program.set("u_weave_shape", glm::vec3(cloth.crimp, cloth.bulge, cloth.gap));
     program.set("u_weave_twist", glm::vec2(turn.x, turn.y));
-    const WeaveMean* means[] = {&weft_mean_, &warp_mean_};
+    const WeaveMean* means[] = {&means_->weft, &means_->warp};
     std::array<glm::vec3, 2> nodes, widths;
     for (std::size_t i = 0; i < 2; ++i) {
         nodes[i] = means[i]->node;

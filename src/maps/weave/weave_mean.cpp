@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/parallel.hpp"
 
@@ -82,47 +83,69 @@ std::array<float, 4> texel_at(std::span<const Facet> facets, const WeaveLobe& lo
 
 }  // namespace
 
-WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe) {
+WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe,
+                     WeaveDetail detail) {
     const std::vector<Facet> facets = facets_of(slopes, lobe);
     WeaveMean mean;
     set_moments(facets, mean);
     mean.width = widths_of(lobe, mean.variance);
     mean.peak = 1.0f / (2.0f * f32::kPi * mean.width.x * mean.width.y);
-    constexpr auto kSide = static_cast<std::size_t>(kWeaveTableSide);
-    mean.table.resize(kSide * kSide);
-    const auto slope = [](std::size_t i, float width) {
-        const float c = static_cast<float>(2 * i + 1) / static_cast<float>(kSide) - 1.0f;
+    mean.side = weave_table_side(detail);
+    const auto side = static_cast<std::size_t>(mean.side);
+    mean.table.resize(side * side);
+    const auto slope = [side](std::size_t i, float width) {
+        const float c = static_cast<float>(2 * i + 1) / static_cast<float>(side) - 1.0f;
         return f32::weave_table_slope(c, width);
     };
     // h and -h have the same mean with mirrored normals, because slopes come in pairs.
-    parallel_for(kSide * kSide / 2, kSide, [&](std::size_t begin, std::size_t end) {
+    parallel_for(side * side / 2, side, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const vec3 h = f32::normalize(
-                vec3(slope(i % kSide, mean.width.x), slope(i / kSide, mean.width.y), 1.0f));
+                vec3(slope(i % side, mean.width.x), slope(i / side, mean.width.y), 1.0f));
             const std::array<float, 4> texel = texel_at(facets, lobe, h, mean.peak);
             mean.table[i] = texel;
-            mean.table[kSide * kSide - 1 - i] = {texel[0], -texel[1], -texel[2], texel[3]};
+            mean.table[side * side - 1 - i] = {texel[0], -texel[1], -texel[2], texel[3]};
         }
     });
     return mean;
 }
 
-WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape,
-                     const WeaveLobe& lobe) {
+WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape, const WeaveLobe& lobe,
+                     WeaveDetail detail) {
     const float ax = f32::lobe_alpha_x(lobe.lobe), ay = f32::lobe_alpha_y(lobe.lobe);
     const float least = std::min(ax, ay);  // the twist may rotate either axis onto the yarn
     const float across = 2 * shape.bulge / std::sqrt(1 - shape.bulge * shape.bulge);
     const float along = 2 * f32::kPi * shape.crimp;
-    // Two steps per alpha. The largest numbers take half a second on two cores.
+    // Two steps per alpha, or one. The largest numbers take half a second on two cores, those of a coarse
+    // mean a few milliseconds: its table has a ninth of the texels, each the mean over a sixteenth of the
+    // slopes.
+    const bool full = detail == WeaveDetail::full;
     const auto steps = [&](float range, int most) {
-        return std::clamp(static_cast<int>(std::ceil(2 * range / least)), 4, most);
+        const float each = full ? 0.5f * least : least;
+        return std::clamp(static_cast<int>(std::ceil(range / each)), 4, most);
     };
-    const int n = steps(across, 32), m = steps(along, 24);
+    const int n = steps(across, full ? 32 : 8), m = steps(along, full ? 24 : 6);
     // Lobes are widened by the variance of a step; otherwise the steps would show for narrow lobes.
     const float da = across / static_cast<float>(n), db = along / static_cast<float>(2 * m);
     WeaveLobe wide = lobe;
     wide.lobe = f32::widen_lobe(lobe.lobe, db * db / 12, da * da / 12);
-    return weave_mean(weave_slopes(family, shape, n, m), wide);
+    return weave_mean(weave_slopes(family, shape, n, m), wide, detail);
+}
+
+bool ClothLobe::operator==(const ClothLobe& other) const {
+    const auto words = [](const ClothLobe& c) {
+        const WeaveLobe& l = c.lobe;
+        return std::tuple(c.families.weft.upper, c.families.weft.bends, c.families.warp.upper,
+                          c.families.warp.bends, c.shape.crimp, c.shape.bulge, c.shape.gap, l.brdf,
+                          l.method, l.conserve, l.twist.x, l.twist.y, l.lobe.mdf, l.lobe.p0,
+                          l.lobe.p1, l.lobe.paper_norm, l.lobe.projected_norm);
+    };
+    return words(*this) == words(other);
+}
+
+ClothMeans cloth_means(const ClothLobe& c, WeaveDetail detail) {
+    return {weave_mean(c.families.weft, c.shape, c.lobe, detail),
+            weave_mean(c.families.warp, c.shape, c.lobe, detail), detail};
 }
 
 }  // namespace burnish

@@ -13,7 +13,12 @@
 
 namespace burnish {
 
-inline constexpr int kWeaveTableSide = 96;
+// Of the table, and of the samples of the surface that it is a mean over. Coarse: for pictures in motion, in
+// a thirtieth of the time or less where the full one takes long.
+enum class WeaveDetail { full, coarse };
+constexpr int weave_table_side(WeaveDetail detail) {
+    return detail == WeaveDetail::full ? 96 : 32;
+}
 
 // The lobe on every point of the surface, its x axis along the fibers.
 struct WeaveLobe {
@@ -30,6 +35,7 @@ struct WeaveMean {
     // `width`, texel i at coordinate (2 i + 1)/side - 1. A texel holds the mean over the surface of
     // brdf_lobe_factor, divided by `peak`, and x, y of the mean normal weighted by it.
     std::vector<std::array<float, 4>> table;
+    int side = 0;
     glm::vec2 width{1.0f};
     float peak = 1.0f;
     // Normals for the cosines: root mean squares along and across, and the mean of z.
@@ -38,10 +44,24 @@ struct WeaveMean {
 };
 
 // An empty `slopes` gives a table of zeros. The same on any number of threads.
-WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe);
+WeaveMean weave_mean(std::span<const WeaveSlope> slopes, const WeaveLobe& lobe,
+                     WeaveDetail detail = WeaveDetail::full);
 
 // As above, with a number of slopes that suits the width of the lobe.
-WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape,
-                     const WeaveLobe& lobe);
+WeaveMean weave_mean(const WeaveFamily& family, const f32::WeaveShape& shape, const WeaveLobe& lobe,
+                     WeaveDetail detail = WeaveDetail::full);
+
+// All that the means of a cloth depend on.
+struct ClothLobe {
+    WeaveFamilies families;
+    f32::WeaveShape shape{};
+    WeaveLobe lobe;
+    bool operator==(const ClothLobe& other) const;
+};
+struct ClothMeans {
+    WeaveMean weft, warp;
+    WeaveDetail detail = WeaveDetail::full;
+};
+ClothMeans cloth_means(const ClothLobe& lobe, WeaveDetail detail);
 
 }  // namespace burnish

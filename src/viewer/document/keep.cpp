@@ -226,6 +226,11 @@ SceneName scene_name(const Document& document, const Stage& stage) {
     return {document.input, false};
 }
 
+std::string proposed_scene_file(const SceneName& scene) {
+    if (scene.path.empty() || is_builtin(scene.path)) return "scene.json";
+    return fs::path(scene.path).replace_extension(".json").string();
+}
+
 std::string text_of_offer(const LeftBehind& left) {
     const auto since = left.written - fs::file_time_type::clock::now();
     const std::time_t written = std::chrono::system_clock::to_time_t(

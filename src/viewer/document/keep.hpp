@@ -57,6 +57,10 @@ struct SceneName {
 // Never throws.
 SceneName scene_name(const Document& document, const Stage& stage);
 
+// The scene file that "Save scene" proposes: the scene itself, "part.json" beside a model "part.glb", else
+// scene.json in the present folder.
+std::string proposed_scene_file(const SceneName& scene);
+
 struct LeftBehind {
     std::filesystem::path file;  // a scene file
     std::filesystem::file_time_type written;

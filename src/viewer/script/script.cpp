@@ -127,7 +127,16 @@ Action read_mouse(WordReader& words) {
     command.button = words.one_of(kButtons, "a button");
     command.dx = read_place(words, "DX");
     command.dy = read_place(words, "DY");
-    command.modifier = read_modifier(words);
+    if (words.more() && !number_of(words.peek())) command.modifier = read_modifier(words);
+    if (words.more()) command.frames = words.whole("frames", 1, 100000);
+    return command;
+}
+
+Action read_type(WordReader& words) {
+    static constexpr std::array<Name, 1> kKeys = {"enter"};
+    TypeCommand command;
+    command.text = words.word("a text");
+    command.enter = words.more() && words.one_of(kKeys, "the key at the end") == 0;
     return command;
 }
 
@@ -293,6 +302,7 @@ constexpr VerbRow kVerbs[] = {
     {"click", read_click},
     {"mouse", read_mouse},
     {"scroll", read_scroll},
+    {"type", read_type},
     {"navigation", read_navigation},
     {"touchpad", read_touchpad},
     {"key", [](WordReader& w) -> Action { return KeyCommand{w.word("a key, such as ctrl+z")}; }},

@@ -64,12 +64,18 @@ struct ClickCommand {
     double x = 0, y = 0;
     bool shift = false;
 };
-// mouse BUTTON DX DY [MODIFIER]: from where the mouse is, a drag with left, right or middle
+// mouse BUTTON DX DY [MODIFIER] [FRAMES]: from where the mouse is, a drag with left, right or middle
 // scroll DX DY [MODIFIER]: steps of the wheel, or of two fingers
 struct MouseCommand {
     int button = 0;         // as ImGui has it; -1: scrolling
     double dx = 0, dy = 0;  // pixels, or steps
     std::string modifier;   // "", "shift", "ctrl" or "alt"
+    int frames = 3;         // over which the way is spread evenly, 1 to 100000; not of scrolling
+};
+// type TEXT [enter]: into the text field that has the keyboard, in place of what it holds
+struct TypeCommand {
+    std::string text;
+    bool enter = false;  // the key at the end
 };
 // navigation viewer|blender, touchpad on|off
 struct NavigationCommand {
@@ -208,11 +214,11 @@ struct QuitCommand {
 };
 
 using Action = std::variant<OpenCommand, SetCommand, UnsetCommand, LightCommand, EnvironmentCommand,
-                            DragCommand, MoveCommand, ClickCommand, MouseCommand, NavigationCommand,
-                            KeyCommand, WaitCommand, PickCommand, CompareCommand, ViewCommand,
-                            PanelCommand, GenerateCommand, SceneCommand, UndoCommand, RedoCommand,
-                            SaveCommand, TurntableCommand, ScreenshotCommand, ExpectCommand,
-                            LogCommand, ResizeCommand, QuitCommand>;
+                            DragCommand, MoveCommand, ClickCommand, MouseCommand, TypeCommand,
+                            NavigationCommand, KeyCommand, WaitCommand, PickCommand, CompareCommand,
+                            ViewCommand, PanelCommand, GenerateCommand, SceneCommand, UndoCommand,
+                            RedoCommand, SaveCommand, TurntableCommand, ScreenshotCommand,
+                            ExpectCommand, LogCommand, ResizeCommand, QuitCommand>;
 
 struct Command {
     int line = 0;      // from 1

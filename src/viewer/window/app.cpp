@@ -149,7 +149,9 @@ void App::set_parameter(std::string_view name, const ParameterValue& value) {
         viewer::set_parameter(d, name, value, own ? material : std::nullopt);
     });
     if (done && std::holds_alternative<std::string>(value)) say_taken_back(before);
-    last_motion_ = Clock::now();
+    // What is chosen shows at once as it is at rest, for which its programs were compiled (WarmUp); what is
+    // dragged moves.
+    if (!std::holds_alternative<ParameterChoice>(value)) last_motion_ = Clock::now();
 }
 
 void App::unset_parameter(std::string_view name) {
@@ -194,12 +196,14 @@ void App::after_change() {
 // --- once a frame ---------------------------------------------------------------------------------
 
 bool App::needs_frames() const {
-    return !at_rest() || turntable || generator.working() ||
+    const auto idles = [](const Picture& p) { return p.at_rest() || p.waits(); };
+    const bool idle = at_rest() || (idles(picture) && (!shows_second() || idles(second->picture)));
+    return !idle || turntable || generator.working() ||
            seconds_since(last_motion_) < kSettle_s + 0.1 || dragging_ != Drag::none;
 }
 
 bool App::needs_slow_frames() const {
-    return loader_.running() || picture.prepares() ||
+    return loader_.running() || picture.prepares() || picture.waits() ||
            document().compare.mode == CompareMode::blink || has_fresh_message() != message_shown_;
 }
 

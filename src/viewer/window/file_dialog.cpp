@@ -9,6 +9,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/turntable.hpp"
+#include "viewer/document/file_names.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -19,6 +20,7 @@ struct Dialog {
     std::string failed;
     bool opened = false;
     int turn = 0;  // what turns on a turntable
+    std::string parameter;
 };
 
 Dialog& dialog() {
@@ -44,6 +46,8 @@ const char* title_of(Ask ask) {
             return "Compare with a material of a file";
         case Ask::environment:
             return "Light the scene with an environment";
+        case Ask::value:
+            return "Choose a file or a folder";
         case Ask::none:
             break;
     }
@@ -58,6 +62,10 @@ void run_dialog(App& app, const Dialog& d) {
     if (d.ask == Ask::maps) return app.save_maps(d.path);
     if (d.ask == Ask::environment) return app.set_environment(d.path);
     if (d.ask == Ask::compared) return app.compare_with_file(d.path);
+    if (d.ask == Ask::value) {
+        app.set_parameter(d.parameter, absolute_name(d.path));
+        return app.editor.close_step();
+    }
     app.save_gltf(d.path);
 }
 
@@ -93,8 +101,8 @@ std::vector<std::string> completions(const std::string& path) {
 
 }  // namespace
 
-void ask_for(Ask ask, std::string path) {
-    dialog() = {ask, std::move(path), {}, true, 0};
+void ask_for(Ask ask, std::string path, std::string parameter) {
+    dialog() = {ask, std::move(path), {}, true, 0, std::move(parameter)};
 }
 
 bool is_asking() {
@@ -116,6 +124,11 @@ void draw_dialog(App& app) {
         return;
     }
     if (d.ask == Ask::turntable) draw_turns(d);
+    if (d.ask == Ask::value) {
+        std::string label = d.parameter;
+        std::ranges::replace(label, '_', ' ');
+        ImGui::TextDisabled("%s", label.c_str());
+    }
     if (d.opened) ImGui::SetKeyboardFocusHere();
     d.opened = false;
     ImGui::SetNextItemWidth(-1);
@@ -127,7 +140,8 @@ void draw_dialog(App& app) {
                 d.path = name;
     ImGui::EndChild();
     ImGui::TextColored({0.95f, 0.6f, 0.5f, 1}, "%s", d.failed.c_str());
-    const bool opens = d.ask == Ask::open || d.ask == Ask::compared || d.ask == Ask::environment;
+    const bool opens = d.ask == Ask::open || d.ask == Ask::compared || d.ask == Ask::environment ||
+                       d.ask == Ask::value;
     const bool pressed = ImGui::Button(opens ? "Open" : "Save", {100 * scale, 0});
     ImGui::SameLine();
     const bool cancelled = ImGui::Button("Cancel", {100 * scale, 0}) || !open ||

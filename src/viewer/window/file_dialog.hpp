@@ -9,10 +9,11 @@
 
 namespace burnish::viewer {
 
-enum class Ask { none, open, scene, picture, turntable, gltf, maps, compared, environment };
+enum class Ask { none, open, scene, picture, turntable, gltf, maps, compared, environment, value };
 
-// Shows the dialog from the next frame on, with `path` in its line.
-void ask_for(Ask ask, std::string path);
+// Shows the dialog from the next frame on, with `path` in its line. `parameter`: the one that a file is
+// chosen for (Ask::value).
+void ask_for(Ask ask, std::string path, std::string parameter = {});
 bool is_asking();
 void draw_dialog(App& app);
 

@@ -305,10 +305,7 @@ const std::vector<KeyBinding>& bindings() {
              (void)a;
          }},
         {"ctrl+s", "save the scene",
-         [](App& a) {
-             ask_for(Ask::scene, "scene.json");
-             (void)a;
-         }},
+         [](App& a) { ask_for(Ask::scene, proposed_scene_file(a.name_of_scene())); }},
         {"ctrl+p", "save the picture",
          [](App& a) {
              ask_for(Ask::picture, "picture.png");

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +21,7 @@
 #include "burnish/error.hpp"
 #include "burnish/version.hpp"
 #include "gpu/device/gl.hpp"
+#include "image/codecs.hpp"
 #include "viewer/window/panels.hpp"
 #include "viewer/window/script_runner.hpp"
 #include "viewer/window/theme.hpp"
@@ -136,12 +139,35 @@ WindowOptions size_of(const std::string& text) {
     return options;
 }
 
+// The codecs of pictures, which take a quarter of a second to load.
+void load_codecs() {
+    try {
+        codecs();
+    } catch (const Error&) {
+        // It is said where a picture is read.
+    }
+}
+
+// Large blocks go back to the system when they are freed. Otherwise glibc raises the size from which they do
+// with each one that is freed, and textures of models that were closed stay in its heaps.
+void give_back_memory() {
+#ifdef __GLIBC__
+    constexpr int kLarge = 1 << 20;  // a page fault costs less than what is done with so many bytes
+    mallopt(M_MMAP_THRESHOLD, kLarge);
+    mallopt(M_TRIM_THRESHOLD, kLarge);
+    mallopt(M_ARENA_MAX, 2);  // heaps; by default eight a processor
+#endif
+}
+
 void run(const Flags& flags) {
     std::vector<Command> commands;
     if (!flags.script.empty()) commands = load_script(flags.script);
     const std::filesystem::path state = flags.state == "none" ? std::filesystem::path{}
                                         : flags.state.empty() ? state_folder()
                                                               : std::filesystem::path(flags.state);
+    // While the window is made.
+    std::future<void> loading;
+    if (!flags.files.empty()) loading = std::async(std::launch::async, load_codecs);
     std::vector<std::string> ignored;
     WindowOptions options;
     // A script starts from the same window everywhere, unless it is given a state.
@@ -171,6 +197,7 @@ void run(const Flags& flags) {
 
 int main(int argc, char** argv) {
     using namespace burnish;
+    viewer::give_back_memory();
     viewer::Flags flags;
     CLI::App app(
         "The window in which highlights are judged: a model, a material or a scene, moved by hand.",

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "burnish/error.hpp"
+#include "gpu/device/cloth_store.hpp"
 #include "viewer/window/app_parts.hpp"
 
 namespace burnish::viewer {
@@ -21,6 +22,20 @@ constexpr double kQuiet_s = 0.5;  // at rest, before programs for changes are co
 constexpr double kRate = 30.0;    // frames a second that a moving picture holds
 // Shares of the resolution between which a moving picture chooses.
 constexpr std::array<double, 6> kScales = {1.0, 0.75, 0.55, 0.4, 0.3, 0.2};
+
+// In its scope nothing is drawn by coarse means of a cloth that was not before.
+class FullCloths {
+  public:
+    explicit FullCloths(gpu::Context& context) : context_(context) {
+        context_.cloths().prefer_coarse(false);
+    }
+    ~FullCloths() { context_.cloths().prefer_coarse(true); }
+    FullCloths(const FullCloths&) = delete;
+    FullCloths& operator=(const FullCloths&) = delete;
+
+  private:
+    gpu::Context& context_;
+};
 
 }  // namespace
 
@@ -57,7 +72,13 @@ struct Picture::Shown {
 };
 
 Picture::Picture(gpu::Context& context)
-    : context_(context), renderer_(std::make_unique<gpu::Renderer>(context)), warm_up_(context) {}
+    : context_(context),
+      renderer_(std::make_unique<gpu::Renderer>(context)),
+      cloths_(context),
+      warm_up_(context) {
+    // A change of a weave shows in the next frame.
+    context_.cloths().prefer_coarse(true);
+}
 
 Picture::~Picture() = default;
 
@@ -81,9 +102,11 @@ void Picture::follow(const Editor& editor) {
         }
         if (now.lights != before.lights) renderer_->set_lights(stage.scene.lights);
     }
-    if (first || now.environment != before.environment)
-        renderer_->set_environment(stage.environment.radiance.empty() ? nullptr
-                                                                      : &stage.environment);
+    if (first || now.environment != before.environment) {
+        environment_ =
+            stage.environment.radiance.empty() ? nullptr : prepare_environment(stage.environment);
+        renderer_->set_environment(environment_);
+    }
     any_tabulated_ = std::ranges::any_of(
         stage.scene.materials, [](const Material& m) { return tabulated_of(m) != nullptr; });
     lit_ = !stage.environment.radiance.empty();
@@ -111,6 +134,13 @@ void Picture::follow(const Editor& editor) {
         !same(&Revisions::textures) || !same(&Revisions::lights) ||
         !same(&Revisions::environment) || !same(&Revisions::settings))
         warm_up_.follow(stage, renderer_->pass_of(settings_));
+    VisibleLight::Change change;
+    change.geometry = first || !same(&Revisions::scene) || !same(&Revisions::geometry);
+    change.textures = !same(&Revisions::textures);
+    change.materials = !same(&Revisions::materials);
+    change.light = !same(&Revisions::lights) || !same(&Revisions::environment);
+    change.forgotten = change.geometry || change.textures;
+    visible_.follow(stage, environment_, change, *renderer_);
     followed_ = now;
 }
 
@@ -226,7 +256,11 @@ bool Picture::is_done(std::size_t index) const {
 }
 
 bool Picture::at_rest() const {
-    if (!begun_ || moving_ || display_changed_) return false;
+    return is_drawn() && !visible_.working();
+}
+
+bool Picture::is_drawn() const {
+    if (!begun_ || moving_ || display_changed_ || cloths_.any()) return false;
     for (std::size_t i = 0; i < panes_.size(); ++i)
         if (!is_done(i)) return false;
     return true;
@@ -281,14 +315,23 @@ void Picture::prepare_motion() {
 bool Picture::refine(double budget_s) {
     if (!followed_) return false;
     meshes_.give(*renderer_);
+    if (cloths_.give(*renderer_)) begun_ = false;
     if (moving_) {
         adapt_scale();
         begun_ = false;  // every frame of a motion is a picture of its own
+    } else {
+        cloths_.begin();
+        // After the first samples, which it would delay.
+        if (samples() > 0) visible_.step();
     }
+    if (visible_.give(*renderer_)) begun_ = false;
+    if (waits()) return false;
     if (at_rest()) {
         if (!rest_since_) rest_since_ = Clock::now();
         prepare_motion();
-        if (seconds_since(*rest_since_) > kQuiet_s) warm_up_.step();
+        // What a motion needs of the scene itself comes first.
+        if (seconds_since(*rest_since_) > kQuiet_s && (motion_prepared_ || any_tabulated_))
+            warm_up_.step(settings_in_motion(settings_, motion_prepared_));
         return false;
     }
     rest_since_.reset();
@@ -353,6 +396,8 @@ Image Picture::shown(std::size_t index) const {
 Image Picture::render(const Camera& camera, const RenderSettings& settings,
                       const Progress& progress) {
     begun_ = false;
+    const FullCloths full(context_);
+    cloths_.finish(*renderer_);
     renderer_->select_series(0);
     return renderer_->render(camera, settings, progress);
 }

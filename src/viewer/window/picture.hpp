@@ -16,8 +16,9 @@
 #include "burnish/renderer.hpp"
 #include "viewer/document/editor.hpp"
 #include "viewer/generate/scratches.hpp"
-#include "viewer/window/motion_data.hpp"
-#include "viewer/window/warm_up.hpp"
+#include "viewer/prepare/motion_data.hpp"
+#include "viewer/prepare/visible_light.hpp"
+#include "viewer/prepare/warm_up.hpp"
 
 namespace burnish::viewer {
 
@@ -56,6 +57,8 @@ class Picture {
     // Returns false when every pane was at rest.
     bool refine(double budget_s);
     bool at_rest() const;
+    // Drawn with all samples, but what vertices see is still being found.
+    bool waits() const { return is_drawn() && visible_.working(); }
     // At rest, refine() still prepares what a motion or a change of the model needs.
     bool prepares() const;
     int samples() const;  // of the pane that has fewest
@@ -86,6 +89,7 @@ class Picture {
     void adapt_scale();
     void prepare_motion();
     bool is_done(std::size_t index) const;
+    bool is_drawn() const;
 
     gpu::Context& context_;
     std::unique_ptr<gpu::Renderer> renderer_;
@@ -99,7 +103,10 @@ class Picture {
     bool any_tabulated_ = false, lit_ = false;
     MotionTables tables_;
     MotionMeshes meshes_;
+    MotionCloths cloths_;
     WarmUp warm_up_;
+    VisibleLight visible_;
+    std::shared_ptr<const PreparedEnvironment> environment_;
     std::vector<std::pair<Brdf, Mdf>> models_;  // of the materials
     bool motion_prepared_ = false;
     std::optional<Clock::time_point> rest_since_;

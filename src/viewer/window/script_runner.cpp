@@ -107,6 +107,7 @@ void ScriptRunner::fail(const std::string& what) const {
 }
 
 void ScriptRunner::feed_input() {
+    if (type_command_) feed_type_command();
     if (!mouse_) return;
     ImGuiIO& io = ImGui::GetIO();
     io.MousePos = {static_cast<float>(mouse_->x), static_cast<float>(mouse_->y)};
@@ -208,13 +209,14 @@ void ScriptRunner::after_draw() {
     const Clock::time_point now = Clock::now();
     // The first frame of a drag begins its time.
     const double cpu_s = process_cpu_seconds();
-    if (dragging_ && last_drag_frame_) {
+    const bool dragging = dragging_ || (mouse_command_ && mouse_command_->button >= 0);
+    if (dragging && last_drag_frame_) {
         drag_frames_s_.push_back(std::chrono::duration<double>(now - *last_drag_frame_).count());
         drag_cpu_s_ += cpu_s - last_cpu_s_;
     }
     last_cpu_s_ = cpu_s;
     last_drag_frame_.reset();
-    if (dragging_) last_drag_frame_ = now;
+    if (dragging) last_drag_frame_ = now;
     if (changed_ && app_.picture.samples() > 0) {
         change_s_ = seconds_since(*changed_);
         changed_.reset();
@@ -222,6 +224,12 @@ void ScriptRunner::after_draw() {
     if (!screenshot_) return;
     save_screenshot(app_.window, *screenshot_);
     screenshot_.reset();
+}
+
+void ScriptRunner::forget_drag() {
+    drag_frames_s_.clear();
+    drag_cpu_s_ = 0;
+    last_drag_frame_.reset();
 }
 
 double ScriptRunner::measured(const std::string& name) const {
@@ -415,9 +423,7 @@ void ScriptRunner::execute(const Command& command) {
             } else if constexpr (std::is_same_v<T, EnvironmentCommand>) {
                 app_.set_environment(c.name);
             } else if constexpr (std::is_same_v<T, DragCommand>) {
-                drag_frames_s_.clear();
-                drag_cpu_s_ = 0;
-                last_drag_frame_.reset();
+                forget_drag();
                 dragging_ = Dragging{c, 0};
             } else if constexpr (std::is_same_v<T, MoveCommand>) {
                 mouse_ = glm::dvec2(c.x, c.y);
@@ -429,9 +435,16 @@ void ScriptRunner::execute(const Command& command) {
                 waiting_ = Waiting{WaitKind::frames, 2, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, MouseCommand>) {
                 if (!mouse_) fail("expected the mouse somewhere (move X Y), found it nowhere");
+                forget_drag();
                 mouse_command_ = c;
                 mouse_frame_ = 0;
-                waiting_ = Waiting{WaitKind::frames, kMouseFrames + 1, Clock::now(), 0};
+                waiting_ = Waiting{WaitKind::frames, frames_of(c) + 1.0, Clock::now(), 0};
+            } else if constexpr (std::is_same_v<T, TypeCommand>) {
+                if (!ImGui::GetIO().WantTextInput)
+                    fail("expected a text field that has the keyboard (click one), found none");
+                type_command_ = c;
+                type_frame_ = 0;
+                waiting_ = Waiting{WaitKind::frames, 5, Clock::now(), 0};
             } else if constexpr (std::is_same_v<T, NavigationCommand>) {
                 Remembered& r = app_.remembered;
                 r.navigation = c.navigation.value_or(r.navigation);

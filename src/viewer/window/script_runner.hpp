@@ -14,9 +14,6 @@
 
 namespace burnish::viewer {
 
-// Frames that a drag of the mouse takes: the button is down from the second to the last but one.
-inline constexpr int kMouseFrames = 6;
-
 class ScriptRunner {
   public:
     ScriptRunner(App& app, std::vector<Command> commands, std::string name);
@@ -50,6 +47,7 @@ class ScriptRunner {
 
     void execute(const Command& command);
     void settle_errors();
+    void forget_drag();  // its measurements
     bool may_go_on(const std::string& error);
     void log(const std::string& name) const;
     void expect(const ExpectCommand& command);
@@ -90,7 +88,13 @@ class ScriptRunner {
     std::optional<MouseCommand> mouse_command_;
     int mouse_frame_ = 0;
     void feed_mouse_command();
+    std::optional<TypeCommand> type_command_;
+    int type_frame_ = 0;
+    void feed_type_command();
 };
+
+// That the mouse of a script takes.
+int frames_of(const MouseCommand& command);
 
 // The whole window as it was drawn, read before it is swapped.
 void save_screenshot(const Window& window, const std::string& file);

@@ -32,10 +32,16 @@ void ScriptRunner::change_light(const SceneCommand& command) {
     app_.editor.close_step();
 }
 
+// Of the frames, the first shows ImGui where the mouse is, the second presses, the last lets go.
+int frames_of(const MouseCommand& c) {
+    return c.frames + 3;
+}
+
 void ScriptRunner::feed_mouse_command() {
     ImGuiIO& io = ImGui::GetIO();
     const MouseCommand& c = *mouse_command_;
-    const bool over = mouse_frame_ >= kMouseFrames;
+    const int last = frames_of(c) - 1;
+    const bool over = mouse_frame_ > last;
     io.KeyShift = !over && c.modifier == "shift";
     io.KeyCtrl = !over && c.modifier == "ctrl";
     io.KeyAlt = !over && c.modifier == "alt";
@@ -44,14 +50,25 @@ void ScriptRunner::feed_mouse_command() {
         io.MouseWheel = mouse_frame_ == 1 ? static_cast<float>(c.dy) : 0.0f;
         io.MouseWheelH = mouse_frame_ == 1 ? static_cast<float>(c.dx) : 0.0f;
     } else {
-        io.MouseDown[c.button] = mouse_frame_ >= 1 && mouse_frame_ + 1 < kMouseFrames;
-        // Between pressing and letting go.
-        if (mouse_frame_ >= 2 && mouse_frame_ + 1 < kMouseFrames)
-            *mouse_ += glm::dvec2(c.dx, c.dy) / static_cast<double>(kMouseFrames - 3);
+        io.MouseDown[c.button] = mouse_frame_ >= 1 && mouse_frame_ < last;
+        if (mouse_frame_ >= 2 && mouse_frame_ < last)
+            *mouse_ += glm::dvec2(c.dx, c.dy) / static_cast<double>(c.frames);
         io.MousePos = {static_cast<float>(mouse_->x), static_cast<float>(mouse_->y)};
     }
     if (over) mouse_command_.reset();
     ++mouse_frame_;
+}
+
+// ImGui takes the text in the frame after all that is there was selected, and the key after that.
+void ScriptRunner::feed_type_command() {
+    ImGuiIO& io = ImGui::GetIO();
+    const auto hold = [&](ImGuiKey key, bool down) { io.KeysDown[io.KeyMap[key]] = down; };
+    const int frame = type_frame_++;
+    io.KeyCtrl = frame == 0;
+    hold(ImGuiKey_A, frame == 0);
+    if (frame == 1) io.AddInputCharactersUTF8(type_command_->text.c_str());
+    hold(ImGuiKey_Enter, frame == 2 && type_command_->enter);
+    if (frame == 3) type_command_.reset();
 }
 
 void ScriptRunner::change_scene(const SceneCommand& c) {

@@ -56,8 +56,10 @@ void set_theme(float scale) {
     c[ImGuiCol_Header] = gray(0.22f);
     c[ImGuiCol_HeaderHovered] = gray(0.28f);
     c[ImGuiCol_HeaderActive] = gray(0.33f);
-    c[ImGuiCol_SliderGrab] = accent;
-    c[ImGuiCol_SliderGrabActive] = {0.55f, 0.68f, 0.83f, 1.0f};
+    // A slider writes its number over its knob: a dark and narrow one leaves it legible.
+    c[ImGuiCol_SliderGrab] = {0.22f, 0.36f, 0.53f, 1.0f};
+    c[ImGuiCol_SliderGrabActive] = {0.27f, 0.44f, 0.64f, 1.0f};
+    style.GrabMinSize = 6;
     c[ImGuiCol_CheckMark] = {0.62f, 0.74f, 0.88f, 1.0f};
     c[ImGuiCol_Tab] = gray(0.17f);
     c[ImGuiCol_TabHovered] = gray(0.32f);

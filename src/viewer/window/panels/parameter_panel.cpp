@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
 
@@ -12,6 +13,7 @@
 #include "burnish/image_io.hpp"
 #include "burnish/scratch_settings.hpp"
 #include "viewer/document/value_in_effect.hpp"
+#include "viewer/window/file_dialog.hpp"
 #include "viewer/window/panels.hpp"
 
 namespace burnish::viewer {
@@ -100,6 +102,15 @@ std::vector<std::string> words_of(std::string_view name) {
     return words;
 }
 
+// That of the file, else the present one; with a slash at the end.
+std::string folder_of(const std::string& file) {
+    std::error_code error;
+    const bool is_file = std::filesystem::exists(file, error);
+    const std::filesystem::path folder =
+        is_file ? std::filesystem::path(file).parent_path() : std::filesystem::current_path(error);
+    return (folder / "").string();
+}
+
 // Whether a warning says that the value changes nothing now: "name: why: nothing changes".
 std::string idle_reason(const App& app, std::string_view name) {
     for (const std::string& line : app.editor.warnings()) {
@@ -173,6 +184,8 @@ bool text_widget(const Parameter& p, const char* hint, std::string& value) {
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("##words", ImGuiDir_Down)) ImGui::OpenPopup("words");
     if (ImGui::BeginPopup("words")) {
+        if (ImGui::Selectable("file ..."))
+            ask_for(Ask::value, folder_of(value), std::string(p.name));
         for (const std::string& word : words_of(p.name))
             if (ImGui::Selectable(word.c_str())) {
                 value = word;

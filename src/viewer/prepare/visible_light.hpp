@@ -7,6 +7,8 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "burnish/prepared_environment.hpp"
 #include "burnish/progress.hpp"
@@ -23,15 +25,19 @@ class VisibleLight {
     VisibleLight(const VisibleLight&) = delete;
     VisibleLight& operator=(const VisibleLight&) = delete;
 
-    // What follow() is told of: what has changed since the last call.
+    // What has changed since the last call.
     struct Change {
-        bool scene = false;      // meshes, instances or textures
-        bool materials = false;  // not which of them blend
-        bool light = false;      // environment, its rotation and intensity, lights, parameters
+        bool geometry = false;  // meshes or instances
+        bool textures = false;
+        bool materials = false;
+        bool light = false;  // the environment or lights
+        bool forgotten =
+            false;  // the renderer was given a scene, and knows nothing of what vertices see
     };
-    // Notes what is to be found. Where `change.scene`, the renderer's vertices see everything until it is.
+    // Notes what is to be found. Until then the renderer's vertices see what they saw, or where the geometry
+    // has changed everything. `environment`: null for none.
     void follow(const Stage& stage, std::shared_ptr<const PreparedEnvironment> environment,
-                const Change& change, gpu::Renderer& renderer);
+                Change change, gpu::Renderer& renderer);
     // Begins what is due, unless something is in work.
     void step();
     // Gives the renderer what is ready. False: there is nothing new.
@@ -39,26 +45,34 @@ class VisibleLight {
     bool working() const { return work_.valid() || next_.has_value(); }
 
   private:
+    // What of the settings and materials it depends on.
+    struct Settings {
+        float intensity = 1.0f, rotation = 0.0f;
+        int bounces = 0, rays = 0;
+        std::vector<std::pair<bool, bool>> sides;  // of every material: double-sided, blends
+        bool operator==(const Settings&) const = default;
+    };
     struct Request {
         std::optional<Scene> scene;  // none: that of the finder
         std::vector<Material> materials;
         std::vector<Texture> textures;  // of scene_for_visibility
         std::vector<Light> lights;
         std::shared_ptr<const PreparedEnvironment> environment;
-        float intensity = 1.0f, rotation = 0.0f;
-        int bounces = 0;
-        VisibilitySettings settings;
+        Settings settings;
     };
     struct Found {
         std::unique_ptr<VisibilityFinder> finder;
         std::shared_ptr<const Visibility> visibility;  // none: cancelled
     };
+    static Settings settings_of(const Stage& stage);
     static Found find(std::unique_ptr<VisibilityFinder> finder, const Request& request,
                       const Progress& progress);
+    void forget();
 
+    Settings settings_;
     std::optional<Request> next_;
     std::unique_ptr<VisibilityFinder> finder_;  // while nothing is in work
-    std::vector<Texture> textures_;
+    std::shared_ptr<const Visibility> known_;   // that the renderer was given last
     CancelToken token_;
     bool stale_ = false;  // what is in work is of another scene
     std::future<Found> work_;

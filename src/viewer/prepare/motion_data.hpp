@@ -1,5 +1,5 @@
-// What a picture in motion needs beyond one at rest, computed off the frame: tables of the prefiltered
-// light, and coarse meshes.
+// What is computed off the frame: tables of the prefiltered light and coarse meshes, which a picture in
+// motion needs beyond one at rest, and the means of woven cloth that one at rest needs.
 //
 // Threads: the one on which the window's context is current; the work is done on another. Lifetime:
 // the destructors wait for what is in work: a second for a mesh of a million triangles.
@@ -16,6 +16,7 @@
 #include "burnish/context.hpp"
 #include "burnish/renderer.hpp"
 #include "burnish/scene.hpp"
+#include "maps/weave/weave_mean.hpp"
 #include "models/albedo_table.hpp"
 
 namespace burnish::viewer {
@@ -48,6 +49,26 @@ class MotionMeshes {
     std::vector<std::size_t> wanted_;        // triangles by mesh
     bool stale_ = false;                     // what is in work is of another scene
     std::future<Coarse> work_;
+};
+
+// Full means of the cloths that renderers of the context draw by coarse ones (ClothStore).
+class MotionCloths {
+  public:
+    explicit MotionCloths(gpu::Context& context) : context_(context) {}
+    // Begins to compute the means of the next cloth, unless others are in work.
+    void begin();
+    // Gives the renderer what is ready. True: the renderer draws otherwise now.
+    bool give(gpu::Renderer& renderer);
+    // Computes at once what is left.
+    void finish(gpu::Renderer& renderer);
+    // Whether a cloth is drawn by coarse means.
+    bool any() const;
+
+  private:
+    gpu::Context& context_;
+    ClothLobe computed_;
+    std::future<ClothMeans> work_;
+    std::uint64_t given_ = 0;  // the version of the store that the renderer has
 };
 
 // The models of the scene's materials that need a table, each once.

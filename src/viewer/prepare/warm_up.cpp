@@ -1,14 +1,16 @@
-#include "viewer/window/warm_up.hpp"
+#include "viewer/prepare/warm_up.hpp"
 
 #include <algorithm>
 
 #include "burnish/error.hpp"
+#include "viewer/generate/scratches.hpp"
 
 namespace burnish::viewer {
 namespace {
 
 // More materials take longer to prepare than changes of all of them are worth.
 constexpr std::size_t kMostMaterials = 4;
+constexpr int kSide = 4;  // pixels of the picture
 
 // A texture of the same layout of texels: programs depend on it. 2 x 2, so that it has a mip.
 Texture small_texture(const Texture& texture) {
@@ -41,20 +43,54 @@ bool plain(const Material& material) {
     return cloth_of(material) == nullptr && tabulated_of(material) == nullptr;
 }
 
+// Maps of the layout that coarse scratches have, without a scratch.
+const ScratchTextures& no_scratches() {
+    static const ScratchTextures maps = [] {
+        ScratchChoice none = scratch_choice("brushed");
+        none.amount = 0;
+        none.recipe.settings.size = 16;
+        return coarse_scratches(scratch_recipe(none));
+    }();
+    return maps;
+}
+
+// The material as coarse scratches draw it; their maps are the last two textures.
+Material scratched(const Stage& stage, int material) {
+    // The width of the tile says how often it repeats, which is no part of a program.
+    constexpr double kTile_mm = 100;
+    const std::vector<ScratchPreview> previews = scratch_previews(stage, material, kTile_mm);
+    if (previews.empty()) return stage.scene.materials[static_cast<std::size_t>(material)];
+    Material shown = previews.front().shown;
+    const auto first = static_cast<int>(stage.scene.textures.size());
+    shown.normal_texture.texture = first;
+    if (previews.front().follows) shown.anisotropy_texture.texture = first + 1;
+    return shown;
+}
+
 }  // namespace
 
 void WarmUp::follow(const Stage& stage, SurfacePass pass) {
     renderer_.reset();
-    changes_.clear();
+    looks_.clear();
+    scratched_.clear();
     next_ = 0;
     scene_ = {};
-    for (const Material& material : stage.scene.materials)
-        if (plain(material) &&
-            std::ranges::find(scene_.materials, material) == scene_.materials.end())
-            scene_.materials.push_back(material);
+    const auto materials = static_cast<int>(stage.scene.materials.size());
+    for (int i = 0; i < materials; ++i) {
+        const Material& material = stage.scene.materials[static_cast<std::size_t>(i)];
+        if (!plain(material) ||
+            std::ranges::find(scene_.materials, material) != scene_.materials.end())
+            continue;
+        scene_.materials.push_back(material);
+        scratched_.push_back(scratched(stage, i));
+        if (scene_.materials.size() > kMostMaterials) break;
+    }
     if (scene_.materials.empty() || scene_.materials.size() > kMostMaterials) return;
     for (const Texture& texture : stage.scene.textures)
         scene_.textures.push_back(small_texture(texture));
+    const ScratchTextures& scratches = no_scratches();
+    scene_.textures.push_back(scratches.normal);
+    scene_.textures.push_back(scratches.anisotropy);
     scene_.meshes = {triangle(std::ranges::any_of(
         stage.scene.meshes, [](const Mesh& mesh) { return !mesh.colors.empty(); }))};
     for (int i = 0; i < static_cast<int>(scene_.materials.size()); ++i) {
@@ -71,13 +107,12 @@ void WarmUp::follow(const Stage& stage, SurfacePass pass) {
         for (int y = 0; y < 8; ++y) std::fill_n(light_.radiance.at(0, y), 16 * 3, 1.0f);
     }
     settings_ = stage.settings;
-    settings_.width = settings_.height = 4;
-    settings_.samples = 1;
-    settings_.ground = false;
     settings_.surface_pass = pass;
+    looks_.push_back({{}, true, true});
+    looks_.push_back({{}, true, false});
     const auto add = [this](std::size_t count, auto set) {
         for (std::size_t i = 0; i < count; ++i)
-            changes_.push_back([set, i](Material& material) { set(material, i); });
+            looks_.push_back({[set, i](Material& material) { set(material, i); }});
     };
     add(method_names().size(),
         [](Material& m, std::size_t i) { m.method = static_cast<Method>(i); });
@@ -85,16 +120,28 @@ void WarmUp::follow(const Stage& stage, SurfacePass pass) {
     add(brdf_names().size(), [](Material& m, std::size_t i) { m.brdf = static_cast<Brdf>(i); });
 }
 
-bool WarmUp::step() {
+bool WarmUp::step(const RenderSettings& motion) {
     if (done()) return false;
+    const Look& look = looks_[next_];
     try {
-        if (!renderer_) renderer_ = std::make_unique<gpu::Renderer>(context_, scene_, &light_);
-        std::vector<Material> materials = scene_.materials;
-        for (Material& material : materials) changes_[next_](material);
+        if (!renderer_) {
+            renderer_ = std::make_unique<gpu::Renderer>(context_, scene_, &light_);
+            // Programs are those of vertices that know what they see.
+            auto visibility = std::make_shared<Visibility>();
+            visibility->instances.resize(scene_.instances.size());
+            renderer_->set_visibility(visibility);
+        }
+        std::vector<Material> materials = look.scratched ? scratched_ : scene_.materials;
+        if (look.change)
+            for (Material& material : materials) look.change(material);
         renderer_->set_materials(materials);
+        RenderSettings settings = look.moving ? motion : settings_;
+        settings.width = settings.height = kSide;
+        settings.samples = 1;
+        settings.ground = false;
         Camera camera;
         camera.position = {0, 0, 3};
-        renderer_->begin(camera, settings_);
+        renderer_->begin(camera, settings);
         renderer_->add_sample();
     } catch (const Error&) {
         // A change that cannot be drawn is not prepared; the window says why when it is made.

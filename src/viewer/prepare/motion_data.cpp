@@ -1,9 +1,10 @@
-#include "viewer/window/motion_data.hpp"
+#include "viewer/prepare/motion_data.hpp"
 
 #include <algorithm>
 #include <chrono>
 
 #include "gpu/device/albedo_tables.hpp"
+#include "gpu/device/cloth_store.hpp"
 
 namespace burnish::viewer {
 
@@ -71,6 +72,39 @@ bool MotionMeshes::give(gpu::Renderer& renderer) {
     for (std::size_t i = 0; i < coarse.size(); ++i)
         renderer.set_coarse_mesh(static_cast<int>(i), coarse[i]);
     return true;
+}
+
+bool MotionCloths::any() const {
+    return context_.cloths().coarse_one().has_value();
+}
+
+void MotionCloths::begin() {
+    if (work_.valid()) return;
+    const std::optional<ClothLobe> next = context_.cloths().coarse_one();
+    if (!next) return;
+    computed_ = *next;
+    work_ = std::async(std::launch::async,
+                       [lobe = *next] { return cloth_means(lobe, WeaveDetail::full); });
+}
+
+bool MotionCloths::give(gpu::Renderer& renderer) {
+    gpu::ClothStore& store = context_.cloths();
+    if (work_.valid() && work_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        store.put(computed_, work_.get());
+    // Those of another renderer of the context count too.
+    if (given_ == store.version()) return false;
+    given_ = store.version();
+    renderer.refine_cloths();
+    return true;
+}
+
+void MotionCloths::finish(gpu::Renderer& renderer) {
+    if (work_.valid()) work_.wait();
+    give(renderer);
+    while (const std::optional<ClothLobe> next = context_.cloths().coarse_one()) {
+        context_.cloths().put(*next, cloth_means(*next, WeaveDetail::full));
+        give(renderer);
+    }
 }
 
 std::vector<std::pair<Brdf, Mdf>> models_with_tables(const Scene& scene) {
