@@ -53,7 +53,8 @@ class Tracer {
     glm::dvec3 environment(const glm::vec3& world, bool background) const {
         if (background && stage_.settings.background != BackgroundKind::environment)
             return glm::dvec3(stage_.settings.background_color);
-        const Image& map = stage_.environment.radiance;
+        const Environment& sky = stage_.environment;
+        const Image& map = background && !sky.backdrop.empty() ? sky.backdrop : sky.radiance;
         const double c = std::cos(static_cast<double>(stage_.settings.environment_rotation));
         const double s = std::sin(static_cast<double>(stage_.settings.environment_rotation));
         const glm::dvec3 d(c * world.x - s * world.z, world.y, s * world.x + c * world.z);

@@ -212,6 +212,8 @@ struct Camera {
 struct Environment {
     std::string name;
     Image radiance;  // RGB
+    // What is seen behind the scene in its place, a lat-long map too; empty: the radiance.
+    Image backdrop;
 };
 
 // A scene owns its data; distinct scenes may be used by distinct threads at once, and one scene by

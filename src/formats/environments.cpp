@@ -29,7 +29,8 @@ constexpr float kBrightest = 1e12f;
 Environment builtin_environment(std::string_view name) {
     const int which = index_of_name(kNames, name, "built-in environment", "");
     if (which == 0) return make_studio();
-    return {std::string(kPrefix) + std::string(name), Image(64, 32, 3, which == 1 ? 1.0f : 0.0f)};
+    return {
+        std::string(kPrefix) + std::string(name), Image(64, 32, 3, which == 1 ? 1.0f : 0.0f), {}};
 }
 
 Image as_rgb(const Image& image) {
@@ -100,7 +101,7 @@ Environment load_environment(const std::string& path_or_builtin,
     std::vector<std::string> found;
     const Image image = read_image(path_or_builtin, {.finite_only = false, .warnings = &found});
     check_shape(path_or_builtin, image);
-    Environment environment{path_or_builtin, as_rgb(image)};
+    Environment environment{path_or_builtin, as_rgb(image), {}};
     check_values(path_or_builtin, environment.radiance, found);
     warn_of_integers(path_or_builtin, found);
     if (warnings != nullptr) std::move(found.begin(), found.end(), std::back_inserter(*warnings));

@@ -53,7 +53,7 @@ std::shared_ptr<Visibility> visibility_of(const Scene& scene) {
 }
 
 Environment white_environment() {
-    return {"white", Image(32, 16, 3, 1.0f)};
+    return {"white", Image(32, 16, 3, 1.0f), {}};
 }
 
 Material rough_metal(Method method) {

@@ -264,10 +264,13 @@ void Painter::paint_background(const Frame& frame) {
     Program& program = plain_program("fullscreen.vert", "background.frag", true);
     program.use();
     set_frame(program, frame);
-    program.set("u_background_lod", std::clamp(frame.options->background_blur, 0.0f, 1.0f) *
-                                        std::max(scene_.environment()->last_lod() - 1.0f, 0.0f));
+    program.set("u_background_lod",
+                std::clamp(frame.options->background_blur, 0.0f, 1.0f) *
+                    std::max(scene_.environment()->backdrop_last_lod() - 1.0f, 0.0f));
     apply(DrawState{.depth_write = false});
+    scene_.environment()->bind_backdrop();
     draw_fullscreen(program, 1.0f);
+    scene_.environment()->bind_radiance();
 }
 
 void Painter::paint_blended(const Frame& frame) {

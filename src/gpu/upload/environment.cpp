@@ -15,19 +15,28 @@ void upload_level(const HalfCube& cube, int level) {
     }
 }
 
+void upload_levels(GLuint texture, const std::vector<HalfCube>& cubes) {
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture);
+    int level = 0;
+    for (const HalfCube& cube : cubes) upload_level(cube, level++);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, level - 1);
+}
+
 }  // namespace
 
 EnvironmentMaps::EnvironmentMaps(const Context& context, const PreparedEnvironment& prepared)
     : scale_(prepared.scale),
       face_(static_cast<float>(prepared.radiance.front().size)),
-      last_lod_(static_cast<float>(prepared.radiance.size() - 1)) {
+      last_lod_(static_cast<float>(prepared.radiance.size() - 1)),
+      backdrop_last_lod_(last_lod_) {
     if (!context.is_es()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // ES: always on
     glActiveTexture(GL_TEXTURE0 + kScratchUnit);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, radiance_.get());
-    int level = 0;
-    for (const HalfCube& cube : prepared.radiance) upload_level(cube, level++);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, level - 1);
+    upload_levels(radiance_.get(), prepared.radiance);
+    if (!prepared.backdrop.empty()) {
+        upload_levels(backdrop_.emplace().get(), prepared.backdrop);
+        backdrop_last_lod_ = static_cast<float>(prepared.backdrop.size() - 1);
+    }
 
     glBindTexture(GL_TEXTURE_CUBE_MAP, irradiance_.get());
     upload_level(prepared.irradiance, 0);
@@ -50,8 +59,7 @@ void EnvironmentMaps::require_lobes(ProgramCache& programs, GLuint empty_vertex_
 }
 
 void EnvironmentMaps::bind(Program& program, float intensity, float rotation) const {
-    glActiveTexture(GL_TEXTURE0 + kEnvironmentUnit);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, radiance_.get());
+    bind_radiance();
     glBindSampler(kEnvironmentUnit, sampler_.get());
     glActiveTexture(GL_TEXTURE0 + kIrradianceUnit);
     glBindTexture(GL_TEXTURE_CUBE_MAP, irradiance_.get());
@@ -69,6 +77,17 @@ void EnvironmentMaps::bind(Program& program, float intensity, float rotation) co
     program.set("u_environment_scale", scale_ * intensity);
     program.set("u_environment_face", face_);
     program.set("u_environment_last_lod", last_lod_);
+}
+
+void EnvironmentMaps::bind_backdrop() const {
+    if (!backdrop_) return;
+    glActiveTexture(GL_TEXTURE0 + kEnvironmentUnit);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, backdrop_->get());
+}
+
+void EnvironmentMaps::bind_radiance() const {
+    glActiveTexture(GL_TEXTURE0 + kEnvironmentUnit);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, radiance_.get());
 }
 
 }  // namespace burnish::gpu

@@ -21,16 +21,20 @@ class EnvironmentMaps {
     bool has_lobes() const { return lobes_.has_value(); }
     // Binds all to their units and sets the uniforms of shaders/lib/environment.glsl.
     void bind(Program& program, float intensity, float rotation) const;
-    float last_lod() const { return last_lod_; }
+    // For the background, after bind(): what is seen behind the scene in place of the radiance, and back.
+    void bind_backdrop() const;
+    void bind_radiance() const;
+    float backdrop_last_lod() const { return backdrop_last_lod_; }
 
   private:
     GlTexture radiance_;
     GlTexture irradiance_;
+    std::optional<GlTexture> backdrop_;
     std::optional<LobeMap> lobes_;
     Sampler sampler_;
     float scale_ = 1.0f;  // stored values times this are radiance
     float face_ = 1.0f;
-    float last_lod_ = 0.0f;
+    float last_lod_ = 0.0f, backdrop_last_lod_ = 0.0f;
 };
 
 }  // namespace burnish::gpu

@@ -27,6 +27,13 @@ float highest(const CubeMap& cube) {
     return high;
 }
 
+// The cube of a lat-long map and its mips.
+std::vector<CubeMap> cube_levels(const Image& map) {
+    std::vector<CubeMap> levels = {cube_from_latlong(map, cube_size_for(map.width))};
+    for (CubeMap& level : cube_mips(levels.front())) levels.push_back(std::move(level));
+    return levels;
+}
+
 HalfCube half_of(const CubeMap& cube, float scale) {
     HalfCube half;
     half.size = cube.size;
@@ -53,9 +60,8 @@ std::shared_ptr<const PreparedEnvironment> prepare_environment(Environment envir
     }
     constexpr std::string_view kStage = "environment";
     progress.step(kStage, 0.0);
-    std::vector<CubeMap> levels = {cube_from_latlong(map, cube_size_for(map.width))};
+    const std::vector<CubeMap> levels = cube_levels(map);
     progress.step(kStage, 0.6);
-    for (CubeMap& level : cube_mips(levels.front())) levels.push_back(std::move(level));
     const auto source = std::find_if(levels.begin(), levels.end(), [](const CubeMap& level) {
         return level.size <= kIrradianceSource;
     });
@@ -67,6 +73,9 @@ std::shared_ptr<const PreparedEnvironment> prepare_environment(Environment envir
     for (const CubeMap& level : levels)
         prepared->radiance.push_back(half_of(level, prepared->scale));
     prepared->irradiance = half_of(irradiance, prepared->scale);
+    if (!environment.backdrop.empty())
+        for (const CubeMap& level : cube_levels(environment.backdrop))
+            prepared->backdrop.push_back(half_of(level, prepared->scale));
     prepared->environment = std::move(environment);
     progress.step(kStage, 1.0);
     return prepared;

@@ -24,6 +24,7 @@ struct PreparedEnvironment {
     Environment environment;
     std::vector<HalfCube> radiance;  // cube_from_latlong and its mips, the last of size 1
     HalfCube irradiance;             // cube_irradiance
+    std::vector<HalfCube> backdrop;  // as radiance, of Environment::backdrop; empty: radiance
     // Radiance and irradiance are the stored values times this: half floats end at 65504, a sun's
     // radiance may be larger.
     float scale = 1.0f;

@@ -125,7 +125,9 @@ Image render_studio(int width, int height, std::span<const SoftBox> set, bool ro
 }
 
 Environment make_studio() {
-    return {"builtin:studio", render_studio(kWidth, kHeight, boxes(), true)};
+    // The boxes stand where no camera looks: only the room is seen, as smooth as 256 columns show it.
+    return {"builtin:studio", render_studio(kWidth, kHeight, boxes(), true),
+            render_studio(256, 128, {}, true)};
 }
 
 }  // namespace burnish
