@@ -27,6 +27,7 @@ std::string to_markdown(const Report& report);
 
 void measure_frames(Report& report);
 void measure_cloth(Report& report);
+void measure_layers(Report& report);
 void measure_edits(Report& report);
 void measure_image_light(Report& report);  // does nothing without the sample data
 void measure_loading(Report& report);

@@ -15,6 +15,10 @@
 #include "shaders/lib/lights.glsl"
 #include "shaders/lib/environment.glsl"
 #include "shaders/lib/visibility.glsl"
+#if IMAGE_LIGHT == 1
+#include "shaders/lib/image_samples.glsl"
+#endif
+#include "shaders/lib/layers.glsl"
 #include "shaders/lib/image_light.glsl"
 #ifdef CLOTH
 #include "shaders/lib/cloth.glsl"

@@ -31,6 +31,9 @@
 #include "shading/surface/diffuse.glsl"
 #include "shading/surface/specular.glsl"
 #include "shading/surface/surface.glsl"
+#include "shading/surface/coat.glsl"
+#include "shading/surface/sheen.glsl"
+#include "shading/surface/layers.glsl"
 #include "shading/surface/weave.glsl"
 #include "shading/surface/cloth.glsl"
 // clang-format on

@@ -93,13 +93,39 @@ struct Tabulated {
 
 using MaterialLobe = std::variant<GltfLobe, AlphaLobe, Cloth, Tabulated>;
 
+// --- layers over every kind of lobe --------------------------------------------------------------
+
+// A clear layer of refractive index 1.5 over the surface: lacquer, or the oxide of anodized aluminum
+// (KHR_materials_clearcoat, docs/theory/coats.md). Its normal is that of its own map, else the geometric
+// one.
+struct Coat {
+    float strength = 0.0f;   // share of the surface that is coated; 0: no coat
+    float roughness = 0.0f;  // perceptual, of its face; what lies below stays as sharp as it is
+    glm::vec3 tint{1.0f};    // what it lets through along its normal and back, linear; 1: clear
+    TextureUse texture;      // R scales the strength
+    TextureUse roughness_texture;  // G scales the roughness
+    TextureUse normal_texture;     // tangent space, as Material::normal_texture
+    float normal_scale = 1.0f;
+    bool flip_green = false;  // its normal map is of the +y-down (DirectX) kind
+    bool operator==(const Coat&) const = default;
+};
+
+// Fibers that stand out of the surface, such as velvet (KHR_materials_sheen), under the coat.
+struct Sheen {
+    glm::vec3 color{0.0f};         // linear; 0: no sheen
+    float roughness = 0.0f;        // perceptual; drawn from 0.07
+    TextureUse color_texture;      // RGB scales the color
+    TextureUse roughness_texture;  // A scales the roughness
+    bool operator==(const Sheen&) const = default;
+};
+
 // Names follow glTF 2.0 where glTF has the thing. A plain value: copy, change and compare it.
 // Every kind of lobe reads a part of the other members, and a renderer ignores the rest
 // (drawn_material):
 // - GltfLobe and AlphaLobe read them all;
 // - Cloth reads neither normal_texture, anisotropy_texture nor metallic_roughness_texture;
 // - Tabulated reads no texture of color or lobe (base_color, metallic_roughness, anisotropy) and
-//   neither the RGB of base_color, metallic, conductor, mdf nor brdf.
+//   neither the RGB of base_color, metallic, conductor, mdf, brdf nor specular.
 struct Material {
     std::string name;
     glm::vec4 base_color{1.0f};
@@ -129,6 +155,14 @@ struct Material {
     // Its own Fresnel factor, or that of the film on it, instead of Schlick's with F0 = base color.
     std::optional<Conductor> conductor;
     float dielectric_f0 = 0.04f;
+    // KHR_materials_specular: weight of a dielectric's specular term, and color of its reflectance at
+    // normal incidence, which multiplies dielectric_f0 (at most 1 is drawn).
+    float specular = 1.0f;
+    glm::vec3 specular_color{1.0f};
+    TextureUse specular_texture;        // A
+    TextureUse specular_color_texture;  // RGB
+    Coat coat;
+    Sheen sheen;
     Mdf mdf = Mdf::ggx;
     Brdf brdf = Brdf::microfacet;
     std::optional<float> ks;  // phong, lafortune: scale; none: as much as keeps its energy
@@ -167,6 +201,19 @@ std::vector<Material> drawn_materials(std::vector<Material> materials);
 Method drawn_method(const Material& material);
 // drawn_method of the material without its anisotropy texture.
 Method untextured_method(const Material& material);
+
+// Whether a layer lies over the surface, whatever its textures say.
+inline bool has_coat(const Material& material) {
+    return material.coat.strength > 0.0f;
+}
+inline bool has_sheen(const Material& material) {
+    return material.sheen.color != glm::vec3(0.0f);
+}
+// Whether KHR_materials_specular changes the interface.
+inline bool has_specular_factors(const Material& m) {
+    return m.specular != 1.0f || m.specular_color != glm::vec3(1.0f) || m.specular_texture ||
+           m.specular_color_texture;
+}
 
 // Whether a renderer adds the light that facets reflect more than once: cloth and tabulated materials
 // have none to add.

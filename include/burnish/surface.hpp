@@ -35,18 +35,23 @@ class SurfacePoint {
     // for cloth and tabulated materials, whose reflection depends on the place.
     explicit SurfacePoint(const Material& material, glm::dvec3 normal = {0.0, 0.0, 1.0});
 
-    // RGB per steradian, without the cosine. 0 where a direction is below the perturbed horizon.
+    // RGB per steradian, without the cosine. 0 where a direction is below the perturbed horizon. Under a
+    // coat or sheen: eval_cos over the cosine of the perturbed normal.
     glm::dvec3 eval(glm::dvec3 to_light, glm::dvec3 to_eye) const;
+    // Times the cosine, each layer by its own normal: the coat, which has the geometric one, also
+    // reflects light from below the perturbed horizon.
+    glm::dvec3 eval_cos(glm::dvec3 to_light, glm::dvec3 to_eye) const;
 
     struct Sample {
         glm::dvec3 to_light{0.0};
         double pdf = 0.0;        // per steradian, of the direction
-        glm::dvec3 weight{0.0};  // eval times the cosine over the density
+        glm::dvec3 weight{0.0};  // eval_cos over the density
     };
     // A direction drawn by three uniform numbers of [0, 1); none: the draw is discarded, and counts
     // as a weight of 0 in a mean.
     std::optional<Sample> sample(glm::dvec3 to_eye, const std::array<double, 3>& uniform) const;
-    // The density with which `sample` returns a direction, per steradian; 0 below the perturbed horizon.
+    // The density with which `sample` returns a direction, per steradian; 0 below the perturbed horizon
+    // (under a coat: below both horizons).
     // Its integral over the sphere is the probability that `sample` returns one.
     double pdf(glm::dvec3 to_light, glm::dvec3 to_eye) const;
 
@@ -58,7 +63,14 @@ class SurfacePoint {
     // With the light that facets reflect more than once towards the eye.
     f64::SurfaceMaterial material_towards(const f64::Perturbation& p, f64::vec3 to_eye) const;
 
+    // Whether light from there is reflected at all.
+    bool sees(const f64::Perturbation& p, f64::vec3 to_light) const;
+    f64::vec3 eval_cos(const f64::SurfaceMaterial& material, const f64::Perturbation& p,
+                       f64::vec3 to_light, f64::vec3 to_eye) const;
+
     f64::SurfaceMaterial material_;
+    f64::SurfaceLayers layers_;
+    bool layered_ = false;
     f64::vec3 normal_;
     f64::vec2 stretch_;  // (cos, sin) from the tangent to the lobe's x axis
     int method_ = 0;

@@ -43,6 +43,20 @@ float cloth_specular(ClothFamily f, vec3 wi) {
 #endif
 }
 
+vec3 cloth_reflected(ClothFamily f, vec3 wi) {
+#ifdef LAYERS
+    vec3 up = vec3(0.0, 0.0, 1.0);
+    vec3 color = specular_fresnel(f.m.surface, half_angle_cosine(wi, f.wo));
+    float diffuse = 0.0;
+#ifndef METAL
+    diffuse = cloth_diffuse(f.m.surface, u_weave_nodes[f.family], wi, f.wo);
+#endif
+    return layers_laid(f.m.layers, f.m.seen, up, color, cloth_specular(f, wi), f.m.surface.diffuse, diffuse, wi, f.wo);
+#else
+    return cloth_eval(f.m.surface, cloth_specular(f, wi), u_weave_nodes[f.family], wi, f.wo);
+#endif
+}
+
 vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < LIGHT_COUNT; ++i) {
@@ -52,8 +66,7 @@ vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
         irradiance *= light_reaches(i, s.position, normal, towards);
 #endif
         vec3 wi = frame_to_local(f.a, towards);
-        sum += irradiance *
-               cloth_eval(f.m.surface, cloth_specular(f, wi), u_weave_nodes[f.family], wi, f.wo);
+        sum += irradiance * cloth_reflected(f, wi);
     }
     return sum * f.share;
 }
@@ -66,9 +79,10 @@ vec3 cloth_lit_by_irradiance(Surface s, ClothFamily f) {
     for (int i = 0; i < kClothNodes; ++i) {
         vec3 n = normal_facing(normalize(cloth_node(u_weave_nodes[f.family], i)), f.wo);
         sum += seen_irradiance(s, frame_to_outer(f.a, n)) *
-               (cloth_node_weight(i) * diffuse_albedo(BRDF, u_dielectric_f0, max(dot(n, f.wo), 0.0)));
+               (cloth_node_weight(i) * diffuse_albedo(BRDF, f.m.surface.dielectric_f0, f.m.surface.dielectric_f90,
+                                                        max(dot(n, f.wo), 0.0)));
     }
-    return f.m.surface.diffuse * sum * f.share;
+    return f.m.surface.diffuse * diffuse_left(f.m) * sum * f.share;
 }
 #endif
 
@@ -106,7 +120,7 @@ vec3 cloth_image_specular(Surface s, ClothFamily f) {
 #if IMAGE_LIGHT == 3 && !defined(COSINE_LOBE)
     energy *= cloth_energy(f.m, m, f, wo);
 #endif
-    return image_specular(s, m, a, p, wo) * energy;
+    return image_specular(s, m, a, p, wo) * mirror_left(f.m, p, wo) * energy;
 }
 #endif
 #endif
@@ -128,6 +142,9 @@ vec3 cloth_image_specular(Surface s, Shading cloth, Frame axes, ClothPlace place
         float cover = put_yarn(m, place.at + (shift - 0.5) * reach);
         Frame a = axes;
         Perturbation p = facing_perturbation(s, m, a);
+#ifdef LAYERS
+        lay_over(m, s, a, p, frame_to_local(a, s.to_eye));
+#endif
         sum += cover * image_sample(s, m, a, p, frame_to_local(a, s.to_eye), lattice_point(first, i),
                                     select_of(index, rotation));
     }
@@ -146,6 +163,13 @@ vec3 cloth_from_afar(Surface s, Shading m, Frame a, ClothPlace place, bool seen)
     vec3 sum = vec3(0.0);
     for (int family = 0; family < families; ++family) {
         ClothFamily f = cloth_family(family, family == 0 ? weft : warp, m, a, s.to_eye);
+#ifdef LAYERS
+        Perturbation flat_p = perturb_make(kMethodNone, vec3(0.0, 0.0, 1.0), true, false);
+        lay_over(f.m, s, f.a, flat_p, f.wo);
+#if IMAGE_LIGHT > 0
+        sum += layers_image(s, f.m, f.a, flat_p, f.wo) * f.share;
+#endif
+#endif
 #if LIGHTS > 0
         sum += cloth_lit_by_lights(s, f, a.n);
 #endif

@@ -3,29 +3,6 @@
 // the lobe's axis. A lobe about a direction (COSINE_LOBE) is round: 2 and 3 take a single look-up.
 #if IMAGE_LIGHT == 1
 
-uniform int u_image_samples;
-uniform uint u_frame;           // index of the sub-pixel sample in progress
-uniform float u_total_samples;  // image samples of all frames
-uniform uint u_seed;
-uniform uint u_lattice_x;      // from one point of a frame to the next, in 2^-32
-uniform uint u_lattice_y;
-uniform vec4 u_lattice_cell;   // two edges of a cell between the points
-
-// The points of a frame are a lattice (src/scene/light/point_lattice.hpp), the most even set of their
-// number. The lattice of another frame is moved within its cell by a point of a sequence, so that all
-// frames together are as evenly distributed as a single frame with all samples.
-vec2 first_point(Rotation rotation) {
-    Rotation none = Rotation(0u, 0u, 0u);
-    vec2 within = point_of(u_frame, none);
-    vec2 moved = within.x * u_lattice_cell.xy + within.y * u_lattice_cell.zw;
-    // 2: an edge of the cell has no component below -1.
-    return fract(vec2(unit_of(rotation.x), unit_of(rotation.y)) + moved + 2.0);
-}
-
-vec2 lattice_point(vec2 first, int i) {
-    return fract(first + vec2(unit_of(uint(i) * u_lattice_x), unit_of(uint(i) * u_lattice_y)));
-}
-
 // One sample of the integral of f F cos L over wi by specular_draw. Filtered importance sampling
 // (Colbert & Krivanek, GPU Gems 3, ch. 20): a sample represents the solid angle 1/(total pdf) and reads the
 // mip of that size. As the total grows, this converges to mip 0 and the exact integral. wi may lie below
@@ -40,7 +17,8 @@ vec3 image_sample(Surface s, Shading m, Frame a, Perturbation p, vec3 wo, vec2 x
     float lod = environment_lod(1.0 / (u_total_samples * max(pdf, kTiny)));
     vec3 towards = frame_to_outer(a, wi);
     vec3 radiance = seen_radiance(s, towards, environment_radiance(towards, lod));
-    vec3 term = specular_color(m.surface, half_angle_cosine(wi, wo)) * radiance * weight;
+    vec3 color = specular_color(m.surface, half_angle_cosine(wi, wo));
+    vec3 term = color * specular_left(m, p, color, wi) * radiance * weight;
     return counts ? finite_radiance(term) : vec3(0.0);
 }
 
@@ -95,11 +73,11 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
 #elif IMAGE_LIGHT == 2
 
 // Lazarov's split-sum table as fitted by Karis ("Physically Based Shading on Mobile", 2014).
-vec3 split_sum(vec3 f0, float roughness, float cos_o) {
+vec3 split_sum(vec3 f0, float f90, float roughness, float cos_o) {
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a = min(r.x * r.x, exp2(-9.28 * cos_o)) * r.x + r.y;
     vec2 ab = vec2(-1.04, 1.04) * a + r.zw;
-    return max(f0 * ab.x + ab.y, vec3(0.0));
+    return max(f0 * ab.x + f90 * ab.y, vec3(0.0));
 }
 
 // As in Filament, three.js and the Khronos sample renderer: the perturbed normal is bent towards
@@ -123,7 +101,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     vec3 radiance = lobe_radiance(environment_direction(towards), lobe_lod(narrow * narrow));
     radiance = seen_radiance(s, towards, radiance * u_environment_scale);
     return radiance * m.surface.gain *
-           split_sum(specular_fresnel(m.surface, 1.0), roughness, max(dot(p.n, wo), 0.0));
+           split_sum(specular_fresnel(m.surface, 1.0), m.surface.f90, roughness, max(dot(p.n, wo), 0.0));
 }
 
 #elif IMAGE_LIGHT == 3

@@ -30,21 +30,30 @@ uniform sampler2D u_normal_map;
 uniform sampler2D u_occlusion_map;
 uniform sampler2D u_emissive_map;
 uniform sampler2D u_anisotropy_map;
+#ifdef SPECULAR_FACTORS
+uniform vec4 u_dielectric;  // reflectance at normal incidence, and the weight
+uniform sampler2D u_specular_map;
+uniform sampler2D u_specular_color_map;
+#endif
 
 #ifdef UV_PER_TEXTURE
-uniform vec3 u_uv_s[6];  // rows of each texture's transform, in the order of the samplers
-uniform vec3 u_uv_t[6];
-uniform float u_uv_set[6];
+uniform vec3 u_uv_s[13];  // rows of each texture's transform, by MaterialTexture
+uniform vec3 u_uv_t[13];
+uniform float u_uv_set[13];
 vec2 texture_uv(Surface s, int use) {
     vec3 p = vec3(u_uv_set[use] < 0.5 ? s.uv.xy : s.uv.zw, 1.0);
     return vec2(dot(u_uv_s[use], p), dot(u_uv_t[use], p));
 }
 #define MAP_AT(map, use) texture(map, texture_uv(s, use), u_lod_bias)
 #elif defined(FOOTPRINT_GIVEN)
-uniform float u_map_lod[6];  // log2 of each texture's longer side, plus u_lod_bias
+uniform float u_map_lod[13];  // log2 of each texture's longer side, plus u_lod_bias
 #define MAP_AT(map, use) textureLod(map, s.uv.xy, s.footprint + u_map_lod[use])
 #else
 #define MAP_AT(map, use) texture(map, s.uv.xy, u_lod_bias)
+#endif
+
+#ifdef LAYERS
+#include "shaders/lib/layer_maps.glsl"
 #endif
 
 struct Shading {
@@ -55,6 +64,11 @@ struct Shading {
     bool grooves_along_x;
     vec2 direction;  // of the stretch, relative to the tangent: unit
     vec3 n;          // perturbed normal in the axes of tangent, bitangent and geometric normal
+#ifdef LAYERS
+    SurfaceLayers layers;  // the coat's normal is that of the surface until lay_over
+    vec3 coat_n;           // in the axes of tangent, bitangent and geometric normal
+    LayersSeen seen;       // from the eye: lay_over
+#endif
 #ifdef TABULATED
     TableBlock table;  // tabulated.glsl
     int tap;           // index of the texel among those in the pixel; taps: their number
@@ -118,6 +132,19 @@ SurfaceMaterial material_of(Lobe lobe) {
     return m;
 }
 
+#ifdef SPECULAR_FACTORS
+SurfaceMaterial with_specular_factors(Surface s, SurfaceMaterial m) {
+    vec4 dielectric = u_dielectric;
+#ifdef HAS_SPECULAR_MAP
+    dielectric.a *= MAP_AT(u_specular_map, 6).a;
+#endif
+#ifdef HAS_SPECULAR_COLOR_MAP
+    dielectric.rgb *= MAP_AT(u_specular_color_map, 7).rgb;
+#endif
+    return surface_dielectric(m, dielectric.rgb, dielectric.a);
+}
+#endif
+
 // Call after the last change of the base color.
 void put_colors(inout Shading m) { m.surface = surface_colored(m.surface, m.base_color, m.metallic); }
 
@@ -159,6 +186,12 @@ Shading shading_at(Surface s) {
     anisotropy *= texel.b;
 #endif
     m.surface = material_of(lobe_at(roughness, anisotropy));
+#ifdef SPECULAR_FACTORS
+    m.surface = with_specular_factors(s, m.surface);
+#endif
+#ifdef LAYERS
+    m.layers = layers_at(s, m.coat_n);
+#endif
 #ifdef LOBE_FROM_TEXTURE
     m.grooves_along_x = lobe_grooves_along_x(MDF, m.surface.lobe.p0, m.surface.lobe.p1);
 #else

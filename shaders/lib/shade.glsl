@@ -12,8 +12,7 @@ vec3 lit_by_lights(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
 #if SHADOW_MAPS > 0
         irradiance *= light_reaches(i, s.position, a.n, towards);
 #endif
-        vec3 f = surface_eval(m.surface, p, lobe_values(m, p, wi, wo), wi, wo);
-        sum += irradiance * f * max(dot(p.n, wi), 0.0);
+        sum += irradiance * reflected_cos(m, p, wi, wo);
     }
     return sum;
 }
@@ -34,10 +33,17 @@ float specular_open(Surface s, Shading m, vec3 n, float cos_o) {
 vec3 lit_by_environment(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     vec3 n = frame_to_outer(a, p.n);
     vec3 sum = image_specular(s, m, a, p, wo) * specular_open(s, m, n, dot(p.n, wo));
+#if IMAGE_LIGHT > 1
+    sum *= mirror_left(m, p, wo);
+#endif
 #ifndef METAL
-    float albedo = diffuse_albedo(m.surface.brdf, m.surface.dielectric_f0, max(dot(p.n, wo), 0.0));
-    sum += m.surface.diffuse * seen_irradiance(s, n) *
+    float albedo = diffuse_albedo(m.surface.brdf, m.surface.dielectric_f0, m.surface.dielectric_f90,
+                                  max(dot(p.n, wo), 0.0));
+    sum += m.surface.diffuse * diffuse_left(m) * seen_irradiance(s, n) *
            (albedo * occlusion_left(s, n, occlusion_at(s)));
+#endif
+#ifdef LAYERS
+    sum += layers_image(s, m, a, p, wo);
 #endif
     return sum;
 }
@@ -64,6 +70,9 @@ vec3 reflected(Surface s, Shading m, Frame a) {
     vec3 wo = frame_to_local(a, s.to_eye);
 #ifdef COMPENSATED
     m.surface = surface_compensated(m.surface, albedo_at(albedo_place_of(m.surface.lobe, p, wo)));
+#endif
+#ifdef LAYERS
+    lay_over(m, s, a, p, wo);
 #endif
     vec3 radiance = vec3(0.0);
 #if LIGHTS > 0
@@ -126,7 +135,7 @@ Frame frame_of(Surface s) {
 vec4 shade(Surface s) {
     Shading m = shading_of_visible(s);
     Frame a = frame_of(s);
-    vec3 radiance = emission_at(s) + reflected_by_surface(s, m, a);
+    vec3 radiance = emission_at(s) * emission_left(m, s, a) + reflected_by_surface(s, m, a);
 #ifdef BLEND
     float coverage = finite_coverage(m.alpha);
     return vec4(finite_radiance(radiance) * coverage, coverage);

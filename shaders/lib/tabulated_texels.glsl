@@ -105,9 +105,16 @@ vec3 lit_texel(TexelLights l, Shading m, Perturbation p, vec3 wo) {
         float cos_i = dot(p.n, wi);
         float D = tabulated_D(m.table, perturb_point(p, seen_from_rotated(l.h[i], m.direction)));
         float lit = tabulated_seen(m.table, perturb_direction(p, wi));
+#ifdef LAYERS
+        vec2 f = vec2(tabulated_brdf(D, lit, seen, cos_i, cos_o),
+                      diffuse_eval(kBrdfTabulated, u_dielectric_f0, cos_i, cos_o)) * max(cos_i, 0.0);
+        sum += l.irradiance[i] * layers_laid(m.layers, m.seen, p.n, m.surface.specular * l.fresnel[i], f.x,
+                                             m.surface.diffuse, f.y, wi, wo);
+#else
         vec3 f = m.surface.specular * (l.fresnel[i] * tabulated_brdf(D, lit, seen, cos_i, cos_o));
         f += m.surface.diffuse * diffuse_eval(kBrdfTabulated, u_dielectric_f0, cos_i, cos_o);
         sum += l.irradiance[i] * f * max(cos_i, 0.0);
+#endif
     }
     return sum;
 }
@@ -152,6 +159,9 @@ vec3 reflected_by_texels(Surface s, Shading m, Frame a) {
         Frame turned_axes = a;
         Perturbation p = facing_perturbation(s, t, turned_axes);
         vec3 turned_wo = seen_from_rotated(wo, t.direction);
+#ifdef LAYERS
+        lay_over(t, s, turned_axes, p, turned_wo);
+#endif
         vec3 radiance = vec3(0.0);
 #if LIGHTS > 0
         radiance += lit_texel(lights, t, p, turned_wo);

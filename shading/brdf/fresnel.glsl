@@ -12,6 +12,18 @@ FN vec3 fresnel_schlick(vec3 f0, Float cos_i) {
                 fresnel_schlick(f0.z, cos_i));
 }
 
+// With another reflectance than 1 at grazing incidence.
+FN Float fresnel_schlick(Float f0, Float f90, Float cos_i) {
+    Float m = clamp(Float(1) - cos_i, Float(0), Float(1));
+    Float m2 = m * m;
+    return f0 + (f90 - f0) * (m2 * m2 * m);
+}
+
+FN vec3 fresnel_schlick(vec3 f0, Float f90, Float cos_i) {
+    return vec3(fresnel_schlick(f0.x, f90, cos_i), fresnel_schlick(f0.y, f90, cos_i),
+                fresnel_schlick(f0.z, f90, cos_i));
+}
+
 // Exact, for a conductor with index eta + i k against air.
 FN Float fresnel_conductor(Float eta, Float k, Float cos_i) {
     Float c = clamp(cos_i, Float(0), Float(1));

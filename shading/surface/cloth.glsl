@@ -24,7 +24,8 @@ FN Float cloth_diffuse(SurfaceMaterial m, vec3 moments, vec3 wi, vec3 wo) {
         vec3 n = cloth_node(moments, i);
         Float cos_i = max(dot(n, wi), Float(0));
         Float cos_o = max(dot(n, wo), Float(0));
-        sum = sum + cloth_node_weight(i) * diffuse_eval(m.brdf, m.dielectric_f0, cos_i, cos_o) * cos_i;
+        sum = sum + cloth_node_weight(i) * 
+                  diffuse_eval(m.brdf, m.dielectric_f0, m.dielectric_f90, cos_i, cos_o) * cos_i;
     }
     return sum;
 }

@@ -2,37 +2,45 @@
 // what occlusion leaves of light. Cosines are those of n~; no frame enters.
 
 // What the interface lets through to the base, as Schlick has it.
-FN Float diffuse_through(Float f0, Float cosine) {
-    return Float(1) - fresnel_schlick(f0, cosine);
+FN Float diffuse_through(Float f0, Float f90, Float cosine) {
+    return Float(1) - fresnel_schlick(f0, f90, cosine);
 }
 
 // (1 - F(n~.wi)) (1 - F(n~.wo)) / pi: each factor is at most 1 - F, so that together with the specular
 // term no energy is gained. The 2000 model of Ashikhmin and Shirley has a term of its own, coupled to
 // the specular one by its reflectance; tables were fitted beside Lambert's law.
-FN Float diffuse_eval(int brdf, Float f0, Float cos_i, Float cos_o) {
+FN Float diffuse_eval(int brdf, Float f0, Float f90, Float cos_i, Float cos_o) {
     Float f = Float(0);
     if (brdf == kBrdfTabulated) {
         f = Float(1) / kPi;
     } else if (brdf == kBrdfAshikhminShirley) {
         f = ashikhmin_shirley_diffuse(Float(1), f0, cos_i, cos_o);
     } else {
-        f = diffuse_through(f0, cos_o) * diffuse_through(f0, cos_i) / kPi;
+        f = diffuse_through(f0, f90, cos_o) * diffuse_through(f0, f90, cos_i) / kPi;
     }
     return f;
 }
 
+FN Float diffuse_eval(int brdf, Float f0, Float cos_i, Float cos_o) {
+    return diffuse_eval(brdf, f0, Float(1), cos_i, cos_o);
+}
+
 // Int diffuse_eval cos dwi over the hemisphere of n~, exactly. The cosine-weighted mean of Schlick's term
-// is f0 + (1 - f0)/21.
-FN Float diffuse_albedo(int brdf, Float f0, Float cos_o) {
+// is f0 + (f90 - f0)/21.
+FN Float diffuse_albedo(int brdf, Float f0, Float f90, Float cos_o) {
     Float albedo = Float(1);
     if (brdf == kBrdfTabulated) {
         albedo = Float(1);
     } else if (brdf == kBrdfAshikhminShirley) {
         albedo = (Float(1) - f0) * ashikhmin_shirley_through(cos_o);
     } else {
-        albedo = (Float(1) - f0) * Float(20) / Float(21) * diffuse_through(f0, cos_o);
+        albedo = (Float(21) - Float(20) * f0 - f90) / Float(21) * diffuse_through(f0, f90, cos_o);
     }
     return albedo;
+}
+
+FN Float diffuse_albedo(int brdf, Float f0, Float cos_o) {
+    return diffuse_albedo(brdf, f0, Float(1), cos_o);
 }
 
 // The share of the reflected environment that an occlusion in [0, 1] leaves (Lagarde & de Rousiers,

@@ -17,7 +17,10 @@ struct SurfaceMaterial {
     FresnelCurve curve;   // of kFresnelCurve
     Bool has_diffuse;     // false: metals, whose diffuse term then costs nothing
     vec3 diffuse;         // albedo of the base under the interface
-    Float dielectric_f0;  // reflectance of that interface at normal incidence
+    vec3 dielectric;      // reflectance of that interface at normal incidence: surface_dielectric
+    Float dielectric_f0;  // the largest of its channels
+    Float dielectric_f90; // at grazing incidence
+    Float f90;            // of the specular term, with kFresnelSchlick
 };
 
 // What the caller has looked up, or computed, for one pair of directions. Only the models of
@@ -73,14 +76,28 @@ FN SurfaceMaterial surface_material(int brdf, Lobe lobe, Float ks, vec3 c, Float
     m.curve = fresnel_curve_of_mirror();
     m.has_diffuse = false;
     m.diffuse = vec3(Float(0), Float(0), Float(0));
+    m.dielectric = m.specular;
     m.dielectric_f0 = dielectric_f0;
+    m.dielectric_f90 = Float(1);
+    m.f90 = Float(1);
+    return m;
+}
+
+// The interface of KHR_materials_specular: `weight` of a reflectance that is `f0` at normal incidence and 1 at grazing
+// incidence. Before surface_colored.
+FN SurfaceMaterial surface_dielectric(SurfaceMaterial m, vec3 f0, Float weight) {
+    m.dielectric = vec3(min(f0.x, Float(1)), min(f0.y, Float(1)), min(f0.z, Float(1))) * weight;
+    m.dielectric_f0 = max(max(m.dielectric.x, m.dielectric.y), m.dielectric.z);
+    m.dielectric_f90 = weight;
+    m.specular = m.dielectric;
+    m.f90 = weight;
     return m;
 }
 
 // Base color and metallic as glTF 2.0 has them.
 FN SurfaceMaterial surface_colored(SurfaceMaterial m, vec3 base_color, Float metallic) {
-    Float dielectric = m.dielectric_f0 * (Float(1) - metallic);
-    m.specular = vec3(dielectric, dielectric, dielectric) + base_color * metallic;
+    m.specular = m.dielectric * (Float(1) - metallic) + base_color * metallic;
+    m.f90 = Float(1) - (Float(1) - m.dielectric_f90) * (Float(1) - metallic);
     m.diffuse = base_color * (Float(1) - metallic);
     return m;
 }
@@ -95,7 +112,7 @@ FN vec3 specular_fresnel(SurfaceMaterial m, Float cos_h) {
     } else if (m.fresnel == kFresnelDielectric) {
         f = m.specular * fresnel_rise(m.eta.x, m.k.x, cos_h);
     } else {
-        f = fresnel_schlick(m.specular, cos_h);
+        f = fresnel_schlick(m.specular, m.f90, cos_h);
     }
     return f;
 }

@@ -7,7 +7,8 @@ FN vec3 surface_eval(SurfaceMaterial m, Perturbation p, LobeValues v, vec3 wi, v
     if (m.has_diffuse) {
         Float cos_i = dot(p.n, wi);
         Float cos_o = dot(p.n, wo);
-        Float diffuse = diffuse_eval(m.brdf, m.dielectric_f0, max(cos_i, Float(0)), max(cos_o, Float(0)));
+        Float diffuse = diffuse_eval(m.brdf, m.dielectric_f0, m.dielectric_f90, max(cos_i, Float(0)),
+                                     max(cos_o, Float(0)));
         f = f + m.diffuse * choose(cos_i > Float(0) && cos_o > Float(0), diffuse, Float(0));
     }
     return f;
@@ -26,7 +27,7 @@ FN Float surface_specular_share(SurfaceMaterial m, Perturbation p, vec3 wo) {
     if (m.has_diffuse) {
         Float cos_o = max(dot(p.n, wo), Float(0));
         Float specular = luminance(specular_color(m, cos_o));
-        Float diffuse = luminance(m.diffuse) * diffuse_albedo(m.brdf, m.dielectric_f0, cos_o);
+        Float diffuse = luminance(m.diffuse) * diffuse_albedo(m.brdf, m.dielectric_f0, m.dielectric_f90, cos_o);
         share = clamp(specular / max(specular + diffuse, kTiny), Float(0.1), Float(0.9));
     }
     return share;

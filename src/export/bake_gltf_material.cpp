@@ -18,6 +18,7 @@
 #include "export/material_points.hpp"
 #include "image/texel_value.hpp"
 #include "scene/material/material_values.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish {
 namespace {
@@ -290,6 +291,14 @@ void require_memory(const GltfBakeSettings& s, std::uint64_t limit) {
 std::vector<std::string> losses_of(const Material& m) {
     std::vector<std::string> out;
     const auto say = [&](std::string line) { out.push_back(std::move(line)); };
+    using enum MaterialTexture;
+    for (const MaterialTexture which : {specular, specular_color, coat, coat_roughness, coat_normal,
+                                        sheen_color, sheen_roughness})
+        if (texture_use(m, which))
+            say(fmt::format("{}: its factor alone is written",
+                            kTextureNames[static_cast<std::size_t>(which)]));
+    if (has_coat(m) && m.coat.tint != glm::vec3(1.0f))
+        say("coat tint: glTF has clear coats alone; burnish reads it back");
     if (tabulated_of(m)) {
         say("lobe: the measured tables become the nearest GGX lobes");
         return out;
@@ -306,6 +315,16 @@ std::vector<std::string> losses_of(const Material& m) {
     if (const glm::vec2 alpha = alpha_of(m); std::max(alpha.x, alpha.y) > 1.0f)
         say("alpha above 1: glTF ends at 1");
     return out;
+}
+
+// Layers and the specular term by their factors, without their textures.
+void put_factors_of_layers(const Material& from, Material& to) {
+    to.specular = from.specular;
+    to.specular_color = from.specular_color;
+    to.coat = from.coat;
+    to.coat.texture = to.coat.roughness_texture = to.coat.normal_texture = TextureUse{};
+    to.sheen = from.sheen;
+    to.sheen.color_texture = to.sheen.roughness_texture = TextureUse{};
 }
 
 }  // namespace
@@ -348,6 +367,7 @@ GltfMaterial bake_gltf_material(const Material& material, std::span<const Textur
     to.double_sided = m.double_sided;
     const Tabulated* const tabulated = tabulated_of(m);
     to.dielectric_f0 = tabulated ? dielectric_f0_of(*tabulated->material) : m.dielectric_f0;
+    put_factors_of_layers(m, to);
     to.lobe = GltfLobe{1.0f, 1.0f};
     out.textures = baker.take();
     const auto use = [&](int texture) {

@@ -61,6 +61,7 @@ ordered_json extras_of(const Material& m, const std::string& file) {
     if (m.ks) out["ks"] = *m.ks;
     if (m.brdf == Brdf::lafortune) out["lafortune_c"] = triple(m.lafortune_c);
     if (m.conductor) out["conductor"] = conductor_json(*m.conductor);
+    if (has_coat(m) && m.coat.tint != glm::vec3(1.0f)) out["coat_tint"] = triple(m.coat.tint);
     if (!file.empty()) {
         out["color"] = {{"base", triple(glm::vec3(m.base_color))}, {"metallic", m.metallic}};
         out["anisotropy_rotation"] = m.anisotropy_rotation;
@@ -68,6 +69,23 @@ ordered_json extras_of(const Material& m, const std::string& file) {
         if (tabulated_of(m)) out["tabulated"] = file;
     }
     return out;
+}
+
+// KHR_materials_specular, clearcoat and sheen, by their factors: what differs from glTF's own.
+void put_layers(const Material& m, ordered_json& extensions, std::vector<std::string>& names) {
+    const auto put = [&](const char* name, const ordered_json& json) {
+        extensions[name] = json;
+        names.emplace_back(name);
+    };
+    if (has_specular_factors(m))
+        put("KHR_materials_specular",
+            {{"specularFactor", m.specular}, {"specularColorFactor", triple(m.specular_color)}});
+    if (has_coat(m))
+        put("KHR_materials_clearcoat",
+            {{"clearcoatFactor", m.coat.strength}, {"clearcoatRoughnessFactor", m.coat.roughness}});
+    if (has_sheen(m))
+        put("KHR_materials_sheen", {{"sheenColorFactor", triple(m.sheen.color)},
+                                    {"sheenRoughnessFactor", m.sheen.roughness}});
 }
 
 }  // namespace
@@ -112,6 +130,7 @@ QuadMaterial gltf_material_text(const GltfMaterial& baked, const Material& sourc
         extensions["KHR_materials_ior"] = {{"ior", ior_of(m.dielectric_f0)}};
         out.extensions.emplace_back("KHR_materials_ior");
     }
+    put_layers(m, extensions, out.extensions);
     if (m.emissive_texture) {
         const float brightest = m.emissive.x;
         const float factor = std::min(brightest, 1.0f);

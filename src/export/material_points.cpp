@@ -17,6 +17,7 @@
 #include "export/texture_sampler.hpp"
 #include "maps/weave/weave_cells.hpp"
 #include "scene/material/material_values.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish {
 namespace {
@@ -63,9 +64,7 @@ class CommonPoints {
 
 std::vector<const TextureUse*> uses_of(const Material& m) {
     std::vector<const TextureUse*> uses;
-    for (const TextureUse* use :
-         {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-          &m.occlusion_texture, &m.emissive_texture, &m.anisotropy_texture})
+    for (const TextureUse* use : texture_uses(m))
         if (*use) uses.push_back(use);
     return uses;
 }

@@ -8,6 +8,7 @@
 #include "burnish/error.hpp"
 #include "core/text.hpp"
 #include "maps/normal/normal_without_z.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish {
 namespace {
@@ -21,12 +22,12 @@ void make_stand_in(Texture& texture) {
 // Takes texture `index` out of the material; returns the names of its uses.
 std::string take_out(Material& material, int index) {
     std::string names;
-    for (const NamedTextureUse& named : kTextureUses) {
-        TextureUse& use = material.*named.use;
-        if (use.texture != index) continue;
-        use = TextureUse();
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", named.name);
-        if (named.use == &Material::emissive_texture && !emits_only(material))
+    const auto uses = texture_uses(material);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i]->texture != index) continue;
+        *uses[i] = TextureUse();
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", kTextureNames[i]);
+        if (uses[i] == &material.emissive_texture && !emits_only(material))
             material.emissive = glm::vec3(0.0f);
     }
     return names;
@@ -34,8 +35,9 @@ std::string take_out(Material& material, int index) {
 
 bool has_other_use(const Scene& scene, int index) {
     for (const Material& material : scene.materials)
-        for (const NamedTextureUse& named : kTextureUses)
-            if (named.use != &Material::normal_texture && (material.*named.use).texture == index)
+        for (const TextureUse* use : texture_uses(material))
+            if (use != &material.normal_texture && use != &material.coat.normal_texture &&
+                use->texture == index)
                 return true;
     return false;
 }
@@ -93,9 +95,12 @@ std::vector<std::string> gray_packed_warnings(const Scene& scene) {
 std::vector<std::string> complete_normal_maps(Scene& scene) {
     std::vector<std::string> warnings;
     std::map<int, int> completed;  // texture -> the map to use in its place
-    for (Material& material : scene.materials) {
-        TextureUse& use = material.normal_texture;
-        if (!use) continue;
+    std::vector<TextureUse*> uses;
+    for (Material& material : scene.materials)
+        for (TextureUse* use : {&material.normal_texture, &material.coat.normal_texture})
+            if (*use) uses.push_back(use);
+    for (TextureUse* const in_use : uses) {
+        TextureUse& use = *in_use;
         auto found = completed.find(use.texture);
         if (found == completed.end()) {
             const int index = use.texture;

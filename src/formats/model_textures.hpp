@@ -10,20 +10,6 @@
 
 namespace burnish {
 
-// The texture uses of a material, with their names in messages.
-struct NamedTextureUse {
-    TextureUse Material::*use;
-    const char* name;
-};
-inline constexpr NamedTextureUse kTextureUses[] = {
-    {&Material::base_color_texture, "base color texture"},
-    {&Material::metallic_roughness_texture, "metallic-roughness texture"},
-    {&Material::normal_texture, "normal map"},
-    {&Material::occlusion_texture, "occlusion texture"},
-    {&Material::emissive_texture, "emissive texture"},
-    {&Material::anisotropy_texture, "anisotropy texture"},
-};
-
 // Whether the material reflects nothing, as KHR_materials_unlit asks: a phong lobe of scale 0.
 bool emits_only(const Material& material);
 

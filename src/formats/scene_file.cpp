@@ -19,6 +19,7 @@
 #include "core/text.hpp"
 #include "formats/json_text.hpp"
 #include "formats/scene_parts.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish {
 
@@ -327,9 +328,7 @@ class SceneFileReader {
     void add_material(const LoadedModel& model, std::size_t index, const std::string& set,
                       bool one_for_all, const JsonPlace& object) {
         Material material = model.rest.materials[index];
-        for (TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
-                                &material.normal_texture, &material.occlusion_texture,
-                                &material.emissive_texture, &material.anisotropy_texture})
+        for (TextureUse* use : texture_uses(material))
             if (*use) use->texture += model.first_texture;
         SceneFile::Layer layer{common_, file_ + ": " + object.path(), false};
         if (!set.empty()) {

@@ -39,11 +39,16 @@ Material drawn_material(Material m) {
     if (cloth) m.normal_texture = {};
     if (cloth || tabulated) m.anisotropy_texture = m.metallic_roughness_texture = {};
     if (!m.anisotropy_texture) m.anisotropy_texture_turn = 0.0f;
+    if (!has_coat(m)) m.coat = {};
+    if (!has_sheen(m)) m.sheen = {};
     if (tabulated) {
         m.base_color_texture = {};
         m.base_color = glm::vec4(1.0f, 1.0f, 1.0f, m.base_color.a);
         m.metallic = 0.0f;
         m.conductor.reset();
+        m.specular = 1.0f;
+        m.specular_color = glm::vec3(1.0f);
+        m.specular_texture = m.specular_color_texture = {};
         m.mdf = Mdf::ggx;
         m.brdf = Brdf::microfacet_separable;
     }

@@ -41,10 +41,11 @@ Texture bumps_texture() {
     return texture;
 }
 
-Texture load_normal_map(const std::string& name, std::vector<std::string>& warnings) {
+Texture load_normal_map(const std::string& parameter, const std::string& name,
+                        std::vector<std::string>& warnings) {
     if (is_builtin(name) && name != kBumps)
-        throw UsageError("normal_map", "", "a picture, builtin:bumps or none", shown(name));
-    refuse_folder("normal_map", "a picture, builtin:bumps or none", name);
+        throw UsageError(parameter, "", "a picture, builtin:bumps or none", shown(name));
+    refuse_folder(parameter, "a picture, builtin:bumps or none", name);
     Texture texture =
         name == kBumps ? bumps_texture() : read_texture(name, ColorSpace::linear, &warnings);
     if (texture.channels < 2)
@@ -129,12 +130,15 @@ void MaterialAssets::load(const ParameterValues& values, std::vector<Texture>& t
             if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
                 warnings.push_back(line);
     };
-    if (names_one(values, "normal_map")) {
-        const std::string name = values.text("normal_map");
+    // One picture serves a surface and a coat.
+    for (const char* parameter : {"normal_map", "coat_normal_map"}) {
+        if (!names_one(values, parameter)) continue;
+        const std::string name = values.text(parameter);
         Thing& thing = use("normal_map", name);
         if (!normal_maps_.contains(name)) {
             thing.warnings.clear();
-            normal_maps_[name] = place(thing, textures, load_normal_map(name, thing.warnings));
+            normal_maps_[name] =
+                place(thing, textures, load_normal_map(parameter, name, thing.warnings));
         }
         say(thing);
     }

@@ -36,6 +36,8 @@ void require_consistent(const ParameterValues& values) {
     if (values.is_set("scratch") && values.is_set("normal_map"))
         throw UsageError("scratch", "", "a scratch map or a normal_map, not both", "both");
     const bool weave = names_one(values, "weave"), scratch = values.is_set("scratch");
+    if (values.is_set("ior") && values.is_set("f0"))
+        throw UsageError("ior", "", "an ior or an f0, which says the same, not both", "both");
     if (names_one(values, "roughness_map") && names_one(values, "glossiness_map"))
         throw UsageError("glossiness_map", "", "no roughness_map beside it", "both");
     if (names_one(values, "height_map") && (weave || scratch || names_one(values, "normal_map")))
@@ -76,6 +78,12 @@ void apply_color(Material& material, const ParameterValues& values) {
         material.base_color = glm::vec4(values.vec3("base_color"), material.base_color.a);
     if (values.is_set("metallic")) material.metallic = real_of(values, "metallic");
     if (values.is_set("f0")) material.dielectric_f0 = real_of(values, "f0");
+    if (values.is_set("ior")) {
+        const double n = values.real("ior"), root = (n - 1.0) / (n + 1.0);
+        material.dielectric_f0 = static_cast<float>(root * root);
+    }
+    if (values.is_set("specular")) material.specular = real_of(values, "specular");
+    if (values.is_set("specular_color")) material.specular_color = values.vec3("specular_color");
     if (values.is_set("metal")) {
         material.conductor.reset();
         if (names_one(values, "metal")) {
@@ -269,6 +277,27 @@ void apply_detail(Material& material, const ParameterValues& values, const Mater
                 use->transform = scale;
 }
 
+// --- layers -------------------------------------------------------------------------------------
+
+void apply_layers(Material& material, const ParameterValues& values, const MaterialAssets& assets) {
+    Coat& coat = material.coat;
+    if (values.is_set("coat")) coat.strength = real_of(values, "coat");
+    if (values.is_set("coat_roughness")) coat.roughness = real_of(values, "coat_roughness");
+    if (values.is_set("coat_tint")) coat.tint = values.vec3("coat_tint");
+    if (values.is_set("coat_normal_map")) {
+        coat.normal_texture = use_of(assets.normal_map(values.text("coat_normal_map")));
+        coat.normal_scale = 1.0f;
+        coat.flip_green = false;
+        if (values.is_set("uv_scale")) {
+            const float s = real_of(values, "uv_scale");
+            coat.normal_texture.transform = glm::mat3(s, 0, 0, 0, s, 0, 0, 0, 1);
+        }
+    }
+    if (values.is_set("sheen_color")) material.sheen.color = values.vec3("sheen_color");
+    if (values.is_set("sheen_roughness"))
+        material.sheen.roughness = real_of(values, "sheen_roughness");
+}
+
 }  // namespace
 
 std::optional<glm::vec2> roughness_pair(const ParameterValues& values,
@@ -312,6 +341,7 @@ Material apply_parameters(const Material& base, const ParameterValues& values,
     apply_color(material, values);
     apply_roughness(material, values);
     apply_detail(material, values, assets);
+    apply_layers(material, values, assets);
     apply_weave(material, values, assets);
     if (names_one(values, "tabulated")) {
         const std::string file = values.text("tabulated");

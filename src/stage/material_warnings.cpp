@@ -33,6 +33,9 @@ constexpr std::string_view kHidden[] = {"mdf",
                                         "metal",
                                         "oxide",
                                         "f0",
+                                        "ior",
+                                        "specular",
+                                        "specular_color",
                                         "base_color_map",
                                         "roughness_map",
                                         "glossiness_map",
@@ -85,9 +88,22 @@ void append_idle_of_metals(const Warn& warn_if_idle) {
     warn_if_idle("metallic_map", "a measured metal (--metal) is metallic", no_conductor);
     warn_if_idle("oxide", "only a measured metal (--metal) has one",
                  [](const Material& m, Values) { return m.conductor.has_value(); });
-    warn_if_idle("f0", "a metal has its reflectance from its color", [](const Material& m, Values) {
-        return !m.conductor && (m.metallic < 1.0f || m.metallic_roughness_texture);
-    });
+    for (const std::string_view name : {"f0", "ior", "specular", "specular_color"})
+        warn_if_idle(name, "a metal has its reflectance from its color",
+                     [](const Material& m, Values) {
+                         return !m.conductor && (m.metallic < 1.0f || m.metallic_roughness_texture);
+                     });
+}
+
+// What a layer that is not there leaves without effect.
+template <typename Warn>
+void append_idle_of_layers(const Warn& warn_if_idle) {
+    using Values = const ParameterValues&;
+    for (const std::string_view name : {"coat_roughness", "coat_tint", "coat_normal_map"})
+        warn_if_idle(name, "there is no coat (--coat 1)",
+                     [](const Material& m, Values) { return has_coat(m); });
+    warn_if_idle("sheen_roughness", "there is no sheen (--sheen-color)",
+                 [](const Material& m, Values) { return has_sheen(m); });
 }
 
 template <typename Warn>
@@ -172,6 +188,7 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
                      return names_maps(v) || tabulated_of(m) || (m.normal_texture && !cloth_of(m));
                  });
     append_idle_of_cloth(warn_if_idle);
+    append_idle_of_layers(warn_if_idle);
 }
 
 void append_hidden(const Scene& scene, const std::vector<ParameterValues>& values,

@@ -62,27 +62,39 @@ std::string warning_of_green(const Texture& texture, bool flipped) {
         flipped ? "--flip-green=false draws it as OpenGL" : "--flip-green draws it as DirectX");
 }
 
+// A normal map of a material or of its coat, and the flag that takes it off.
+struct CheckedMap {
+    const TextureUse& use;
+    bool flipped;
+    const char* flag;
+};
+
+std::string warning_of(const Scene& scene, const CheckedMap& map) {
+    const Texture& texture = scene.textures[static_cast<std::size_t>(map.use.texture)];
+    // Of two channels z is what is left of 1.
+    if (texture.channels == 2 || texture.empty()) return "";
+    const glm::dvec3 mean = mean_direction(texture);
+    if (!is_odd(mean)) return warning_of_green(texture, map.flipped);
+    return fmt::format(
+        "{} does not look like a tangent-space normal map: its mean direction is "
+        "({:.2f}, {:.2f}, {:.2f}), expected near (0, 0, 1); it is drawn as one "
+        "({} none takes it off)",
+        one_line(texture.name), mean.x, mean.y, mean.z, map.flag);
+}
+
 }  // namespace
 
 void warn_of_odd_normal_maps(Scene& scene) {
     std::set<int> seen;
-    for (const Material& material : scene.materials) {
-        const TextureUse& use = material.normal_texture;
-        if (!use || cloth_of(material) || !seen.insert(use.texture).second) continue;
-        const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
-        // Of two channels z is what is left of 1.
-        if (texture.channels == 2 || texture.empty()) continue;
-        const glm::dvec3 mean = mean_direction(texture);
-        if (!is_odd(mean)) {
-            std::string line = warning_of_green(texture, material.flip_green);
+    for (const Material& m : scene.materials) {
+        const CheckedMap maps[] = {{m.normal_texture, m.flip_green, "--normal-map"},
+                                   {m.coat.normal_texture, m.coat.flip_green, "--coat-normal-map"}};
+        for (const CheckedMap& map : maps) {
+            const bool unread = &map.use == &m.normal_texture && cloth_of(m);
+            if (!map.use || unread || !seen.insert(map.use.texture).second) continue;
+            std::string line = warning_of(scene, map);
             if (!line.empty()) scene.warnings.push_back(std::move(line));
-            continue;
         }
-        scene.warnings.push_back(
-            fmt::format("{} does not look like a tangent-space normal map: its mean direction is "
-                        "({:.2f}, {:.2f}, {:.2f}), expected near (0, 0, 1); it is drawn as one "
-                        "(--normal-map none takes it off)",
-                        one_line(texture.name), mean.x, mean.y, mean.z));
     }
 }
 

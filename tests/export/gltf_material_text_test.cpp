@@ -45,5 +45,32 @@ TEST(GltfMaterialText, StatesTheIndexOfTheInterface) {
               text.extensions.end());
 }
 
+TEST(GltfMaterialText, StatesCoatSheenAndSpecular) {
+    GltfMaterial baked = with_transform(glm::mat3(1.0f));
+    Material& m = baked.material;
+    m.coat.strength = 0.5f;
+    m.coat.roughness = 0.25f;
+    m.coat.tint = {0.5f, 0.25f, 1.0f};
+    m.sheen.color = {0.25f, 0.5f, 0.75f};
+    m.sheen.roughness = 0.375f;
+    m.specular = 0.5f;
+    const QuadMaterial text = gltf_material_text(baked, m, "m", "");
+    const auto& extensions = text.json["extensions"];
+    EXPECT_EQ(extensions["KHR_materials_clearcoat"]["clearcoatFactor"], 0.5f);
+    EXPECT_EQ(extensions["KHR_materials_clearcoat"]["clearcoatRoughnessFactor"], 0.25f);
+    EXPECT_EQ(extensions["KHR_materials_sheen"]["sheenColorFactor"][2], 0.75f);
+    EXPECT_EQ(extensions["KHR_materials_sheen"]["sheenRoughnessFactor"], 0.375f);
+    EXPECT_EQ(extensions["KHR_materials_specular"]["specularFactor"], 0.5f);
+    EXPECT_EQ(text.json["extras"]["burnish"]["coat_tint"][1], 0.25f);
+    for (const char* name :
+         {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_specular"})
+        EXPECT_NE(std::find(text.extensions.begin(), text.extensions.end(), name),
+                  text.extensions.end());
+    const QuadMaterial bare =
+        gltf_material_text(with_transform(glm::mat3(1.0f)), Material{}, "m", "");
+    EXPECT_FALSE(bare.json["extensions"].contains("KHR_materials_clearcoat"));
+    EXPECT_FALSE(bare.json["extras"]["burnish"].contains("coat_tint"));
+}
+
 }  // namespace
 }  // namespace burnish

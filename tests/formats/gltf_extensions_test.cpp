@@ -14,6 +14,7 @@
 #include "formats/gltf/gltf_materials.hpp"
 #include "formats/model_textures.hpp"
 #include "gltf_support.hpp"
+#include "scene/material/texture_uses.hpp"
 #include "support/paths.hpp"
 
 namespace burnish {
@@ -199,7 +200,7 @@ TEST(GltfTextures, ThatCannotBeReadAreLeftOut) {
         writer.root["images"][0] = image;
         const Scene scene = load_bytes(writer);
         const Material& material = scene.materials.at(0);
-        for (const NamedTextureUse& named : kTextureUses) EXPECT_FALSE(material.*named.use);
+        for (const TextureUse* use : texture_uses(material)) EXPECT_FALSE(*use);
         EXPECT_EQ(material.base_color, glm::vec4(0.5f, 0.25f, 0.125f, 1.0f));
         EXPECT_EQ(material.emissive, glm::vec3(0.0f)) << "a lamp whose picture is lost is dark";
         EXPECT_EQ(scene.instances.size(), 1u);

@@ -74,6 +74,92 @@ TEST(GltfMaterials, EveryFactorIsRead) {
         EXPECT_TRUE(*use);
 }
 
+json layer_extensions() {
+    const json texture = {{"index", 0}};
+    return {{"KHR_materials_clearcoat",
+             {{"clearcoatFactor", 0.75},
+              {"clearcoatRoughnessFactor", 0.25},
+              {"clearcoatTexture", texture},
+              {"clearcoatRoughnessTexture", texture},
+              {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.5}}}}},
+            {"KHR_materials_sheen",
+             {{"sheenColorFactor", {0.5, 0.25, 1.0}},
+              {"sheenRoughnessFactor", 0.375},
+              {"sheenColorTexture", texture},
+              {"sheenRoughnessTexture", texture}}},
+            {"KHR_materials_specular",
+             {{"specularFactor", 0.625},
+              {"specularColorFactor", {0.25, 2.0, 0.5}},
+              {"specularTexture", texture},
+              {"specularColorTexture", texture}}}};
+}
+
+TEST(GltfMaterials, CoatSheenAndSpecularAreRead) {
+    const Scene scene = load_bytes(square_with({{"extensions", layer_extensions()}}));
+    EXPECT_TRUE(scene.warnings.empty());
+    const Material& m = scene.materials.at(0);
+    EXPECT_EQ(m.coat.strength, 0.75f);
+    EXPECT_EQ(m.coat.roughness, 0.25f);
+    EXPECT_EQ(m.coat.tint, glm::vec3(1.0f));
+    EXPECT_EQ(m.coat.normal_scale, 0.5f);
+    EXPECT_EQ(m.sheen.color, glm::vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(m.sheen.roughness, 0.375f);
+    EXPECT_EQ(m.specular, 0.625f);
+    EXPECT_EQ(m.specular_color, glm::vec3(0.25f, 2.0f, 0.5f));
+    const auto space_of = [&](const TextureUse& use) {
+        return scene.textures.at(static_cast<std::size_t>(use.texture)).color_space;
+    };
+    for (const TextureUse* use :
+         {&m.coat.texture, &m.coat.roughness_texture, &m.coat.normal_texture,
+          &m.sheen.roughness_texture, &m.specular_texture})
+        EXPECT_EQ(space_of(*use), ColorSpace::linear);
+    EXPECT_EQ(space_of(m.sheen.color_texture), ColorSpace::srgb);
+    EXPECT_EQ(space_of(m.specular_color_texture), ColorSpace::srgb);
+}
+
+TEST(GltfMaterials, WithoutTheExtensionsThereAreNoLayers) {
+    const Material m = material_of(json::object());
+    EXPECT_FALSE(has_coat(m) || has_sheen(m) || has_specular_factors(m));
+    // Their factors are 0 by default: textures alone make no layer.
+    const Material empty = material_of({{"extensions",
+                                         {{"KHR_materials_clearcoat", json::object()},
+                                          {"KHR_materials_sheen", json::object()},
+                                          {"KHR_materials_specular", json::object()}}}});
+    EXPECT_FALSE(has_coat(empty) || has_sheen(empty) || has_specular_factors(empty));
+}
+
+TEST(GltfMaterials, FactorsThatNoCoatHasAreHeldToTheirRange) {
+    json extensions = layer_extensions();
+    extensions["KHR_materials_clearcoat"]["clearcoatFactor"] = 7;
+    extensions["KHR_materials_clearcoat"]["clearcoatRoughnessFactor"] = -1;
+    extensions["KHR_materials_sheen"]["sheenColorFactor"] = {3, 0, 0};
+    extensions["KHR_materials_sheen"]["sheenRoughnessFactor"] = 2;
+    extensions["KHR_materials_specular"]["specularFactor"] = -0.5;
+    const Scene scene = load_bytes(square_with({{"extensions", extensions}}));
+    const Material& m = scene.materials.at(0);
+    EXPECT_EQ(m.coat.strength, 1.0f);
+    EXPECT_EQ(m.coat.roughness, 0.0f);
+    EXPECT_EQ(m.sheen.color, glm::vec3(1, 0, 0));
+    EXPECT_EQ(m.sheen.roughness, 1.0f);
+    EXPECT_EQ(m.specular, 0.0f);
+    EXPECT_EQ(scene.warnings.size(), 5u);
+    EXPECT_TRUE(warns(scene,
+                      "materials[0].extensions.KHR_materials_clearcoat.clearcoatFactor: 7 is not "
+                      "from 0 to 1: 1 is used"));
+    for (const json& wrong : {json("much"), json::array({1}), json(nullptr)}) {
+        extensions["KHR_materials_sheen"]["sheenColorFactor"] = wrong;
+        EXPECT_NE(error_of(square_with({{"extensions", extensions}})).find("sheenColorFactor"),
+                  std::string::npos);
+    }
+}
+
+TEST(GltfMaterials, AnUnlitSurfaceHasNoLayers) {
+    json extensions = layer_extensions();
+    extensions["KHR_materials_unlit"] = json::object();
+    const Material m = material_of({{"extensions", extensions}});
+    EXPECT_FALSE(has_coat(m) || has_sheen(m) || has_specular_factors(m));
+}
+
 TEST(GltfMaterials, APictureIsDecodedOnceForEachWayItIsRead) {
     const Scene scene = load_bytes(square_with({{"normalTexture", {{"index", 0}}},
                                                 {"occlusionTexture", {{"index", 0}}},
@@ -210,13 +296,13 @@ TEST(GltfMaterials, BrokenPicturesAreWarningsThatNameThem) {
 
 TEST(GltfExtensions, RequiredOnesWeLackAreErrorsOthersWarnings) {
     GlbWriter writer = square_with(json::object());
-    writer.root["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_anisotropy",
+    writer.root["extensionsUsed"] = {"KHR_materials_transmission", "KHR_materials_anisotropy",
                                      "ACME_sparkle", "KHR_xmp_json_ld"};
     const Scene scene = load_bytes(writer);
     ASSERT_EQ(scene.warnings.size(), 2u);
-    EXPECT_TRUE(warns(scene, "KHR_materials_clearcoat: the coat layer is not drawn"));
+    EXPECT_TRUE(warns(scene, "KHR_materials_transmission: the surface is drawn opaque"));
     EXPECT_TRUE(warns(scene, "ACME_sparkle"));
-    for (const char* name : {"KHR_materials_clearcoat", "KHR_texture_basisu", "ACME_sparkle"}) {
+    for (const char* name : {"KHR_materials_transmission", "KHR_texture_basisu", "ACME_sparkle"}) {
         writer.root["extensionsRequired"] = {name};
         const std::string line = error_of(writer);
         EXPECT_NE(line.find(name), std::string::npos) << line;

@@ -245,15 +245,28 @@ TEST(Mtl, KeysThatAreNotReadAreNamedOnce) {
     const ModelFolder model;
     const std::string plain = "Ka 1 1 1\nNi 1.5\nillum 2\nTf 1 1.0 1.000\nPc 0\nPs 0.00\n";
     EXPECT_TRUE(model.load(plain).warnings.empty());
-    const Scene scene = model.load(plain + "map_aniso a.png\nfoo 1\nPc 0.5\nmap_Ns n.png\n");
+    const Scene scene = model.load(plain + "map_aniso a.png\nfoo 1\nPs 0.5\nmap_Ns n.png\n");
     EXPECT_EQ(scene.warnings.size(), 4u);
-    for (const char* key : {"map_aniso", "foo", "Pc", "map_Ns"})
+    for (const char* key : {"map_aniso", "foo", "Ps", "map_Ns"})
         EXPECT_TRUE(warns(scene, std::string("\"m\": ") + key + " is not read"));
     const Scene many = model.load(
         "disp d.png\nnewmtl b\ndisp d.png\nnewmtl c\ndisp d.png\n"
         "newmtl d\ndisp d.png\nnewmtl e\ndisp d.png\n");
     ASSERT_EQ(many.warnings.size(), 1u);
     EXPECT_TRUE(warns(many, "lib.mtl: \"m\", \"b\", \"c\" and 2 more: disp is not read"));
+}
+
+TEST(Mtl, AClearCoatIsRead) {
+    const ModelFolder model;
+    const Scene scene = model.load("Kd 1 0 0\nPc 0.75\nPcr 0.25\n");
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_EQ(scene.materials.at(0).coat.strength, 0.75f);
+    EXPECT_EQ(scene.materials.at(0).coat.roughness, 0.25f);
+    const Scene thick = model.load("Pc 30\nPcr -2\n");
+    EXPECT_EQ(thick.materials.at(0).coat.strength, 1.0f);
+    EXPECT_EQ(thick.materials.at(0).coat.roughness, 0.0f);
+    EXPECT_TRUE(warns(thick, "lib.mtl: \"m\": Pc: 30 is not from 0 to 1: 1 is used"));
+    EXPECT_FALSE(has_coat(model.load("Kd 1 0 0\n").materials.at(0)));
 }
 
 // The rule of glTF's factors.

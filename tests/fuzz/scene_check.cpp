@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish::fuzz {
 namespace {
@@ -61,14 +62,16 @@ void expect_sound_mesh(const Mesh& mesh) {
 }
 
 void expect_sound_material(const Material& m, std::size_t textures) {
-    for (const TextureUse* use :
-         {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-          &m.occlusion_texture, &m.emissive_texture, &m.anisotropy_texture}) {
+    for (const TextureUse* use : texture_uses(m)) {
         expect(use->texture < static_cast<int>(textures), "a texture out of range");
         expect(finite_columns(use->transform), "a texture transform");
     }
     expect(finite_parts(m.base_color) && finite_parts(m.emissive), "a color");
     expect(finite(m.metallic) && finite(m.normal_scale), "a factor");
+    expect(finite(m.coat.strength) && finite(m.coat.roughness) && finite_parts(m.coat.tint),
+           "a coat");
+    expect(finite_parts(m.sheen.color) && finite(m.sheen.roughness), "a sheen");
+    expect(finite(m.specular) && finite_parts(m.specular_color), "a specular factor");
     expect(finite(m.occlusion_strength) && finite(m.alpha_cutoff), "a factor");
     expect(finite(m.anisotropy_rotation), "a rotation");
     if (m.conductor) {

@@ -140,6 +140,11 @@ void add_textures(Stage& stage, Random& random) {
     maybe(m.metallic_roughness_texture, 4, ColorSpace::linear);
     maybe(m.occlusion_texture, 6, ColorSpace::linear);
     maybe(m.emissive_texture, 6, ColorSpace::srgb);
+    maybe(m.coat.texture, 8, ColorSpace::linear);
+    maybe(m.coat.roughness_texture, 8, ColorSpace::linear);
+    maybe(m.coat.normal_texture, 8, ColorSpace::linear);
+    maybe(m.sheen.color_texture, 8, ColorSpace::srgb);
+    maybe(m.sheen.roughness_texture, 8, ColorSpace::linear);
 }
 
 Light random_light(Random& random) {
@@ -180,6 +185,12 @@ void vary_factors(Material& m, Random& random) {
     m.base_color = {unit(), unit(), unit(), unit()};
     m.metallic = unit();
     m.occlusion_strength = unit();
+    m.coat.strength = one_in(random, 3) ? unit() : 0.0f;
+    m.coat.roughness = unit();
+    m.coat.tint = {unit(), unit(), unit()};
+    m.sheen.color = one_in(random, 3) ? glm::vec3(unit()) : glm::vec3(0.0f);
+    m.sheen.roughness = unit();
+    m.specular = one_in(random, 3) ? unit() : 1.0f;
     const glm::vec2 gltf(unit(), unit());
     m.anisotropy_rotation = static_cast<float>(between(random, -7, 7));
     const auto alpha = [&] { return static_cast<float>(value_within(random, 0.001, 1.5)); };

@@ -181,6 +181,27 @@ TEST(LayersOfValues, TheExampleIsWhatItSays) {
               "builtin:bumps");
 }
 
+// The examples of coats: brushed brass under lacquer with a linen shade, and dyed oxide on aluminum.
+TEST(LayersOfValues, TheExamplesOfCoatsAreWhatTheySay) {
+    SceneFile lamp = load_scene_file(source_folder() / "examples/scenes/lacquered_lamp.json");
+    LayeredMaterials of_lamp(lamp.scene.materials, lamp.layers);
+    EXPECT_TRUE(of_lamp.apply(lamp.scene, {}).warnings.empty());
+    const Material &brass = lamp.scene.materials.front(), &linen = lamp.scene.materials.back();
+    EXPECT_EQ(brass.coat.strength, 1.0f);
+    EXPECT_EQ(brass.lobe, MaterialLobe(AlphaLobe{{0.08f, 0.34f}}));
+    EXPECT_EQ(brass.method, Method::follow_grain);
+    EXPECT_TRUE(brass.conductor && brass.normal_texture && !brass.coat.normal_texture);
+    EXPECT_TRUE(cloth_of(linen) && has_sheen(linen) && !has_coat(linen));
+    SceneFile discs = load_scene_file(source_folder() / "examples/scenes/anodized_discs.json");
+    LayeredMaterials of_discs(discs.scene.materials, discs.layers);
+    EXPECT_TRUE(of_discs.apply(discs.scene, {}).warnings.empty());
+    ASSERT_EQ(discs.scene.materials.size(), 3u);
+    for (const Material& m : discs.scene.materials) {
+        EXPECT_TRUE(m.conductor && has_coat(m));
+        EXPECT_LT(m.coat.tint.x * m.coat.tint.y * m.coat.tint.z, 0.1f) << "dyed";
+    }
+}
+
 // One model with several sets of parameters: each has its own values, and a map is read once.
 TEST(LayersOfValues, ManyObjectsOfAFile) {
     const ScratchFolder folder;

@@ -53,6 +53,69 @@ TEST(MaterialParameters, GoOntoEveryMaterial) {
     }
 }
 
+TEST(MaterialParameters, LayersGoOntoEveryMaterial) {
+    Scene scene = one_triangle(true);
+    ParameterValues values;
+    values.set("coat", "0.75", "");
+    values.set("coat_roughness", "0.25", "");
+    values.set("coat_tint", "0.5,0.25,0.125", "");
+    values.set("coat_normal_map", "builtin:bumps", "");
+    values.set("sheen_color", "0.25,0.5,0.125", "");
+    values.set("sheen_roughness", "0.5", "");
+    values.set("ior", "2", "");
+    values.set("specular", "0.5", "");
+    values.set("specular_color", "2,1,0.5", "");
+    values.set("metallic", "0", "");
+    values.set("uv_scale", "4", "");
+    apply_material_parameters(scene, values);
+    for (const Material& m : scene.materials) {
+        EXPECT_EQ(m.coat.strength, 0.75f);
+        EXPECT_EQ(m.coat.roughness, 0.25f);
+        EXPECT_EQ(m.coat.tint, glm::vec3(0.5f, 0.25f, 0.125f));
+        EXPECT_EQ(scene.textures.at(static_cast<std::size_t>(m.coat.normal_texture.texture)).name,
+                  "builtin:bumps");
+        EXPECT_EQ(m.coat.normal_texture.transform[0][0], 4.0f);
+        EXPECT_FALSE(m.normal_texture) << "the surface below has bumps of its own";
+        EXPECT_EQ(m.sheen.color, glm::vec3(0.25f, 0.5f, 0.125f));
+        EXPECT_EQ(m.sheen.roughness, 0.5f);
+        EXPECT_FLOAT_EQ(m.dielectric_f0, 1.0f / 9.0f);  // (2-1)^2/(2+1)^2
+        EXPECT_EQ(m.specular, 0.5f);
+        EXPECT_EQ(m.specular_color, glm::vec3(2.0f, 1.0f, 0.5f));
+    }
+}
+
+TEST(MaterialParameters, CoatsThatNobodyHasAreRefused) {
+    const std::pair<const char*, const char*> refused[] = {
+        {"coat", "1.5"},          {"coat_roughness", "-0.1"}, {"coat_tint", "2,1,1"},
+        {"sheen_color", "1,1,7"}, {"sheen_roughness", "nan"}, {"ior", "0.5"},
+        {"specular", "2"}};
+    for (const auto& row : refused)
+        EXPECT_NE(
+            error_line([&] { ParameterValues().set(row.first, row.second, ""); }).find("expected"),
+            std::string::npos)
+            << row.first;
+    Scene scene = one_triangle(true);
+    ParameterValues both;
+    both.set("ior", "1.5", "");
+    both.set("f0", "0.04", "");
+    EXPECT_NE(error_line([&] { apply_material_parameters(scene, both); }).find("not both"),
+              std::string::npos);
+}
+
+TEST(MaterialParameters, ALayerThatIsNotThereIsNamed) {
+    Scene scene = one_triangle(true);
+    ParameterValues values;
+    values.set("coat_tint", "0.5,0.5,0.5", "");
+    values.set("sheen_roughness", "0.5", "");
+    apply_material_parameters(scene, values);
+    const auto said = [&](const std::string& line) {
+        return std::find(scene.warnings.begin(), scene.warnings.end(), line) !=
+               scene.warnings.end();
+    };
+    EXPECT_TRUE(said("coat_tint: there is no coat (--coat 1): nothing changes"));
+    EXPECT_TRUE(said("sheen_roughness: there is no sheen (--sheen-color): nothing changes"));
+}
+
 TEST(MaterialParameters, RoughnessInThreeWays) {
     Scene scene = one_triangle(true);
     ParameterValues exponents;

@@ -4,6 +4,7 @@
 
 #include "burnish/layered_materials.hpp"
 #include "burnish/load_model.hpp"
+#include "scene/material/texture_uses.hpp"
 #include "stage/normal_map_check.hpp"
 #include "support/test_folder.hpp"
 
@@ -50,11 +51,11 @@ TEST(DrawnMaterial, IsWhatTheLobeReads) {
     all.conductor = Conductor{{0.2f, 0.5f, 1.4f}, {3.9f, 2.4f, 1.6f}};
     all.mdf = Mdf::ward;
     all.brdf = Brdf::phong;
+    all.specular = 0.5f;
+    all.coat.strength = 0.5f;
+    all.sheen.color = glm::vec3(0.5f);
     int texture = 0;
-    for (TextureUse* use :
-         {&all.base_color_texture, &all.metallic_roughness_texture, &all.normal_texture,
-          &all.occlusion_texture, &all.emissive_texture, &all.anisotropy_texture})
-        use->texture = texture++;
+    for (TextureUse* use : texture_uses(all)) use->texture = texture++;
     for (const MaterialLobe& lobe : {MaterialLobe(GltfLobe{}), MaterialLobe(AlphaLobe{})}) {
         all.lobe = lobe;
         EXPECT_EQ(drawn_material(all), all);
@@ -78,6 +79,13 @@ TEST(DrawnMaterial, IsWhatTheLobeReads) {
     EXPECT_EQ(tabulated.mdf, Mdf::ggx);
     EXPECT_EQ(tabulated.brdf, Brdf::microfacet_separable);
     EXPECT_EQ(tabulated.normal_texture, all.normal_texture);
+    EXPECT_EQ(tabulated.coat, all.coat);
+    EXPECT_EQ(tabulated.sheen, all.sheen);
+    EXPECT_FALSE(has_specular_factors(tabulated));
+    all.coat.strength = 0.0f;
+    all.sheen.color = glm::vec3(0.0f);
+    EXPECT_EQ(drawn_material(all).coat, Coat{}) << "its textures are not read";
+    EXPECT_EQ(drawn_material(all).sheen, Sheen{});
     EXPECT_EQ(tabulated.emissive_texture, all.emissive_texture);
 }
 

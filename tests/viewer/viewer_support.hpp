@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "burnish/stage.hpp"
+#include "scene/material/texture_uses.hpp"
 #include "support/glb_writer.hpp"
 #include "support/test_folder.hpp"
 #include "viewer/document/document.hpp"
@@ -71,17 +72,14 @@ inline bool same_texture(const Scene& a, const TextureUse& in_a, const Scene& b,
 }
 
 inline void expect_same_materials(const Scene& a, const Scene& b) {
-    constexpr TextureUse Material::*kUses[] = {
-        &Material::base_color_texture, &Material::metallic_roughness_texture,
-        &Material::normal_texture,     &Material::occlusion_texture,
-        &Material::emissive_texture,   &Material::anisotropy_texture};
     ASSERT_EQ(a.materials.size(), b.materials.size());
     for (std::size_t i = 0; i < a.materials.size(); ++i) {
         SCOPED_TRACE("material " + std::to_string(i) + ", " + a.materials[i].name);
         Material x = a.materials[i], y = b.materials[i];
-        for (const auto use : kUses) {
-            EXPECT_TRUE(same_texture(a, x.*use, b, y.*use));
-            (x.*use) = (y.*use) = TextureUse{};
+        const auto in_x = texture_uses(x), in_y = texture_uses(y);
+        for (std::size_t use = 0; use < in_x.size(); ++use) {
+            EXPECT_TRUE(same_texture(a, *in_x[use], b, *in_y[use]));
+            *in_x[use] = *in_y[use] = TextureUse{};
         }
         // Drafts and tables are read by each scene for itself.
         if (auto* p = std::get_if<Cloth>(&x.lobe)) p->draft = nullptr;

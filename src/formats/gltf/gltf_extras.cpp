@@ -109,9 +109,19 @@ void read_switch(const JsonPlace& root, std::string_view key, bool& value) {
 
 Material restored(const JsonPlace& root, const std::filesystem::path& folder, Material m,
                   std::vector<std::string>& warnings) {
-    constexpr std::array<std::string_view, 12> kKeys = {
-        "mdf",       "brdf",  "method",    "conserve", "single_scattering",  "ks", "lafortune_c",
-        "conductor", "cloth", "tabulated", "color",    "anisotropy_rotation"};
+    constexpr std::array<std::string_view, 13> kKeys = {"mdf",
+                                                        "brdf",
+                                                        "method",
+                                                        "conserve",
+                                                        "single_scattering",
+                                                        "ks",
+                                                        "lafortune_c",
+                                                        "conductor",
+                                                        "cloth",
+                                                        "tabulated",
+                                                        "color",
+                                                        "anisotropy_rotation",
+                                                        "coat_tint"};
     root.require_object(kKeys);
     read_name(root, "mdf", mdf_names(), m.mdf);
     read_name(root, "brdf", brdf_names(), m.brdf);
@@ -121,6 +131,7 @@ Material restored(const JsonPlace& root, const std::filesystem::path& folder, Ma
     if (root.has("ks")) m.ks = number(root.at("ks"), "ks");
     if (root.has("lafortune_c")) m.lafortune_c = triple(root.at("lafortune_c"), -10.0, 10.0);
     if (root.has("conductor")) m.conductor = read_conductor(root.at("conductor"));
+    if (root.has("coat_tint")) m.coat.tint = triple(root.at("coat_tint"), 0.0, 1.0);
     const bool replaces = root.has("cloth") || root.has("tabulated");
     if (!replaces) return m;
     drop_maps(m);

@@ -11,6 +11,7 @@
 #include "core/constants.hpp"
 #include "formats/model_limits.hpp"
 #include "formats/model_textures.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish {
 namespace {
@@ -32,6 +33,14 @@ class MaterialReader {
     void read_extensions(const tinygltf::ExtensionMap& from, Material& to, GltfLobe& lobe);
     void read_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe);
     void read_draft_anisotropy(const tinygltf::Value& from, Material& to, GltfLobe& lobe);
+    void read_specular(const tinygltf::Value& from, Material& to);
+    void read_clearcoat(const tinygltf::Value& from, Coat& to);
+    void read_sheen(const tinygltf::Value& from, Sheen& to);
+    // The texture of the extension's key `name`, where it has one.
+    TextureUse use_in(const tinygltf::Value& extension, const char* extension_name,
+                      const char* name, GltfReading reading);
+    glm::vec3 color_in(const tinygltf::Value& extension, const char* key, glm::vec3 otherwise,
+                       double high, const std::string& where);
     TextureUse use(const tinygltf::Value& info, GltfReading reading, const std::string& key);
     AlphaMode alpha_mode(const std::string& name) const;
 
@@ -235,6 +244,59 @@ void MaterialReader::read_anisotropy(const tinygltf::Value& from, Material& to, 
             use(from.Get("anisotropyTexture"), GltfReading::data, key + ".anisotropyTexture");
 }
 
+TextureUse MaterialReader::use_in(const tinygltf::Value& extension, const char* extension_name,
+                                  const char* name, GltfReading reading) {
+    if (!extension.Has(name)) return {};
+    return use(extension.Get(name), reading,
+               fmt::format("{}.extensions.{}.{}", where_, extension_name, name));
+}
+
+glm::vec3 MaterialReader::color_in(const tinygltf::Value& extension, const char* key,
+                                   glm::vec3 otherwise, double high, const std::string& where) {
+    if (!extension.Has(key)) return otherwise;
+    glm::vec3 color;
+    for (int i = 0; i < 3; ++i)
+        color[i] = clamped(extension.Get(key).Get(i).GetNumberAsDouble(), 0.0, high, where.c_str());
+    return color;
+}
+
+void MaterialReader::read_specular(const tinygltf::Value& from, Material& to) {
+    constexpr const char* kName = "KHR_materials_specular";
+    const std::string at = fmt::format("extensions.{}.", kName);
+    to.specular =
+        clamped(number(from, "specularFactor", 1.0), 0.0, 1.0, (at + "specularFactor").c_str());
+    // 1000: any interface then reflects all light, which is the most that is drawn.
+    to.specular_color =
+        color_in(from, "specularColorFactor", glm::vec3(1.0f), 1000.0, at + "specularColorFactor");
+    to.specular_texture = use_in(from, kName, "specularTexture", GltfReading::data);
+    to.specular_color_texture = use_in(from, kName, "specularColorTexture", GltfReading::color);
+}
+
+void MaterialReader::read_clearcoat(const tinygltf::Value& from, Coat& to) {
+    constexpr const char* kName = "KHR_materials_clearcoat";
+    const std::string at = fmt::format("extensions.{}.", kName);
+    to.strength =
+        clamped(number(from, "clearcoatFactor", 0.0), 0.0, 1.0, (at + "clearcoatFactor").c_str());
+    to.roughness = clamped(number(from, "clearcoatRoughnessFactor", 0.0), 0.0, 1.0,
+                           (at + "clearcoatRoughnessFactor").c_str());
+    to.texture = use_in(from, kName, "clearcoatTexture", GltfReading::data);
+    to.roughness_texture = use_in(from, kName, "clearcoatRoughnessTexture", GltfReading::data);
+    to.normal_texture = use_in(from, kName, "clearcoatNormalTexture", GltfReading::data);
+    if (from.Has("clearcoatNormalTexture"))
+        to.normal_scale = clamped(number(from.Get("clearcoatNormalTexture"), "scale", 1.0), -100.0,
+                                  100.0, (at + "clearcoatNormalTexture.scale").c_str());
+}
+
+void MaterialReader::read_sheen(const tinygltf::Value& from, Sheen& to) {
+    constexpr const char* kName = "KHR_materials_sheen";
+    const std::string at = fmt::format("extensions.{}.", kName);
+    to.color = color_in(from, "sheenColorFactor", glm::vec3(0.0f), 1.0, at + "sheenColorFactor");
+    to.roughness = clamped(number(from, "sheenRoughnessFactor", 0.0), 0.0, 1.0,
+                           (at + "sheenRoughnessFactor").c_str());
+    to.color_texture = use_in(from, kName, "sheenColorTexture", GltfReading::color);
+    to.roughness_texture = use_in(from, kName, "sheenRoughnessTexture", GltfReading::data);
+}
+
 void MaterialReader::read_extensions(const tinygltf::ExtensionMap& from, Material& to,
                                      GltfLobe& lobe) {
     if (const auto* anisotropy = find(from, kAnisotropy)) read_anisotropy(*anisotropy, to, lobe);
@@ -247,6 +309,9 @@ void MaterialReader::read_extensions(const tinygltf::ExtensionMap& from, Materia
         const double root = n == 0.0 ? 1.0 : (n - 1.0) / (n + 1.0);
         to.dielectric_f0 = static_cast<float>(root * root);
     }
+    if (const auto* specular = find(from, "KHR_materials_specular")) read_specular(*specular, to);
+    if (const auto* coat = find(from, "KHR_materials_clearcoat")) read_clearcoat(*coat, to.coat);
+    if (const auto* sheen = find(from, "KHR_materials_sheen")) read_sheen(*sheen, to.sheen);
     if (const auto* strength = find(from, "KHR_materials_emissive_strength")) {
         // Renderers sum light in half floats, which end at 65504; no lamp needs more.
         to.emissive *= clamped(number(*strength, "emissiveStrength", 1.0), 0.0, 65504.0,
@@ -267,8 +332,13 @@ void make_unlit(Material& to) {
     to.lobe = GltfLobe();
     to.anisotropy_rotation = 0.0f;
     for (const auto use : {&Material::metallic_roughness_texture, &Material::normal_texture,
-                           &Material::occlusion_texture, &Material::anisotropy_texture})
+                           &Material::occlusion_texture, &Material::anisotropy_texture,
+                           &Material::specular_texture, &Material::specular_color_texture})
         to.*use = TextureUse();
+    to.specular = 1.0f;
+    to.specular_color = glm::vec3(1.0f);
+    to.coat = Coat();
+    to.sheen = Sheen();
 }
 
 AlphaMode MaterialReader::alpha_mode(const std::string& name) const {
@@ -305,16 +375,14 @@ Material MaterialReader::read(const tinygltf::Material& from, std::size_t index)
 
 std::array<int, 2> MaterialReader::take_two_sets(Material& material) {
     // The textures in the order in which they get a set.
-    const NamedTextureUse order[] = {
-        {&Material::normal_texture, "normal map"},
-        {&Material::base_color_texture, "base color texture"},
-        {&Material::anisotropy_texture, "anisotropy texture"},
-        {&Material::metallic_roughness_texture, "metallic-roughness texture"},
-        {&Material::emissive_texture, "emissive texture"},
-        {&Material::occlusion_texture, "occlusion texture"}};
+    using enum MaterialTexture;
+    constexpr MaterialTexture kOrder[] = {
+        normal,          base_color,     anisotropy, metallic_roughness, emissive,
+        occlusion,       coat_normal,    coat,       coat_roughness,     sheen_color,
+        sheen_roughness, specular_color, specular};
     std::vector<int> found;
-    for (const NamedTextureUse& named : order) {
-        TextureUse& use = material.*named.use;
+    for (const MaterialTexture which : kOrder) {
+        TextureUse& use = texture_use(material, which);
         if (!use || std::find(found.begin(), found.end(), use.texcoord) != found.end()) continue;
         if (found.size() < 2) {
             found.push_back(use.texcoord);
@@ -323,15 +391,16 @@ std::array<int, 2> MaterialReader::take_two_sets(Material& material) {
         report_.warn(
             fmt::format("{}: its {} is not drawn: TEXCOORD_{} is a third set of "
                         "coordinates, and a material has two: TEXCOORD_{} and TEXCOORD_{}",
-                        where_, named.name, use.texcoord, found[0], found[1]));
+                        where_, kTextureNames[static_cast<std::size_t>(which)], use.texcoord,
+                        found[0], found[1]));
         use = TextureUse();
     }
     std::array<int, 2> sets = {0, 1};
     std::sort(found.begin(), found.end());
     if (found.size() == 2) sets = {found[0], found[1]};
     if (found.size() == 1 && found[0] > 1) sets[1] = found[0];
-    for (const NamedTextureUse& named : order) {
-        TextureUse& use = material.*named.use;
+    for (const MaterialTexture which : kOrder) {
+        TextureUse& use = texture_use(material, which);
         use.texcoord = use && use.texcoord == sets[1] ? 1 : 0;
     }
     return sets;

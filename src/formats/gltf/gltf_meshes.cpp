@@ -16,6 +16,7 @@
 #include "formats/model_limits.hpp"
 #include "formats/model_textures.hpp"
 #include "scene/geometry/tangents.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish {
 namespace {
@@ -316,11 +317,11 @@ int GltfMeshes::resolve_material(int index, const Mesh& mesh, const Source& sour
     const bool missing[] = {mesh.texcoord0.empty(), mesh.texcoord1.empty()};
     const auto is_dropped = [&](const TextureUse& use) { return use && missing[use.texcoord]; };
     std::string dropped[2];
-    for (const NamedTextureUse& named : kTextureUses) {
-        const TextureUse& use = scene_.materials[static_cast<std::size_t>(index)].*named.use;
-        if (!is_dropped(use)) continue;
-        std::string& names = dropped[use.texcoord];
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", named.name);
+    const auto uses = texture_uses(scene_.materials[static_cast<std::size_t>(index)]);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (!is_dropped(*uses[i])) continue;
+        std::string& names = dropped[uses[i]->texcoord];
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", kTextureNames[i]);
     }
     if (dropped[0].empty() && dropped[1].empty()) return index;
     for (int set = 0; set < 2; ++set) {
@@ -333,10 +334,8 @@ int GltfMeshes::resolve_material(int index, const Mesh& mesh, const Source& sour
     if (fresh) {
         copy->second = static_cast<int>(scene_.materials.size());
         scene_.materials.push_back(scene_.materials[static_cast<std::size_t>(index)]);
-        for (const NamedTextureUse& named : kTextureUses) {
-            TextureUse& use = scene_.materials.back().*named.use;
-            if (is_dropped(use)) use = TextureUse();
-        }
+        for (TextureUse* use : texture_uses(scene_.materials.back()))
+            if (is_dropped(*use)) *use = TextureUse();
     }
     return copy->second;
 }

@@ -15,10 +15,10 @@ namespace burnish {
 namespace {
 
 // Keys that are read or have a value that says none, in the parser's letters.
-constexpr std::array<std::string_view, 22> kRead = {
+constexpr std::array<std::string_view, 24> kRead = {
     "newmtl", "Kd",     "Ks",     "Ke",     "Ns",     "d",        "Tr",       "Pr",
     "Pm",     "aniso",  "anisor", "map_Kd", "map_Ke", "map_Bump", "map_bump", "bump",
-    "norm",   "map_Pr", "map_Pm", "map_d",  "Ka",     "Tf"};
+    "norm",   "map_Pr", "map_Pm", "map_d",  "Ka",     "Tf",       "Pc",       "Pcr"};
 // Without a meaning for the reflection that is drawn, and written by every exporter.
 constexpr std::array<std::string_view, 4> kSilent = {"Ka", "Ni", "illum", "sharpness"};
 
@@ -124,7 +124,7 @@ struct NumberKey {
     double low, high;
 };
 // Renderers sum light in half floats, which end at 65504.
-constexpr std::array<NumberKey, 10> kNumberKeys = {{{"Kd", 3, 0.0, 1.0},
+constexpr std::array<NumberKey, 12> kNumberKeys = {{{"Kd", 3, 0.0, 1.0},
                                                     {"Ks", 3, 0.0, 1.0},
                                                     {"Ke", 3, 0.0, 65504.0},
                                                     {"Ns", 1, 0.0, 1e6},
@@ -132,6 +132,8 @@ constexpr std::array<NumberKey, 10> kNumberKeys = {{{"Kd", 3, 0.0, 1.0},
                                                     {"Tr", 1, 0.0, 1.0},
                                                     {"Pr", 1, 0.0, 1.0},
                                                     {"Pm", 1, 0.0, 1.0},
+                                                    {"Pc", 1, 0.0, 1.0},
+                                                    {"Pcr", 1, 0.0, 1.0},
                                                     {"aniso", 1, 0.0, 1.0},
                                                     {"anisor", 1, 0.0, 1.0}}};
 
@@ -217,7 +219,7 @@ MtlText read_mtl_text(std::string_view text) {
 
 bool is_lost_mtl_key(const std::string& key, const std::string& value) {
     if (std::find(kSilent.begin(), kSilent.end(), key) != kSilent.end()) return false;
-    if (key == "Tf" || key == "Pc" || key == "Pcr" || key == "Ps") return !says_none(key, value);
+    if (key == "Tf" || key == "Ps") return !says_none(key, value);
     return std::find(kRead.begin(), kRead.end(), key) == kRead.end();
 }
 

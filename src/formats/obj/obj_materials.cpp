@@ -229,6 +229,8 @@ UnreadMaterial LibraryReader::convert(const tinyobj::material_t& from, const Mtl
     convert_surface(from, keys, to, lobe);
     lobe.anisotropy_strength = static_cast<float>(from.anisotropy);
     to.anisotropy_rotation = static_cast<float>(kTwoPi * from.anisotropy_rotation);
+    to.coat.strength = static_cast<float>(from.clearcoat_thickness);
+    to.coat.roughness = static_cast<float>(from.clearcoat_roughness);
     use_color(from, unread);
     if (const auto emissive = find("map_Ke", from.emissive_texname, from.name)) {
         to.emissive_texture =

@@ -1,13 +1,15 @@
 // The texture unit of each texture, so that binding one never disturbs another.
 #pragma once
 
+#include <cstddef>
+
 #include "gpu/device/gl.hpp"
 
 namespace burnish::gpu {
 
-// Textures of a material, in the order of the samplers of shaders/lib/material.glsl.
+// The first six textures of a material, in the order of MaterialTexture.
 inline constexpr GLuint kMaterialUnits = 0;
-inline constexpr int kMaterialTextures = 6;
+inline constexpr std::size_t kFirstMaterialUnits = 6;
 inline constexpr GLuint kEnvironmentUnit = 6;
 inline constexpr GLuint kIrradianceUnit = 7;
 inline constexpr GLuint kPackedUnit = 8;  // images of gbuffer.frag
@@ -28,6 +30,14 @@ inline constexpr GLuint kTabulatedUnits = 20;  // and the next four
 inline constexpr GLuint kShapeUnit = 25;       // also an image of gbuffer.frag
 inline constexpr GLuint kSlopeCovarianceUnit = 26;
 inline constexpr GLuint kWeightsUnit = 27;  // beside kSumUnit
-inline constexpr GLuint kSeenUnits = 28;    // images of gbuffer.frag, and the next one
+inline constexpr GLuint kSeenUnits = 35;    // images of gbuffer.frag, and the next one
+inline constexpr GLuint kLayerUnits = 28;   // of a material's further textures: and the next six
+
+// The unit of a material's texture, by MaterialTexture.
+constexpr GLuint material_unit(std::size_t texture) {
+    const bool first = texture < kFirstMaterialUnits;
+    return static_cast<GLuint>(first ? kMaterialUnits + texture
+                                     : kLayerUnits + texture - kFirstMaterialUnits);
+}
 
 }  // namespace burnish::gpu

@@ -28,6 +28,40 @@ SurfaceVariant with_everything() {
     return v;
 }
 
+// Coats, sheen and specular factors over every kind of surface, under every light.
+void add_layered(std::vector<SurfaceVariant>& list) {
+    for (int image_light = 0; image_light < 4; ++image_light) {
+        for (int kind = 0; kind < 4; ++kind) {
+            SurfaceVariant v = kind == 0 ? with_everything() : SurfaceVariant();
+            v.method = Method::follow_grain;
+            v.normal_map = kind == 1;
+            v.cloth = kind == 2;
+            v.tabulated = kind == 3;
+            v.turned = kind > 1;
+            v.metal = kind == 1;
+            v.compensated = kind < 2;
+            if (kind == 3) v.brdf = Brdf::microfacet_separable;
+            v.lights = 2;
+            v.image_light = image_light;
+            v.coat = (kind + image_light) % 3 != 0;
+            v.sheen = (kind + image_light) % 3 != 1;
+            v.coat_tint = v.coat && kind % 2 == 0;
+            v.coat_normal_map = v.coat && image_light % 2 == 1;
+            v.coat_normal_moments = v.coat_normal_map && kind == 0;
+            v.coat_normal_map_xy = v.coat_normal_map && kind == 1;
+            v.coat_map = v.coat_roughness_map = v.coat && kind == 0;
+            v.sheen_color_map = v.sheen_roughness_map = v.sheen && kind == 0;
+            v.specular_factors = kind != 1;
+            v.specular_map = v.specular_color_map = kind == 0;
+            v.uv_per_texture = kind == 0 && image_light == 2;
+            list.push_back(v);
+            if (image_light != 1) continue;
+            v.view = v.furnace = true;
+            list.push_back(v);
+        }
+    }
+}
+
 // Every method with one lobe, every lobe with one method, and both values of every switch.
 std::vector<SurfaceVariant> variants() {
     std::vector<SurfaceVariant> list;
@@ -108,6 +142,7 @@ std::vector<SurfaceVariant> variants() {
     list.push_back(v);
     v.image_light = 3;
     list.push_back(v);
+    add_layered(list);
     return list;
 }
 

@@ -8,19 +8,17 @@
 #include "gpu/device/texture_units.hpp"
 #include "gpu/upload/cloth_maps.hpp"
 #include "scene/material/material_values.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish::gpu {
 namespace {
 
-// In the order of the texture units.
-std::array<const TextureUse*, kMaterialTextures> uses_of(const Material& m) {
-    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-            &m.occlusion_texture,  &m.emissive_texture,           &m.anisotropy_texture};
-}
-
+// By MaterialTexture.
 constexpr std::array<const char*, kMaterialTextures> kSamplers = {
-    "u_base_color_map", "u_metallic_roughness_map", "u_normal_map",
-    "u_occlusion_map",  "u_emissive_map",           "u_anisotropy_map"};
+    "u_base_color_map",     "u_metallic_roughness_map", "u_normal_map",      "u_occlusion_map",
+    "u_emissive_map",       "u_anisotropy_map",         "u_specular_map",    "u_specular_color_map",
+    "u_coat_map",           "u_coat_roughness_map",     "u_coat_normal_map", "u_sheen_color_map",
+    "u_sheen_roughness_map"};
 
 glm::vec3 of(f32::vec3 v) {
     return {v.x, v.y, v.z};
@@ -41,7 +39,7 @@ glm::vec3 row(const glm::mat3& m, int r) {
 // A tabulated material is read where its normal map is, or would be.
 const TextureUse* first_use(const Material& material) {
     if (tabulated_of(material)) return &material.normal_texture;
-    for (const TextureUse* use : uses_of(material)) {
+    for (const TextureUse* use : texture_uses(material)) {
         if (*use) return use;
     }
     return nullptr;
@@ -49,7 +47,7 @@ const TextureUse* first_use(const Material& material) {
 
 bool uses_differ(const Material& material) {
     const TextureUse* first = first_use(material);
-    for (const TextureUse* use : uses_of(material)) {
+    for (const TextureUse* use : texture_uses(material)) {
         if (!*use) continue;
         if (use->texcoord != first->texcoord || use->transform != first->transform) return true;
     }
@@ -60,7 +58,7 @@ void set_textures(Program& program, const Material& material, const TextureStore
                   float lod_bias) {
     std::array<glm::vec3, kMaterialTextures> s{}, t{};
     std::array<float, kMaterialTextures> set{}, lod{};
-    const auto uses = uses_of(material);
+    const auto uses = texture_uses(material);
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const bool texels = tabulated_of(material) && uses[i] == &material.normal_texture;
         if (!*uses[i] && !texels) continue;
@@ -69,7 +67,7 @@ void set_textures(Program& program, const Material& material, const TextureStore
         set[i] = static_cast<float>(uses[i]->texcoord);
         if (!*uses[i]) continue;
         lod[i] = textures.log2_side(*uses[i]) + lod_bias;
-        program.set(kSamplers[i], static_cast<int>(kMaterialUnits) + static_cast<int>(i));
+        program.set(kSamplers[i], static_cast<int>(material_unit(i)));
     }
     if (wants_slopes(material))
         program.set("u_slope_covariance", static_cast<int>(kSlopeCovarianceUnit));
@@ -85,6 +83,33 @@ void set_fresnel_curve(Program& program, const f32::FresnelCurve& curve) {
                                                         of(curve.pole2),  of(curve.c0),
                                                         of(curve.c1),     of(curve.c2)};
     program.set("u_fresnel_curve", std::span<const glm::vec3>(terms));
+}
+
+void put_layers(const Material& m, const TextureStore::Slots& textures, SurfaceVariant& v) {
+    v.coat = has_coat(m);
+    v.coat_tint = v.coat && m.coat.tint != glm::vec3(1.0f);
+    v.coat_map = v.coat && m.coat.texture;
+    v.coat_roughness_map = v.coat && m.coat.roughness_texture;
+    v.coat_normal_map = v.coat && m.coat.normal_texture;
+    v.coat_normal_moments = v.coat_normal_map && wants_coat_slopes(m);
+    v.coat_normal_map_xy = v.coat_normal_map && !v.coat_normal_moments &&
+                           TextureStore::channels(textures, m.coat.normal_texture) == 2;
+    v.sheen = has_sheen(m);
+    v.sheen_color_map = v.sheen && m.sheen.color_texture;
+    v.sheen_roughness_map = v.sheen && m.sheen.roughness_texture;
+    v.specular_factors = has_specular_factors(m);
+    v.specular_map = static_cast<bool>(m.specular_texture);
+    v.specular_color_map = static_cast<bool>(m.specular_color_texture);
+}
+
+void set_layers(Program& program, const Material& m) {
+    program.set("u_coat", glm::vec2(m.coat.strength, m.coat.roughness));
+    program.set("u_coat_depth", of(f32::coat_depth({m.coat.tint.x, m.coat.tint.y, m.coat.tint.z})));
+    program.set("u_coat_normal_scale",
+                glm::vec2(m.coat.normal_scale,
+                          m.coat.flip_green ? -m.coat.normal_scale : m.coat.normal_scale));
+    program.set("u_sheen", glm::vec4(m.sheen.color, m.sheen.roughness));
+    program.set("u_dielectric", glm::vec4(m.specular_color * m.dielectric_f0, m.specular));
 }
 
 }  // namespace
@@ -105,13 +130,16 @@ bool reads_albedos(const RenderSettings& settings, const Material& m) {
 }
 
 void bind_textures(const Material& material, TextureStore& textures) {
-    const auto uses = uses_of(material);
+    const auto uses = texture_uses(material);
     for (std::size_t i = 0; i < uses.size(); ++i) {
         if (!*uses[i]) continue;
-        const TextureForm form = uses[i] != &material.normal_texture ? TextureForm::plain
-                                 : wants_slopes(material)            ? TextureForm::slopes
-                                                                     : TextureForm::normal;
-        textures.bind(kMaterialUnits + static_cast<GLuint>(i), *uses[i], form);
+        const bool own = uses[i] == &material.normal_texture;
+        const bool coat = uses[i] == &material.coat.normal_texture;
+        const bool slopes = own ? wants_slopes(material) : wants_coat_slopes(material);
+        const TextureForm form = !own && !coat ? TextureForm::plain
+                                 : slopes      ? TextureForm::slopes
+                                               : TextureForm::normal;
+        textures.bind(material_unit(i), *uses[i], form);
     }
 }
 
@@ -145,6 +173,7 @@ SurfaceVariant variant_of(const Material& m, const TextureStore::Slots& textures
         v.turned = true;  // tabulated_texels.glsl turns the lobe to its grooves
         v.brdf = Brdf::microfacet_separable;
     }
+    put_layers(m, textures, v);
     v.uv_per_texture = uses_differ(m);
     v.alpha_mode = m.alpha_mode;
     // Without a perturbed normal all methods are one.
@@ -182,6 +211,7 @@ void set_material(Program& program, const Material& m, const TextureStore& textu
     // Phong's exponent from the mean alpha, for the Gouraud variant.
     const glm::vec2 alpha = alpha_of(m);
     program.set("u_phong_exponent", std::max(2.0f / (alpha.x * alpha.y) - 2.0f, 1.0f));
+    set_layers(program, m);
     set_textures(program, m, textures, lod_bias);
 }
 

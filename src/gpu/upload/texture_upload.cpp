@@ -12,6 +12,7 @@
 #include "burnish/image_io.hpp"
 #include "gpu/device/texture_units.hpp"
 #include "maps/normal/slope_mips.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -233,6 +234,10 @@ bool wants_slopes(const Material& material) {
            material.normal_filter == NormalFilter::moments;
 }
 
+bool wants_coat_slopes(const Material& material) {
+    return material.coat.normal_texture && material.normal_filter == NormalFilter::moments;
+}
+
 TextureStore::TextureStore(const Context& context)
     : es_(context.is_es()), max_size_(context.max_texture_size()) {
     // The software renderer pays for every probe of an anisotropic fetch, and jittered samples
@@ -256,9 +261,10 @@ std::vector<TextureStore::Need> TextureStore::needs_of(const Material& m,
         needs.push_back({index, form_of(*slots[index].source, form)});
     };
     add(m.normal_texture, wants_slopes(m) ? TextureForm::slopes : TextureForm::normal);
-    for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
-                                  &m.occlusion_texture, &m.emissive_texture, &m.anisotropy_texture})
-        add(*use, TextureForm::plain);
+    add(m.coat.normal_texture, wants_coat_slopes(m) ? TextureForm::slopes : TextureForm::normal);
+    for (const TextureUse* use : texture_uses(m))
+        if (use != &m.normal_texture && use != &m.coat.normal_texture)
+            add(*use, TextureForm::plain);
     return needs;
 }
 

@@ -22,6 +22,8 @@ enum class TextureForm { plain, normal, slopes, slope_covariance };
 
 // Whether a material uses its normal map in the form of slopes.
 bool wants_slopes(const Material& material);
+// The same of the normal map of its coat.
+bool wants_coat_slopes(const Material& material);
 
 // Whether texels and sampling are equal; names may differ.
 bool same_texels(const Texture& a, const Texture& b);

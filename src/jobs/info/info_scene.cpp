@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -15,6 +16,7 @@
 #include "burnish/scene_file.hpp"
 #include "burnish/stage.hpp"
 #include "core/text.hpp"
+#include "scene/material/texture_uses.hpp"
 #include "stage/normal_map_check.hpp"
 
 namespace burnish {
@@ -134,6 +136,23 @@ void describe_lobe(const Material& m, Description& d) {
     if (m.brdf != Brdf::microfacet) d.say(", ").say(name_of(m.brdf));
 }
 
+void describe_layers(const Material& m, Description& d) {
+    const auto color = [&](const glm::vec3& c) {
+        d.say("(").say(c.r).say(", ").say(c.g).say(", ").say(c.b).say(")");
+    };
+    if (has_specular_factors(m)) {
+        d.say(", specular ").say(m.specular);
+        if (m.specular_color != glm::vec3(1.0f)) d.say(" "), color(m.specular_color);
+    }
+    if (has_sheen(m)) {
+        d.say(", sheen "), color(m.sheen.color);
+        d.say(" roughness ").say(m.sheen.roughness);
+    }
+    if (!has_coat(m)) return;
+    d.say(", coat ").say(m.coat.strength).say(" roughness ").say(m.coat.roughness);
+    if (m.coat.tint != glm::vec3(1.0f)) d.say(" tint "), color(m.coat.tint);
+}
+
 Description describe_material(const Scene& scene, const Material& material) {
     const Material m = drawn_material(material);
     Description d{name_or_none(m.name)};
@@ -151,12 +170,14 @@ Description describe_material(const Scene& scene, const Material& material) {
     if (m.alpha_mode != AlphaMode::opaque)
         d.say(m.alpha_mode == AlphaMode::mask ? ", alpha mask" : ", alpha blend");
     if (m.double_sided) d.say(", double sided");
-    d.say(describe_texture_use(scene, "base color", m.base_color_texture));
-    d.say(describe_texture_use(scene, "metallic-roughness", m.metallic_roughness_texture));
-    d.say(describe_texture_use(scene, "normal", m.normal_texture));
-    d.say(describe_texture_use(scene, "occlusion", m.occlusion_texture));
-    d.say(describe_texture_use(scene, "emissive", m.emissive_texture));
-    d.say(describe_texture_use(scene, "anisotropy", m.anisotropy_texture));
+    describe_layers(m, d);
+    static constexpr std::array<const char*, kMaterialTextures> kWords = {
+        "base color",  "metallic-roughness", "normal",         "occlusion", "emissive",
+        "anisotropy",  "specular",           "specular color", "coat",      "coat roughness",
+        "coat normal", "sheen color",        "sheen roughness"};
+    const auto uses = texture_uses(m);
+    for (std::size_t i = 0; i < uses.size(); ++i)
+        d.say(describe_texture_use(scene, kWords[i], *uses[i]));
     return d;
 }
 

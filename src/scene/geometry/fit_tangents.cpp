@@ -11,6 +11,7 @@
 #include "burnish/error.hpp"
 #include "core/parallel.hpp"
 #include "scene/geometry/tangents.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish {
 namespace {
@@ -35,9 +36,8 @@ TangentSource source_of(const TextureUse& use) {
 // Cloth is woven along the coordinates of its own textures where all of them share some.
 TangentSource cloth_source(const Material& m) {
     const TextureUse* first = nullptr;
-    for (const TextureUse* use :
-         {&m.base_color_texture, &m.occlusion_texture, &m.emissive_texture}) {
-        if (!*use) continue;
+    for (const TextureUse* use : texture_uses(m)) {
+        if (!cloth_reads(m, *use)) continue;
         if (first == nullptr) first = use;
         if (use->texcoord != first->texcoord || use->transform != first->transform) return {};
     }
@@ -143,6 +143,7 @@ TangentSource tangent_source_of(const Material& m) {
     if (cloth_of(m)) return cloth_source(m);
     if (m.normal_texture || tabulated_of(m)) return source_of(m.normal_texture);
     if (m.anisotropy_texture) return source_of(m.anisotropy_texture);
+    if (m.coat.normal_texture) return source_of(m.coat.normal_texture);
     return {};
 }
 

@@ -10,9 +10,12 @@ namespace {
 
 // One word for both precisions: the type of the arguments chooses. Functions that take a structure
 // of shading/ are found by it.
+using f32::coat_depth, f64::coat_depth;
 using f32::fresnel_inverse_at_normal, f64::fresnel_inverse_at_normal;
 using f32::lobe_from_alpha, f64::lobe_from_alpha;
 using f32::lobe_grooves_along_x, f64::lobe_grooves_along_x;
+using f32::lobe_of_roughness, f64::lobe_of_roughness;
+using f32::sheen_make, f64::sheen_make;
 
 template <typename Float>
 struct SurfaceOf;
@@ -66,8 +69,32 @@ auto interface_of(const Material& m) {
         s.eta = vector_of<Float>(m.conductor->eta);
         s.k = vector_of<Float>(m.conductor->k);
     }
+    if (has_specular_factors(m))
+        s = surface_dielectric(s, vector_of<Float>(m.specular_color * m.dielectric_f0),
+                               Float{m.specular});
     s.has_diffuse = tabulated || (!m.conductor && m.metallic < 1.0f);
     return s;
+}
+
+f32::SurfaceLayers no_layers(float) {
+    return {f32::coat_none(), f32::sheen_none()};
+}
+f64::SurfaceLayers no_layers(double) {
+    return {f64::coat_none(), f64::sheen_none()};
+}
+
+template <typename Float>
+auto layers_of(const Material& m) {
+    auto layers = no_layers(Float{0});
+    if (has_coat(m)) {
+        const auto lobe = lobe_of_roughness(f32::kMdfGgx, Float{m.coat.roughness}, Float{0});
+        layers.coat =
+            coat_make(Float{m.coat.strength}, lobe, vector_of<Float>({0, 0, 1}),
+                      m.coat.tint != glm::vec3(1.0f), coat_depth(vector_of<Float>(m.coat.tint)));
+    }
+    if (has_sheen(m))
+        layers.sheen = sheen_make(vector_of<Float>(m.sheen.color), Float{m.sheen.roughness});
+    return layers;
 }
 
 }  // namespace
@@ -87,6 +114,8 @@ MaterialValues<Surface> material_values(const Material& m) {
     v.method = drawn_method(m);
     v.conserve = m.conserve && v.method == Method::deform_smooth;
     v.compensated = is_compensated(m);
+    v.layers = layers_of<Float>(m);
+    v.layered = has_coat(m) || has_sheen(m);
     return v;
 }
 

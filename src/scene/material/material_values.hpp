@@ -12,6 +12,17 @@
 
 namespace burnish {
 
+template <typename Surface>
+struct LayersOver;
+template <>
+struct LayersOver<f32::SurfaceMaterial> {
+    using Type = f32::SurfaceLayers;
+};
+template <>
+struct LayersOver<f64::SurfaceMaterial> {
+    using Type = f64::SurfaceLayers;
+};
+
 // `Surface`: f32::SurfaceMaterial or f64::SurfaceMaterial.
 template <typename Surface>
 struct MaterialValues {
@@ -31,6 +42,9 @@ struct MaterialValues {
     Method method = Method::none;
     bool conserve = false;     // the energy-conserving form of deform-smooth
     bool compensated = false;  // surface_compensated is due, by the albedo seen from the eye
+    // Coat and sheen; the coat's normal is (0, 0, 1).
+    typename LayersOver<Surface>::Type layers;
+    bool layered = false;  // one of them is there
 };
 
 template <typename Surface>

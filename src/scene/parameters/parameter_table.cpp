@@ -99,6 +99,21 @@ struct Table {
     }
 };
 
+void add_layers(Table& t) {
+    t.real("coat", 0, 1, {}, "",
+           "clear coat over the surface: the share of it that is coated (KHR_materials_clearcoat)");
+    t.real("coat_roughness", 0, 1, {}, "", "perceptual roughness of the coat's face");
+    t.color(
+        "coat_tint", 1, {},
+        "what the coat lets through along its normal and back, darker towards the edges: lacquer "
+        "that is dyed, anodized aluminum");
+    t.text("coat_normal_map", "normal map of the coat alone: a picture, builtin:bumps, or none");
+    t.color("sheen_color", 1, {},
+            "sheen of fibers that stand out, as of velvet (KHR_materials_sheen); 0 is none");
+    t.real("sheen_roughness", 0, 1, {}, "",
+           "perceptual roughness of the sheen; small ones show at the edges alone");
+}
+
 void add_material(Table& t) {
     t.group = Group::material;
     const Material standard;
@@ -139,6 +154,14 @@ void add_material(Table& t) {
     t.belongs_to = "";
     t.real("f0", 0, 1, {}, "",
            "normal reflectance of a dielectric (0.04 is a refractive index of 1.5)");
+    t.real("ior", 1, 100, {}, "",
+           "refractive index of a dielectric, in place of f0 (KHR_materials_ior): 1.5 is 0.04");
+    t.real("specular", 0, 1, {}, "",
+           "weight of a dielectric's specular term (KHR_materials_specular)");
+    t.color(
+        "specular_color", 1000, {},
+        "color of a dielectric's normal reflectance, which it multiplies: r,g,b linear or #rrggbb");
+    add_layers(t);
     t.text("normal_map", "normal map: a picture, builtin:bumps, or none");
     t.real("normal_scale", 0, 16, {}, "", "strength of the normal map (1 as stored)");
     t.boolean("flip_green", {}, "the normal map has +y down (DirectX)");

@@ -60,6 +60,7 @@ const std::vector<std::vector<Names>>& alternatives() {
                        height = with_its_own("height_map");
     static const std::vector<std::vector<Names>> all = {
         {{"alpha_x", "alpha_y"}, {"e_x", "e_y"}, {"cosine_exponent"}, {"roughness", "anisotropy"}},
+        {{"f0"}, {"ior"}},
         {{"normal_map"}, height, scratch, weave},
         {{"weave_yarns"}, {"weave_yarns_per_cm"}},
         {{"uv_scale"}, {"physical_size", "maps_tile_mm"}},

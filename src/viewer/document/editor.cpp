@@ -36,9 +36,11 @@ std::vector<std::optional<TangentSource>> tangents_of(const Scene& scene) {
 
 std::vector<std::pair<int, bool>> normal_maps_of(const Scene& scene) {
     std::vector<std::pair<int, bool>> maps;
-    for (const Material& material : scene.materials)
+    for (const Material& material : scene.materials) {
         maps.emplace_back(cloth_of(material) ? -1 : material.normal_texture.texture,
                           material.flip_green);
+        maps.emplace_back(material.coat.normal_texture.texture, material.coat.flip_green);
+    }
     return maps;
 }
 

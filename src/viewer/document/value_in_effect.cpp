@@ -107,11 +107,15 @@ Value of_cloth(const Material& m, const Parameter& p) {
 Value of_texture(const Material& m, const Material& base, const ParameterValues& values,
                  std::string_view name) {
     const bool folder = names_one(values, "maps");
-    const auto unless = [&](TextureUse Material::*use) {
-        const int now = (m.*use).texture;
-        const bool brought = now >= 0 && (folder || now == (base.*use).texture);
+    const auto unless_of = [&](const TextureUse& now, const TextureUse& before, bool in_folder) {
+        const bool brought = now && (in_folder || now.texture == before.texture);
         return brought ? Value() : Value(std::string("none"));
     };
+    const auto unless = [&](TextureUse Material::*use) {
+        return unless_of(m.*use, base.*use, folder);
+    };
+    if (name == "coat_normal_map")
+        return unless_of(m.coat.normal_texture, base.coat.normal_texture, false);
     if (name == "normal_map") return unless(&Material::normal_texture);
     if (name == "base_color_map") return unless(&Material::base_color_texture);
     if (name == "roughness_map" || name == "metallic_map")
@@ -131,8 +135,27 @@ Value of_metal(const Material& m, const Parameter& p) {
     return ParameterChoice{static_cast<int>(found - p.choices.begin())};
 }
 
+// The refractive index of a reflectance; none: infinite.
+Value ior_of_f0(float f0) {
+    const double root = std::sqrt(static_cast<double>(f0));
+    return root < 1.0 ? Value(six_digits((1.0 + root) / (1.0 - root))) : Value();
+}
+
+Value of_layers(const Material& m, std::string_view name) {
+    if (name == "coat") return decimal_of(m.coat.strength);
+    if (name == "coat_roughness") return decimal_of(m.coat.roughness);
+    if (name == "coat_tint") return m.coat.tint;
+    if (name == "sheen_color") return m.sheen.color;
+    if (name == "sheen_roughness") return decimal_of(m.sheen.roughness);
+    if (name == "specular") return decimal_of(m.specular);
+    if (name == "specular_color") return m.specular_color;
+    if (name == "ior") return ior_of_f0(m.dielectric_f0);
+    return std::nullopt;
+}
+
 Value of_model(const Material& m, const Parameter& p) {
     const std::string_view name = p.name;
+    if (const Value layer = of_layers(m, name)) return layer;
     if (name == "mdf") return choice_of(m.mdf);
     if (name == "brdf") return choice_of(m.brdf);
     if (name == "method") return choice_of(m.method);

@@ -14,6 +14,7 @@
 #include "export/texture_sampler.hpp"
 #include "maps/weave/weave_cells.hpp"
 #include "scene/material/material_values.hpp"
+#include "scene/material/texture_uses.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -119,9 +120,8 @@ void put_lobe(SurfaceAt& at, const Material& m, const Values& values, const Text
 // The renderer gives a material one transform, that of its first texture, unless its textures differ.
 glm::vec2 cloth_uv(const Material& m, const Hit& hit) {
     const TextureUse* first = nullptr;
-    for (const TextureUse* use :
-         {&m.base_color_texture, &m.occlusion_texture, &m.emissive_texture}) {
-        if (!*use) continue;
+    for (const TextureUse* use : texture_uses(m)) {
+        if (!cloth_reads(m, *use)) continue;
         if (first == nullptr) first = use;
         if (use->texcoord != first->texcoord || use->transform != first->transform) return hit.uv0;
     }
@@ -232,6 +232,15 @@ SurfaceAt surface_of(const Material& m, const TexturesAt& textures, const Hit& h
     const Values values = material_values<f64::SurfaceMaterial>(m);
     SurfaceAt at;
     at.surface = values.surface;
+    if (m.specular_texture || m.specular_color_texture) {
+        const glm::vec3 f0 = m.specular_color * m.dielectric_f0 *
+                             glm::vec3(textures.color(m.specular_color_texture));
+        const float weight = m.specular * textures.color(m.specular_texture).a;
+        at.surface =
+            f64::surface_dielectric(at.surface, f64::vec3(f0), static_cast<double>(weight));
+    }
+    at.under_coat = has_coat(m);
+    at.under_sheen = has_sheen(m);
     at.method = m.method;
     at.conserve = m.conserve;
     if (values.compensated) at.albedos = albedo_table(m.brdf, m.mdf);

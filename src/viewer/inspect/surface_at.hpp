@@ -51,7 +51,8 @@ struct SurfaceAt {
     f64::vec3 n{0, 0, 1};     // perturbed normal, unit
     f64::vec2 stretch{1, 0};  // (cos, sin) from the tangent to the lobe's x axis (not of tables)
     bool grooves_along_x = true;
-    bool perturbed = false;  // a map, a weave or a measurement states n
+    bool under_coat = false, under_sheen = false;  // layers that are no part of `surface`
+    bool perturbed = false;                        // a map, a weave or a measurement states n
     bool conserve = false;
     std::shared_ptr<const AlbedoTable> albedos;  // none: the surface is not compensated
     bool isotropic =

@@ -31,6 +31,11 @@ void point_rows(const App& app) {
     point_row("material", material_name(app.scene(), app.picked->hit.material));
     point_row("n~", fmt::format("{:.3f} {:.3f} {:.3f}, tilt {:.1f} deg, |d| {:.3f}", r.normal.x,
                                 r.normal.y, r.normal.z, r.tilt_deg, r.tilt));
+    if (r.surface.under_coat || r.surface.under_sheen)
+        point_row("layers", fmt::format("the numbers are those of the surface below the {}",
+                                        !r.surface.under_sheen  ? "coat"
+                                        : !r.surface.under_coat ? "sheen"
+                                                                : "coat and the sheen"));
     if (app.scene().lights.empty())
         point_row("light", "none in the scene: as if one shone along n");
     else

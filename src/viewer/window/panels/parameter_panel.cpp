@@ -32,7 +32,12 @@ const std::vector<Section>& sections() {
         {"Roughness",
          {"alpha_x", "alpha_y", "anisotropy_rotation", "roughness", "anisotropy", "e_x", "e_y",
           "cosine_exponent", "ks", "lafortune_c"}},
-        {"Color", {"metal", "oxide", "base_color", "metallic", "f0", "double_sided"}},
+        {"Color",
+         {"metal", "oxide", "base_color", "metallic", "f0", "ior", "specular", "specular_color",
+          "double_sided"}},
+        {"Layers",
+         {"coat", "coat_roughness", "coat_tint", "coat_normal_map", "sheen_color",
+          "sheen_roughness"}},
         {"Detail",
          {"normal_map", "normal_scale", "flip_green", "normal_filter", "scratch",
           "scratch_direction", "physical_size", "height_map", "height_scale", "uv_scale"}},
@@ -68,6 +73,9 @@ std::string_view paper_of(std::string_view name) {
         {"e_y", "Ashikhmin & Shirley 2000"},
         {"scratch", "Kang & Cho 2011 section 2.4"},
         {"tabulated", "Wang et al. 2008"},
+        {"coat", "KHR_materials_clearcoat; Stokes 1862 (docs/theory/coats.md)"},
+        {"coat_tint", "docs/theory/coats.md"},
+        {"sheen_color", "Estevez & Kulla 2017 (docs/theory/coats.md)"},
         {"normal_filter", "docs/theory/normal-filtering.md"},
         {"weave", "docs/theory/cloth.md"},
         {"image_light", "docs/theory/image-light.md"},
@@ -98,7 +106,7 @@ std::vector<std::string> words_of(std::string_view name) {
     };
     if (name == "scratch") add(scratch_preset_names());
     if (name == "weave") add(draft_names());
-    if (name == "normal_map") words.emplace_back("builtin:bumps");
+    if (name == "normal_map" || name == "coat_normal_map") words.emplace_back("builtin:bumps");
     return words;
 }
 
