@@ -15,6 +15,7 @@
 namespace burnish {
 namespace {
 
+constexpr std::array<float, 2> kUp = {1.0f, -1.0f};  // of the sides, along the normal
 constexpr int kSkyLamps = 64;
 constexpr float kMostSkyRatio = 4.0f;
 constexpr std::size_t kPointsOfTask = 64;  // points a task
@@ -82,21 +83,24 @@ BounceLight::BounceLight(const BounceScene& scene, const SceneLight& light, int 
       environment_(light.environment.get(), light.intensity, light.rotation),
       directions_(even_hemisphere(scene.count)),
       step_(scene.hits.count() * static_cast<std::size_t>(bounces) / kMostBounceRays + 1),
-      sky_(scene.mesh.points(), glm::vec3(0.0f)),
-      lamps_(scene.mesh.points(), glm::vec3(0.0f)) {
+      direct_{std::vector<Direct>(scene.mesh.points()), std::vector<Direct>(scene.mesh.points())} {
     const std::vector<EnvironmentLookup::SkyLamp> sky_lamps = environment_.lamps(kSkyLamps);
     for_points(scene.mesh.points(), "light", progress, [&](std::uint32_t point) {
-        sky_[point] = sky_at(point, sky_lamps);
-        lamps_[point] = lamps_at(point, light);
+        for (std::size_t side = 0; side < sides_of(point); ++side)
+            direct_[side][point] = {sky_at(point, side, sky_lamps), lamps_at(point, side, light)};
     });
+}
+
+std::size_t BounceLight::sides_of(std::uint32_t point) const {
+    return scene_.mesh.is_double_sided(point) ? 2 : 1;
 }
 
 // By the lamps that rays do not find blocked. The lamps of a smooth environment are few for it: what they find is
 // taken as a ratio to their own sum without shadows.
-glm::vec3 BounceLight::sky_at(std::uint32_t point,
+glm::vec3 BounceLight::sky_at(std::uint32_t point, std::size_t side,
                               std::span<const EnvironmentLookup::SkyLamp> sky_lamps) const {
-    const glm::vec3 normal = scene_.mesh.normal(point);
-    const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, 1.0f);
+    const glm::vec3 normal = kUp[side] * scene_.mesh.normal(point);
+    const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, kUp[side]);
     glm::vec3 reached(0.0f), all(0.0f);
     for (std::size_t i = 0; i < sky_lamps.size(); ++i) {
         const float cosine = glm::dot(normal, sky_lamps[i].direction);
@@ -119,19 +123,22 @@ float BounceLight::sky_ratio(std::uint32_t point) const {
     const f32::Harmonics& blocked = scene_.blocked[point];
     const glm::vec3 open = to_glm(f32::open_direction(blocked, n));
     const float length = glm::length(open);
-    if (!(length > 0.0f) || !(blocked.mean > 0.0f)) return 1.0f;
+    // One ratio cannot serve two sides.
+    if (!(length > 0.0f) || !(blocked.mean > 0.0f) || sides_of(point) > 1) return 1.0f;
     const glm::vec3 shown =
         (1.0f - f32::blocked_about(blocked, n)) * environment_.irradiance(open / length);
     // 1e-3 of the open sky: what is darker has no ratio that matters.
     const float least = 1e-3f * luminance_of(environment_.irradiance(to_glm(n))) + 1e-20f;
-    return std::clamp((luminance_of(sky_[point]) + least) / (luminance_of(shown) + least), 0.0f,
-                      kMostSkyRatio);
+    return std::clamp((luminance_of(direct_[0][point].sky) + least) / (luminance_of(shown) + least),
+                      0.0f, kMostSkyRatio);
 }
 
-glm::vec3 BounceLight::lamps_at(std::uint32_t point, const SceneLight& light) const {
+glm::vec3 BounceLight::lamps_at(std::uint32_t point, std::size_t side,
+                                const SceneLight& light) const {
     glm::vec3 sum(0.0f);
-    const glm::vec3 position = scene_.mesh.position(point), normal = scene_.mesh.normal(point);
-    const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, 1.0f);
+    const glm::vec3 position = scene_.mesh.position(point);
+    const glm::vec3 normal = kUp[side] * scene_.mesh.normal(point);
+    const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, kUp[side]);
     for (const Light& lamp : light.lights) {
         const bool placed = lamp.type != LightType::directional;
         const glm::vec3 place = placed ? lamp.position : -1.0f * lamp.direction;
@@ -161,21 +168,24 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
     const BounceMaterial& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
     const std::span<const std::uint32_t> points = scene_.mesh.points_of(hit.mesh);
     const std::array<float, 3> weights = {1.0f - hit.u - hit.v, hit.u, hit.v};
+    // The side that the ray has come to. One that is not drawn is black.
+    const std::size_t side = glm::dot(hit.normal, direction) > 0.0f ? 1 : 0;
+    if (side == 1 && !mesh.double_sided) return glm::vec3(0.0f);
     glm::vec3 normal(0.0f), sky(0.0f), lamps(0.0f), color(0.0f), slope(0.0f);
     f32::Harmonics blocked{};
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = mesh.indices[3 * static_cast<std::size_t>(hit.triangle) + k];
         const std::uint32_t point = points[vertex];
-        normal += weights[k] * mesh.normals[vertex];
-        sky += weights[k] * sky_[point];
-        lamps += weights[k] * lamps_[point];
+        normal += weights[k] * kUp[side] * mesh.normals[vertex];
+        sky += weights[k] * direct_[side][point].sky;
+        lamps += weights[k] * direct_[side][point].lamps;
         blocked = blocked + scene_.blocked[point] * weights[k];
         if (before.empty()) continue;
         color += weights[k] * to_glm(before[point].color);
         slope += weights[k] * to_glm(before[point].slope);
     }
     const float length = glm::length(normal);
-    normal = length > 0.0f ? normal / length : glm::normalize(hit.normal);
+    normal = length > 0.0f ? normal / length : glm::normalize(kUp[side] * hit.normal);
     const f32::Surroundings around{to_f32(color), to_f32(slope), 1.0f};
     const float share = f32::blocked_about(blocked, to_f32(normal));
     const glm::vec3 all =
@@ -186,7 +196,10 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
     const glm::vec3 reflected = (1.0f - hidden) * environment_.radiance(mirror, material.alpha) +
                                 lamps +
                                 hidden * to_glm(f32::surroundings_towards(around, to_f32(mirror)));
-    return material.emitted + material.diffuse * all + material.specular * reflected;
+    const float cosine = std::clamp(-glm::dot(direction, normal), 0.0f, 1.0f);
+    const float through =
+        f32::diffuse_albedo(material.brdf, material.dielectric_f0, material.dielectric_f90, cosine);
+    return material.emitted + material.diffuse * (all * through) + material.specular * reflected;
 }
 
 f32::Surroundings BounceLight::surroundings_of(std::uint32_t point,
@@ -195,11 +208,9 @@ f32::Surroundings BounceLight::surroundings_of(std::uint32_t point,
     if (!(scene_.blocked[point].mean > 0.0f) || glm::dot(normal, normal) == 0.0f)
         return {{}, {}, 1.0f};
     HitSums sums;
-    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-        if (side == 1 && !scene_.mesh.is_double_sided(point)) break;
-        const float up = side == 0 ? 1.0f : -1.0f;
-        const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, up);
-        const HemisphereAxes axes(up * normal, point);
+    for (std::size_t side = 0; side < sides_of(point); ++side) {
+        const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, kUp[side]);
+        const HemisphereAxes axes(kUp[side] * normal, point);
         const std::span<const std::uint32_t> hits = scene_.hits.of(point, side);
         std::size_t number = 0;
         for (std::size_t i = 0; i < directions_.size(); ++i) {

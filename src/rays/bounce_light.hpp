@@ -1,6 +1,7 @@
 // The light that surfaces reflect to one another.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -43,9 +44,14 @@ class BounceLight {
     float sky_ratio(std::uint32_t point) const;
 
   private:
-    glm::vec3 sky_at(std::uint32_t point,
+    // Irradiance over pi of a side of a point.
+    struct Direct {
+        glm::vec3 sky{0.0f}, lamps{0.0f};
+    };
+    std::size_t sides_of(std::uint32_t point) const;
+    glm::vec3 sky_at(std::uint32_t point, std::size_t side,
                      std::span<const EnvironmentLookup::SkyLamp> sky_lamps) const;
-    glm::vec3 lamps_at(std::uint32_t point, const SceneLight& light) const;
+    glm::vec3 lamps_at(std::uint32_t point, std::size_t side, const SceneLight& light) const;
     glm::vec3 radiance_of(const RayHit& hit, const glm::vec3& direction,
                           std::span<const f32::Surroundings> before) const;
     f32::Surroundings surroundings_of(std::uint32_t point,
@@ -55,7 +61,8 @@ class BounceLight {
     EnvironmentLookup environment_;
     std::vector<glm::vec3> directions_;
     std::size_t step_ = 1;  // of the blocked rays of a point, one in so many carries light
-    std::vector<glm::vec3> sky_, lamps_;  // irradiance over pi of every point
+    std::array<std::vector<Direct>, 2>
+        direct_;  // of the sides of every point; the second of double-sided ones
 };
 
 }  // namespace burnish

@@ -88,6 +88,9 @@ BounceMaterial bounce_material(const Material& material, std::span<const Texture
         f32::surface_colored(values.surface, {color.x, color.y, color.z}, values.metallic * orm.z);
     BounceMaterial out;
     out.diffuse = to_glm(surface.diffuse) * (surface.has_diffuse ? 1.0f : 0.0f);
+    out.brdf = surface.brdf;
+    out.dielectric_f0 = surface.dielectric_f0;
+    out.dielectric_f90 = surface.dielectric_f90;
     out.specular = to_glm(f32::specular_fresnel(surface, 1.0f));
     if (const Tabulated* tabulated = tabulated_of(material)) {
         out.diffuse = mean_of(tabulated->material->diffuse);
@@ -96,6 +99,13 @@ BounceMaterial bounce_material(const Material& material, std::span<const Texture
         const glm::vec2 alpha = alpha_of(material);
         const float rough = gltf_lobe_of(material) != nullptr ? orm.y * orm.y : 1.0f;
         out.alpha = std::clamp(std::sqrt(alpha.x * alpha.y) * rough, f32::kLowestAlpha, 1.0f);
+    }
+    if (has_coat(material)) {
+        // What a clear coat lets through, and its own reflectance at normal incidence.
+        const glm::vec3 left =
+            glm::mix(glm::vec3(1.0f), 0.96f * material.coat.tint, material.coat.strength);
+        out.diffuse *= left;
+        out.specular = out.specular * left + 0.04f * material.coat.strength;
     }
     out.diffuse = glm::clamp(out.diffuse, 0.0f, 1.0f);
     out.specular = glm::clamp(out.specular, 0.0f, 1.0f);

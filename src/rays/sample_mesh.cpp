@@ -19,6 +19,19 @@ glm::vec3 unit_or_zero(const glm::vec3& v) {
     return length > 0.0f && std::isfinite(length) ? v / length : glm::vec3(0.0f);
 }
 
+bool is_sound(const Mesh& mesh) {
+    const std::size_t n = mesh.positions.size();
+    const auto fits = [n](const auto& values) { return values.empty() || values.size() == n; };
+    return n > 0 && !mesh.indices.empty() && fits(mesh.normals) && fits(mesh.tangents) &&
+           fits(mesh.texcoord0) && fits(mesh.texcoord1) && fits(mesh.colors);
+}
+
+// Whether the index is one of a list.
+template <typename List>
+bool is_of(int index, const List& list) {
+    return index >= 0 && static_cast<std::size_t>(index) < list.size();
+}
+
 WorldMesh world_mesh(const Mesh& mesh, const Instance& instance, const Material& material) {
     WorldMesh out;
     out.material = instance.material;
@@ -58,10 +71,10 @@ std::vector<WorldMesh> world_meshes(const Scene& scene) {
     std::vector<WorldMesh> meshes;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
-        if (instance.mesh < 0 || static_cast<std::size_t>(instance.mesh) >= scene.meshes.size())
+        if (!is_of(instance.mesh, scene.meshes) || !is_of(instance.material, scene.materials))
             continue;
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        if (mesh.indices.empty() || mesh.positions.empty()) continue;
+        if (!is_sound(mesh)) continue;
         meshes.push_back(world_mesh(mesh, instance,
                                     scene.materials[static_cast<std::size_t>(instance.material)]));
         meshes.back().instance = static_cast<int>(i);

@@ -20,7 +20,9 @@ struct WorldMesh {
     bool mirrored = false;  // the indices are in the other order than the mesh's
 };
 
-// Of the instances that are there and have triangles. Triangles with a position that is not finite are left out.
+// Of the instances that can be drawn and have triangles. Left out: those of a mesh or material that does not exist, or
+// of a mesh with attributes of another length than its positions. Triangles with a position that is not finite have
+// no area.
 std::vector<WorldMesh> world_meshes(const Scene& scene);
 
 }  // namespace burnish
