@@ -1,5 +1,5 @@
 // `make bench`: measures the costs that have budgets and writes both side by side.
-// Usage: burnish_bench OUT.md [PART...], with the parts frames, cloth, layers, edits, image-light, loading,
+// Usage: burnish_bench OUT.md [PART...], with the parts frames, area-lights, cloth, layers, edits, image-light, loading,
 // first-picture, scratches, weaves, distributions and capture.
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +18,7 @@ using burnish::bench::Report;
 
 constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
     {"frames", burnish::bench::measure_frames},
+    {"area-lights", burnish::bench::measure_area_lights},
     {"cloth", burnish::bench::measure_cloth},
     {"layers", burnish::bench::measure_layers},
     {"edits", burnish::bench::measure_edits},

@@ -26,6 +26,7 @@ struct Report {
 std::string to_markdown(const Report& report);
 
 void measure_frames(Report& report);
+void measure_area_lights(Report& report);
 void measure_cloth(Report& report);
 void measure_layers(Report& report);
 void measure_edits(Report& report);

@@ -14,6 +14,9 @@ void main() {
 #if LIGHTS > 0
     for (int i = 0; i < LIGHT_COUNT; ++i) { all += ground_irradiance(i, ground_position(v_place)); }
 #endif
+#ifdef AREA_LIGHTS
+    for (int i = 0; i < AREA_COUNT; ++i) { all += ground_area_irradiance(i, ground_position(v_place)); }
+#endif
     vec3 blocked = texture(u_blocked, 0.5 + 0.5 * v_place).rgb;
     // Fades out long shadows before the edge of the square.
     float shown = 1.0 - smoothstep(0.7, 1.0, length(v_place));

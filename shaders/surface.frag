@@ -12,12 +12,18 @@
 #endif
 #include "shaders/lib/specular.glsl"
 #include "shaders/lib/lights.glsl"
+#ifdef AREA_LIGHTS
+#include "shaders/lib/area_lights.glsl"
+#endif
 #include "shaders/lib/environment.glsl"
 #include "shaders/lib/visibility.glsl"
 #if IMAGE_LIGHT == 1
 #include "shaders/lib/image_samples.glsl"
 #endif
 #include "shaders/lib/layers.glsl"
+#ifdef AREA_LIGHTS
+#include "shaders/lib/area_lit.glsl"
+#endif
 #include "shaders/lib/image_light.glsl"
 #ifdef CLOTH
 #include "shaders/lib/cloth.glsl"

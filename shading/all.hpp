@@ -16,6 +16,8 @@
 #include "shading/brdf/half_vector.glsl"
 #include "shading/brdf/sample.glsl"
 #include "shading/brdf/albedo.glsl"
+#include "shading/brdf/lobe_mapping.glsl"
+#include "shading/brdf/cosine_map.glsl"
 #include "shading/brdf/phong.glsl"
 #include "shading/brdf/lafortune.glsl"
 #include "shading/brdf/cosine_lobe.glsl"
@@ -34,6 +36,8 @@
 #include "shading/surface/coat.glsl"
 #include "shading/surface/sheen.glsl"
 #include "shading/surface/layers.glsl"
+#include "shading/surface/area_light.glsl"
+#include "shading/surface/area_lit.glsl"
 #include "shading/surface/weave.glsl"
 #include "shading/surface/cloth.glsl"
 // clang-format on

@@ -23,6 +23,19 @@ float log1m(float x) {
 // Where `near`, ln(1 - x), x <= 1/2; elsewhere ln(y), y > 0. The batched build takes one logarithm.
 float log1m_or_log(bool near, float x, float y) { return near ? log1m(x) : log(y); }
 
+// The angle from 0 to pi of this sine (at least 0) and cosine, times any length: within 1e-7, where atan() may be
+// wrong by 1e-4 on some devices. The polynomial interpolates atan(sqrt z)/sqrt z at the Chebyshev points of [0, 1].
+float angle_of(float sine, float cosine) {
+    float c = abs(cosine);
+    float t = min(sine, c) / max(max(sine, c), 1e-30);
+    float z = t * t;
+    float p = 0.999999882 + z * (-0.333318127 + z * (0.199669618 + z * (-0.140032902 +
+              z * (0.0986886546 + z * (-0.0588297531 + z * (0.0237805186 - z * 0.00455979199))))));
+    float angle = t * p;
+    angle = sine > c ? 1.57079633 - angle : angle;
+    return cosine < 0.0 ? 3.14159265 - angle : angle;
+}
+
 // Abramowitz & Stegun 7.1.26, absolute error 1.5e-7 for x >= 0 (only used there).
 float erfc(float x) {
     float t = 1.0 / (1.0 + 0.3275911 * x);

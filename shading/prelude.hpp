@@ -79,6 +79,12 @@ Vec3<Float> normalize(Vec3<Float> a) {
     return a * (Float(1) / length(a));
 }
 
+// The angle from 0 to pi of this sine (at least 0) and cosine, times any length.
+template <typename Float>
+Float angle_of(Float sine, Float cosine) {
+    return std::atan2(sine, cosine);
+}
+
 // Selects, never branches: per lane in the batched build.
 template <typename T>
 T choose(bool condition, T a, T b) {

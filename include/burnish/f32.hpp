@@ -39,6 +39,8 @@
 //                   surface/axes.glsl         surface_frame stretch_direction surface_perturbation
 //                   surface/tangent.glsl      tangent_or_any
 //   lights          surface/light.glsl        light_at spot_cone
+//                   surface/area_light.glsl   area_light_seen area_cosine
+//                   surface/area_lit.glsl     area_lobe area_reflection
 //   display         display/color.glsl        luminance srgb_from_linear linear_from_srgb
 //                   display/tone_map.glsl     tone_map display_color
 //

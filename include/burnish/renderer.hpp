@@ -106,7 +106,8 @@ class Renderer {
     // uploads one that another thread, say, has prepared.
     void set_environment(const Environment* environment, const Progress& progress = {});
     void set_environment(std::shared_ptr<const PreparedEnvironment> prepared);
-    void set_lights(std::span<const Light> lights);  // at most 16
+    // At most 16 without an area and 8 with one.
+    void set_lights(std::span<const Light> lights);
     // What the vertices see of the environment (burnish/visibility.hpp), of all instances; null: everything. An
     // edit of a mesh, or of the mesh of an instance, forgets it for that instance; after other edits it stays.
     // Throws Error where it is of another scene.

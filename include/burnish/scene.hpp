@@ -227,19 +227,45 @@ struct Instance {
     bool operator==(const Instance&) const = default;
 };
 
-enum class LightType { directional, point, spot };
+// The picture on a light: linear, RGB, times the radiance. Two with the same file are the same picture.
+struct LightTexture {
+    std::shared_ptr<const Image> image;  // null: white
+    std::string file;  // where it is from, for scene files and messages; "": made in memory
+    bool operator==(const LightTexture& other) const {
+        return file == other.file && (!file.empty() || image == other.image);
+    }
+};
+
+enum class LightType { directional, point, spot, rectangle, disc, tube };
 
 struct Light {
     LightType type = LightType::directional;
-    glm::vec3 color{1.0f};   // linear, times intensity: radiance scale of the light
-    float intensity = 1.0f;  // lux (directional) or candela (point, spot)
-    glm::vec3 position{0.0f};
-    glm::vec3 direction{0.0f, 0.0f, -1.0f};  // unit, the way the light travels
-    float range = 0.0f;                      // 0: unbounded
-    float inner_cone = 0.0f;                 // radians, spot only
+    glm::vec3 color{1.0f};  // linear, times intensity: radiance scale of the light
+    // Lux (directional), candela (point, spot), or candela per square meter: the radiance that a light
+    // with an area emits, the same in all directions.
+    float intensity = 1.0f;
+    glm::vec3 position{0.0f};  // of a light with an area: its middle
+    // Unit, the way the light travels: of a rectangle or disc the normal of its emitting side; of a tube
+    // its axis.
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};
+    float range = 0.0f;       // 0: unbounded
+    float inner_cone = 0.0f;  // radians, spot only
     float outer_cone = 0.7853982f;
+    // Lights with an area only (docs/theory/area-lights.md). They neither block light nor reflect it.
+    glm::vec2 size{1.0f};  // meters, above 0: width and height, of a tube length and diameter
+    glm::vec3 up{0.0f, 1.0f,
+                 0.0f};      // towards the upper edge; not along `direction`, need not be unit
+    bool two_sided = false;  // rectangle, disc: the back emits as well
+    bool visible = true;     // shown in the picture, from sides that emit
+    // Rectangle: its upper edge lies at the upper edge of the light, seen from the side that emits.
+    LightTexture texture;
     bool operator==(const Light&) const = default;
 };
+
+// rectangle, disc, tube
+inline bool has_area(const Light& light) {
+    return light.type >= LightType::rectangle;
+}
 
 struct Camera {
     glm::vec3 position{0.0f, 0.0f, 3.0f};

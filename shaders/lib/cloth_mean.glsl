@@ -72,6 +72,63 @@ vec3 cloth_lit_by_lights(Surface s, ClothFamily f, vec3 normal) {
 }
 #endif
 
+#if defined(AREA_LIGHTS) || IMAGE_LIGHT > 1
+// The material with one lobe as wide as the mean lobe of the family.
+SurfaceMaterial cloth_wide(ClothFamily f) {
+    vec4 wide = u_weave_wide_lobes[f.family];
+    Lobe lobe = f.m.surface.lobe;
+    lobe.p0 = wide.x;
+    lobe.p1 = wide.y;
+    lobe.paper_norm = wide.z;
+    lobe.projected_norm = wide.w;
+    return surface_with_lobe(f.m.surface, lobe);
+}
+#endif
+
+#ifdef AREA_LIGHTS
+// The diffuse term of every normal exactly, the specular term by the wide lobe.
+vec3 cloth_lit_by_area_lights(Surface s, ClothFamily f, vec3 normal) {
+    SurfaceMaterial wide = cloth_wide(f);
+    Frame a = frame_rotated(f.a, u_weave_twist);
+    Perturbation p = perturb_make(kMethodNone, vec3(0.0, 0.0, 1.0), GROOVES_ALONG_X, CONSERVE);
+    vec3 wo = frame_to_local(a, s.to_eye);
+    bool has_diffuse = wide.has_diffuse;
+    wide.has_diffuse = false;
+    AreaLobe lobe = area_lobe(wide, p, wo);
+#ifdef LAYERS
+    AreaLobe coat = lobe;
+#ifdef COAT
+    coat = area_lobe(coat_surface(f.m.layers.coat), f.m.layers.coat.at, wo);
+#endif
+#endif
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < AREA_COUNT; ++i) {
+        AreaLight light = area_light_at(i, s.position, a);
+        AreaReflection r = area_reflection(wide, p, lobe, light, area_shape(i), wo);
+        vec3 color = r.specular * mirror_left(f.m, p, wo);
+#ifdef LAYERS
+        AreaReflection none = r;
+        none.specular = vec3(0.0);
+        none.diffuse = vec3(0.0);
+        none.towards_diffuse = normalize(light.middle);
+        AreaReflection over = area_layered(none, wide, f.m.layers, f.m.seen, p, coat, light, area_shape(i), wo);
+        color += over.specular + over.diffuse;
+#endif
+        if (has_diffuse) {
+            AreaLight along = area_light_at(i, s.position, f.a);
+            for (int k = 0; k < kClothNodes; ++k) {
+                vec3 n = normal_facing(normalize(cloth_node(u_weave_nodes[f.family], k)), f.wo);
+                float through = diffuse_albedo(BRDF, f.m.surface.dielectric_f0, f.m.surface.dielectric_f90,
+                                               max(dot(n, f.wo), 0.0));
+                color += wide.diffuse * diffuse_left(f.m) * (cloth_node_weight(k) * through * area_cosine(along, area_shape(i), n));
+            }
+        }
+        sum += color * u_area_radiance[i].rgb * area_reaches(i, s.position, normal);
+    }
+    return sum * f.share;
+}
+#endif
+
 #if IMAGE_LIGHT > 0
 #ifndef METAL
 vec3 cloth_lit_by_irradiance(Surface s, ClothFamily f) {
@@ -106,13 +163,7 @@ float cloth_energy(Shading fibers, Shading wide, ClothFamily f, vec3 wo) {
 // Reflection by one lobe as wide as the mean lobe of the family.
 vec3 cloth_image_specular(Surface s, ClothFamily f) {
     Shading m = f.m;
-    vec4 wide = u_weave_wide_lobes[f.family];
-    Lobe lobe = m.surface.lobe;
-    lobe.p0 = wide.x;
-    lobe.p1 = wide.y;
-    lobe.paper_norm = wide.z;
-    lobe.projected_norm = wide.w;
-    m.surface = surface_with_lobe(m.surface, lobe);
+    m.surface = cloth_wide(f);
     Frame a = frame_rotated(f.a, u_weave_twist);
     Perturbation p = perturb_make(METHOD, vec3(0.0, 0.0, 1.0), GROOVES_ALONG_X, CONSERVE);
     vec3 wo = frame_to_local(a, s.to_eye);
@@ -172,6 +223,9 @@ vec3 cloth_from_afar(Surface s, Shading m, Frame a, ClothPlace place, bool seen)
 #endif
 #if LIGHTS > 0
         sum += cloth_lit_by_lights(s, f, a.n);
+#endif
+#ifdef AREA_LIGHTS
+        sum += cloth_lit_by_area_lights(s, f, a.n);
 #endif
 #if IMAGE_LIGHT > 0 && !defined(METAL)
         sum += cloth_lit_by_irradiance(s, f) * occlusion_left(s, a.n, occlusion_at(s));

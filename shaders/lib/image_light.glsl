@@ -46,11 +46,9 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
 
 #elif IMAGE_LIGHT > 1 && defined(COSINE_LOBE)
 
-// Width of the look-up relative to the lobe, fitted (docs/theory/image-light.md). The map is
+// kCosineLobeWidth: width of the look-up relative to the lobe. The map is
 // blurred by GGX, which has a tail a^2/t^4 that a power of a cosine lacks. 4/3 of one level minus
 // 1/3 of the next, twice as wide, is a kernel without that tail and nowhere negative.
-const float kCosineLobeWidth = 0.9;
-
 vec3 round_lobe_radiance(vec3 w, float alpha) {
     vec3 narrow = lobe_radiance(w, lobe_lod(alpha * alpha));
     vec3 wide = lobe_radiance(w, lobe_lod(4.0 * alpha * alpha));

@@ -15,89 +15,11 @@ const int kLookUps = 7;
 const float kReach = 0.95;
 const float kWidth = 0.6;
 
-// The linear part of the map from base half vectors to half vectors: the columns of a matrix B; h
-// is along B m. Rotations are orthogonal. normal-map is a shear: x and y stay, and n~.h replaces
-// m.z.
-struct LobeMapping {
-    vec3 x;
-    vec3 y;
-    vec3 z;
-};
-
-LobeMapping mapping_of(Perturbation p) {
-    LobeMapping map;
-    if (p.method == kMethodNormalMap) {
-        // 0.05: tilts up to 87 degrees.
-        float s = 1.0 / max(p.n.z, 0.05);
-        map.x = vec3(1.0, 0.0, -p.n.x * s);
-        map.y = vec3(0.0, 1.0, -p.n.y * s);
-        map.z = vec3(0.0, 0.0, s);
-    } else {
-        Frame f = frame_for_sampling(p);
-        map.x = f.t;
-        map.y = f.b;
-        map.z = f.n;
-    }
-    return map;
-}
-
-bool deforms(Perturbation p) {
-    return p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth;
-}
-
-// The component of `v` perpendicular to the unit vector h.
-vec3 beside(vec3 h, vec3 v) {
-    return v - h * dot(h, v);
-}
-
-// A base vector m, its unit half vector h, and the scale of derivatives.
-struct MappedHalf {
-    vec3 m;  // unit
-    vec3 h;
-    float scale;  // 1/length before normalization
-};
-
-MappedHalf mapped(LobeMapping map, Perturbation p, vec3 m) {
-    MappedHalf r;
-    r.m = normalize(m);
-    if (deforms(p)) {
-        r.h = perturb_forward(p, r.m);
-        r.scale = inversesqrt(max(dot(m, m), kTiny));
-        return r;
-    }
-    vec3 h = map.x * m.x + map.y * m.y + map.z * m.z;
-    r.scale = inversesqrt(max(dot(h, h), kTiny));
-    r.h = h * r.scale;
-    return r;
-}
-
-// Derivative of h when m moves by `move`. The deformations move points p of the disk by (1 - k) d
-// or r d, where |q + (r - r^2) d| = 1 - r^2 (perturb.glsl, sample.glsl).
-vec3 turn_of(MappedHalf at, LobeMapping map, Perturbation p, vec3 move) {
-    if (!deforms(p)) {
-        return beside(at.h, map.x * move.x + map.y * move.y + map.z * move.z) * at.scale;
-    }
-    vec2 dq = beside(at.m, move).xy * at.scale;
-    float fall = 0.0;
-    if (p.method == kMethodDeformLinear) {
-        fall = -dot(at.m.xy, dq) * inversesqrt(max(dot(at.m.xy, at.m.xy), kTiny));
-    } else {
-        float r = sqrt(deform_rim_fraction(p.n, at.h));
-        vec2 u = at.m.xy + (r - r * r) * p.n.xy;
-        u *= inversesqrt(max(dot(u, u), kTiny));
-        // 1e-3: reached at a tilt of 90 degrees.
-        fall = -dot(u, dq) / max((1.0 - 2.0 * r) * dot(u, p.n.xy) + 2.0 * r, 1e-3);
-    }
-    vec2 dp = dq + p.n.xy * fall;
-    // 0.01: half a degree above the horizon.
-    return vec3(dp, -dot(at.h.xy, dp) / max(at.h.z, 0.01));
-}
-
 // Energy factor of the method at a half vector: f cos dwi of the deformed lobe divided by that of
 // the rotated lobe, for which the albedo table holds. Base vectors are drawn in proportion to
 // (go.m) D(m) dm; the deformed lobe reflects D(m) (wo.h) dh.
 float energy_at(MappedHalf at, Perturbation p, vec3 go, float wo_h) {
-    if (!deforms(p)) { return 1.0; }
+    if (!method_deforms(p.method)) { return 1.0; }
     float det = deform_jacobian(p.method, p.n, at.h);
     // 0.05, 4: limits at grazing angles.
     float area = at.m.z / (max(at.h.z, 0.05) * max(det, 0.05));
@@ -133,20 +55,16 @@ MajorAxis major_axis(vec3 wo, vec3 h, vec3 dx, vec3 dy) {
     return axis;
 }
 
-// Whether the method is a rotation: then look-ups are computed in the rotated axes, where h = m.
-bool turns(Perturbation p) {
-    return p.method != kMethodNormalMap && !deforms(p);
-}
-
+// Rotations: look-ups are computed in the rotated axes, where h = m.
 vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
     Lobe lobe = lobe_for_sampling(m.surface.lobe, p);
     float ax = lobe_alpha_x(lobe);
     float ay = lobe_alpha_y(lobe);
     LobeMapping map = mapping_of(p);
     vec3 v = vec3(dot(map.x, wo), dot(map.y, wo), dot(map.z, wo));
-    vec3 go = turns(p) ? v : perturb_direction(p, wo);
+    vec3 go = method_turns(p.method) ? v : perturb_direction(p, wo);
     Frame axes = a;
-    if (turns(p)) {
+    if (method_turns(p.method)) {
         axes.t = frame_to_outer(a, map.x);
         axes.b = frame_to_outer(a, map.y);
         axes.n = frame_to_outer(a, map.z);
@@ -154,12 +72,12 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
         map.y = vec3(0.0, 1.0, 0.0);
         map.z = vec3(0.0, 0.0, 1.0);
     }
-    vec3 eye = turns(p) ? v : wo;
+    vec3 eye = method_turns(p.method) ? v : wo;
     // Without masking all normals count, visible or not.
     vec3 w = brdf_masks(BRDF) ? normalize(vec3(ax * v.x, ay * v.y, v.z)) : vec3(0.0, 0.0, 1.0);
-    MappedHalf middle = mapped(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z));
-    MajorAxis axis = major_axis(eye, middle.h, turn_of(middle, map, p, vec3(ax, 0.0, 0.0)),
-                                turn_of(middle, map, p, vec3(0.0, ay, 0.0)));
+    MappedHalf middle = mapped_half(map, p, vec3(ax * w.x, ay * w.y, 1.0 + w.z));
+    MajorAxis axis = major_axis(eye, middle.h, half_turn(middle, map, p, vec3(ax, 0.0, 0.0)),
+                                half_turn(middle, map, p, vec3(0.0, ay, 0.0)));
     vec3 across = vec3(-ax * axis.along.y, ay * axis.along.x, 0.0);
     Frame world = axes;
     axes.t = environment_direction(axes.t);
@@ -176,13 +94,13 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
         float r = place * sqrt(max((1.0 + w.z) * (2.0 - fall), 0.0));
         vec3 base = vec3(ax * (r * axis.along.x + w.x), ay * (r * axis.along.y + w.y),
                          1.0 - fall + w.z);
-        MappedHalf at = mapped(map, p, base);
+        MappedHalf at = mapped_half(map, p, base);
         float wo_h = dot(eye, at.h);
         vec3 wi = at.h * (2.0 * wo_h) - eye;
-        vec3 turn = turn_of(at, map, p, across);
+        vec3 turn = half_turn(at, map, p, across);
         // The cap is scaled here by 2 cos(half the angle from its middle) relative to a unit step.
         float blur2 = reflected_dot(eye, wo_h, turn, turn) * (1.0 - area) * (2.0 + 2.0 * w.z);
-        vec3 gi = turns(p) ? wi : perturb_direction(p, wi);
+        vec3 gi = method_turns(p.method) ? wi : perturb_direction(p, wi);
         float share = brdf_masks(BRDF) ? masking / (masking + smith_lambda(lobe, gi))
                               : min(gi.z / max(go.z, 1e-3), 1.0);
         share = gi.z > 0.0 && wo_h > 0.0 ? share : 0.0;

@@ -78,6 +78,9 @@ vec3 reflected(Surface s, Shading m, Frame a) {
 #if LIGHTS > 0
     radiance += lit_by_lights(s, m, a, p, wo);
 #endif
+#ifdef AREA_LIGHTS
+    radiance += lit_by_area_lights(s, m, a, p, wo);
+#endif
 #if IMAGE_LIGHT > 0
     radiance += lit_by_environment(s, m, a, p, wo);
 #endif

@@ -166,6 +166,9 @@ vec3 reflected_by_texels(Surface s, Shading m, Frame a) {
 #if LIGHTS > 0
         radiance += lit_texel(lights, t, p, turned_wo);
 #endif
+#ifdef AREA_LIGHTS
+        radiance += lit_by_area_lights(s, t, turned_axes, p, turned_wo);
+#endif
 #if IMAGE_LIGHT > 0
         radiance += lit_by_environment(s, t, turned_axes, p, turned_wo);
 #endif

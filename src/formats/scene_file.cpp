@@ -164,7 +164,7 @@ class SceneFileReader {
             const JsonPlace lights = root_.at("lights");
             lights.require_array(kMostLights);
             for (std::size_t i = 0; i < lights.size(); ++i)
-                out_.scene.lights.push_back(read_light(lights.at(i)));
+                out_.scene.lights.push_back(read_light(lights.at(i), path_.parent_path()));
         }
         if (root_.has("environment"))
             out_.environment = beside(path_, root_.at("environment").text());

@@ -5,17 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "burnish/draft.hpp"
 #include "burnish/error.hpp"
+#include "burnish/image_io.hpp"
 #include "burnish/parameters.hpp"
 #include "burnish/scratch_settings.hpp"
 #include "core/text.hpp"
+#include "scene/light/area_lights.hpp"
 
 namespace burnish {
 namespace {
@@ -42,7 +47,8 @@ glm::vec3 read_direction(const JsonPlace& place) {
 }
 
 LightType read_light_type(const JsonPlace& place) {
-    constexpr std::array<std::string_view, 3> kTypes = {"directional", "point", "spot"};
+    constexpr std::array<std::string_view, 6> kTypes = {"directional", "point", "spot",
+                                                        "rectangle",   "disc",  "tube"};
     const std::string name = place.text();
     const auto found = std::find(kTypes.begin(), kTypes.end(), name);
     if (found == kTypes.end()) refuse_name(place, kTypes, "a type of light");
@@ -78,7 +84,104 @@ glm::vec3 unit(const glm::vec3& v) {
     return std::abs(glm::dot(v, v) - 1.0f) < 1e-6f ? v : glm::normalize(v);
 }
 
-Light read_light(const JsonPlace& place) {
+namespace {
+
+constexpr double kMostPower = 1e9;  // of intensity, radiance, lumens and watts
+
+// The one key of the three that says how bright the light is.
+void read_power(const JsonPlace& place, Light& light) {
+    struct Key {
+        const char* name;
+        PowerUnit unit;
+    };
+    static constexpr std::array<Key, 3> kKeys = {{{"radiance", PowerUnit::radiance},
+                                                  {"lumens", PowerUnit::lumens},
+                                                  {"watts", PowerUnit::watts}}};
+    const Key* found = nullptr;
+    for (const Key& key : kKeys) {
+        if (!place.has(key.name)) continue;
+        if (found != nullptr)
+            throw Error(place.file(), place.path(), "one of radiance, lumens and watts",
+                        fmt::format("{} and {}", found->name, key.name));
+        found = &key;
+    }
+    if (found == nullptr)
+        throw Error(place.file(), place.path(), "radiance, lumens or watts", "none of them");
+    const double power = place.at(found->name).number(0.0, kMostPower);
+    const double radiance = radiance_of_power(light, found->unit, power);
+    if (!(radiance <= kMostPower))
+        place.at(found->name)
+            .fail(fmt::format("at most {:g} cd/m2 from {:g} m2", kMostPower, emitting_area(light)));
+    light.intensity = static_cast<float>(radiance);
+}
+
+double read_length(const JsonPlace& place) {
+    return place.number(kSmallest, kLargest);
+}
+
+glm::vec2 read_size(const JsonPlace& place) {
+    if (!place.value().is_array()) return glm::vec2(static_cast<float>(read_length(place)));
+    if (place.value().size() != 2) place.fail("[width, height] in meters");
+    return {static_cast<float>(read_length(place.at(0))),
+            static_cast<float>(read_length(place.at(1)))};
+}
+
+bool read_bool(const JsonPlace& place) {
+    if (!place.value().is_boolean()) place.fail("true or false");
+    return place.value().get<bool>();
+}
+
+void read_light_texture(const JsonPlace& place, const std::filesystem::path& folder, Light& light) {
+    const std::filesystem::path file = folder / place.text();
+    try {
+        Image image = read_image(file);
+        light.texture.image = std::make_shared<const Image>(std::move(image));
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error& error) {
+        throw Error(place.file() + ": " + place.path() + ": " + error.what());
+    }
+    light.texture.file = file.string();
+}
+
+Light read_area_light(const JsonPlace& place, LightType type, const std::filesystem::path& folder) {
+    using Keys = std::vector<std::string_view>;
+    static const Keys rectangle_keys = {"type",  "color",     "radiance", "lumens",
+                                        "watts", "position",  "size",     "direction",
+                                        "up",    "two_sided", "visible",  "texture"};
+    static const Keys disc_keys(rectangle_keys.begin(), rectangle_keys.end() - 1);
+    static const Keys tube_keys = {"type",     "color",  "radiance", "lumens",    "watts",
+                                   "position", "length", "radius",   "direction", "visible"};
+    const bool tube = type == LightType::tube;
+    place.require_object(tube                           ? tube_keys
+                         : type == LightType::rectangle ? rectangle_keys
+                                                        : disc_keys);
+    Light light;
+    light.type = type;
+    if (place.has("color")) light.color = read_color(place.at("color"));
+    light.position = place.at("position").triple(-kFar, kFar);
+    light.direction = read_direction(place.at("direction"));
+    if (tube) {
+        light.size = {static_cast<float>(read_length(place.at("length"))),
+                      static_cast<float>(2.0 * read_length(place.at("radius")))};
+    } else {
+        light.size = read_size(place.at("size"));
+        if (place.has("up")) {
+            light.up = read_direction(place.at("up"));
+            if (glm::length(glm::cross(light.up, light.direction)) < 1e-3f)
+                place.at("up").fail("a direction that is not along `direction`");
+        }
+        if (place.has("two_sided")) light.two_sided = read_bool(place.at("two_sided"));
+        if (place.has("texture")) read_light_texture(place.at("texture"), folder, light);
+    }
+    if (place.has("visible")) light.visible = read_bool(place.at("visible"));
+    read_power(place, light);
+    return light;
+}
+
+}  // namespace
+
+Light read_light(const JsonPlace& place, const std::filesystem::path& folder) {
     using Keys = std::vector<std::string_view>;
     static const Keys directional_keys = {"type", "color", "intensity", "direction"};
     static const Keys point_keys = {"type", "color", "intensity", "position", "range"};
@@ -87,6 +190,7 @@ Light read_light(const JsonPlace& place) {
     place.require_object();
     Light light;
     light.type = read_light_type(place.at("type"));
+    if (has_area(light)) return read_area_light(place, light.type, folder);
     const bool directional = light.type == LightType::directional;
     const bool spot = light.type == LightType::spot;
     place.require_object(directional ? directional_keys : spot ? spot_keys : point_keys);

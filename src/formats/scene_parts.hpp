@@ -1,6 +1,7 @@
 // Parts of a scene file that are read one at a time: lights, places of objects, names.
 #pragma once
 
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
@@ -24,7 +25,8 @@ bool names_file(std::string_view key, std::string_view name);
 // from a scene is read back identically.
 glm::vec3 unit(const glm::vec3& v);
 
-Light read_light(const JsonPlace& place);
+// `folder`: where file names are relative to.
+Light read_light(const JsonPlace& place, const std::filesystem::path& folder);
 
 // Translation, rotation and scale of the object at `place`, those of the default where it names none.
 void read_placing(const JsonPlace& place, SceneFile::Object& object);

@@ -75,6 +75,22 @@ struct HitSums {
     }
 };
 
+// The irradiance of a surface that faces the middle of a light with an area, over its radiance: as of a disc of the
+// same area that faces the point by as much, pi A/(pi d^2 + A).
+float area_share(const Light& light, const glm::vec3& position) {
+    const glm::vec3 away = position - light.position;
+    const float distance2 = std::max(glm::dot(away, away), 1e-12f);
+    const float along = glm::dot(light.direction, away) / std::sqrt(distance2);
+    float area = light.size.x * light.size.y;
+    if (light.type == LightType::tube) {
+        area *= std::sqrt(std::max(1.0f - along * along, 0.0f));  // its silhouette
+    } else {
+        if (light.type == LightType::disc) area *= 0.25f * std::numbers::pi_v<float>;
+        area *= light.two_sided ? std::abs(along) : std::max(along, 0.0f);
+    }
+    return std::numbers::pi_v<float> * area / (std::numbers::pi_v<float> * distance2 + area);
+}
+
 }  // namespace
 
 BounceLight::BounceLight(const BounceScene& scene, const SceneLight& light, int bounces,
@@ -152,11 +168,12 @@ glm::vec3 BounceLight::lamps_at(std::uint32_t point, std::size_t side,
                           to_f32(position));
         const glm::vec3 wi = to_glm(at.wi);
         const float cosine = glm::dot(normal, wi);
-        if (!(cosine > 0.0f) || !(at.falloff > 0.0f)) continue;
+        const float falloff = has_area(lamp) ? area_share(lamp, position) : at.falloff;
+        if (!(cosine > 0.0f) || !(falloff > 0.0f)) continue;
         const RayOrigins::Start start = origins.at(0, wi);
         const float farthest = placed ? glm::length(place - position) : 0.0f;
         if (start.found && scene_.rays.is_blocked({start.origin, wi, 0.0f, farthest})) continue;
-        sum += lamp.color * (lamp.intensity * at.falloff * cosine / std::numbers::pi_v<float>);
+        sum += lamp.color * (lamp.intensity * falloff * cosine / std::numbers::pi_v<float>);
     }
     return sum;
 }

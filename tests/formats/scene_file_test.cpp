@@ -29,6 +29,12 @@ std::string example_of_the_manual() {
 }
 
 // A scene file with `members`.
+// "lights" with one rectangle of these further members.
+std::string area(const std::string& members) {
+    return R"("lights": [{"type": "rectangle", "position": [0, 0, 1], "direction": [0, 0, -1], )" +
+           members + "}]";
+}
+
 std::string scene_of(const std::string& members) {
     return R"({"format": "burnish-scene", "version": 1, )" + members + "}";
 }
@@ -296,7 +302,8 @@ TEST(SceneFile, ErrorsSayWhereAndWhat) {
         {scene_of(R"("parameters": {"flip_green": 1})"), "expected true or false, found 1"},
         {scene_of(R"("parameters": {"base_color": [1, 2]})"), "[r, g, b]"},
         {scene_of(R"("parameters": {"base_color": "red"})"), "parameters.base_color"},
-        {scene_of(R"("lights": [{"type": "sun"}])"), "(directional point spot), found \"sun\""},
+        {scene_of(R"("lights": [{"type": "sun"}])"),
+         "(directional point spot rectangle disc tube), found \"sun\""},
         {scene_of(R"("lights": [{"type": "spott"}])"), "did you mean 'spot'?"},
         {scene_of(R"("lights": [{"type": "point", "position": [0, 0, 0], "color": "red"}])"),
          "lights[0].color: expected [r, g, b]"},
@@ -310,12 +317,55 @@ TEST(SceneFile, ErrorsSayWhereAndWhat) {
                       "inner_cone_deg": 50}])"),
          "lights[0].inner_cone_deg"},
         {scene_of(R"("environment": "")"), "environment: expected a text"},
+        {scene_of(area(R"("size": [1, 0], "radiance": 1)")),
+         "lights[0].size[1]: expected a number from 1e-06"},
+        {scene_of(area(R"("size": [1, -1], "radiance": 1)")),
+         "lights[0].size[1]: expected a number from 1e-06"},
+        {scene_of(area(R"("size": [1, 1, 1], "radiance": 1)")), "[width, height] in meters"},
+        {scene_of(area(R"("radiance": 1)")), "lights[0].size"},
+        {scene_of(area(R"("size": 1)")), "expected radiance, lumens or watts, found none of them"},
+        {scene_of(area(R"("size": 1, "watts": 1, "radiance": 1)")),
+         "expected one of radiance, lumens and watts, found radiance and watts"},
+        {scene_of(area(R"("size": 1e-6, "watts": 1000)")), "at most 1e+09 cd/m2 from 1e-12 m2"},
+        {scene_of(area(R"("size": 1, "radiance": 1, "up": [0, 0, 1])")), "not along `direction`"},
+        {scene_of(area(R"("size": 1, "radiance": 1, "two_sided": 1)")), "expected true or false"},
+        {scene_of(area(R"("size": 1, "radiance": 1, "texture": "none.png")")), "lights[0].texture"},
+        {scene_of(area(R"("size": 1, "radiance": 1, "intensity": 1)")),
+         "unknown key \"intensity\""},
+        {scene_of(area(R"("size": 1, "radiance": 1, "range": 1)")), "unknown key \"range\""},
     };
     for (const auto& [text, expected] : cases) {
         const std::string line = error_line([&broken = text] { (void)load(broken); });
         EXPECT_NE(line.find(expected), std::string::npos) << text << "\n" << line;
         EXPECT_TRUE(line.find("s.json") != std::string::npos) << line;
     }
+}
+
+// pi A L lumens leave one side of a surface that emits the same in all directions; a watt is 683 of them.
+TEST(SceneFile, LightsWithAnAreaStateTheirPowerInOneOfThreeWays) {
+    const SceneFile file = load(scene_of(
+        R"("lights": [
+        {"type": "rectangle", "position": [1, 2, 3], "direction": [0, 0, -2], "size": [2, 0.5], "radiance": 7},
+        {"type": "rectangle", "position": [0, 0, 0], "direction": [0, 0, 1], "size": [2, 0.5],
+         "lumens": 100, "two_sided": true, "up": [1, 0, 0]},
+        {"type": "disc", "position": [0, 0, 0], "direction": [0, 0, 1], "size": 2, "watts": 1, "visible": false},
+        {"type": "tube", "position": [0, 0, 0], "direction": [1, 0, 0], "length": 1.5, "radius": 0.02,
+         "lumens": 100, "color": [1, 0.5, 0]}])"));
+    const std::vector<Light>& lights = file.scene.lights;
+    ASSERT_EQ(lights.size(), 4u);
+    constexpr float kPi = 3.14159265f;
+    EXPECT_EQ(lights[0].type, LightType::rectangle);
+    EXPECT_EQ(lights[0].direction, glm::vec3(0, 0, -1));
+    EXPECT_EQ(lights[0].size, glm::vec2(2, 0.5f));
+    EXPECT_EQ(lights[0].intensity, 7.0f);
+    EXPECT_TRUE(lights[0].visible);
+    EXPECT_FLOAT_EQ(lights[1].intensity, 100.0f / (kPi * 2.0f));  // 1 m2, two sides
+    EXPECT_EQ(lights[1].up, glm::vec3(1, 0, 0));
+    EXPECT_FLOAT_EQ(lights[2].intensity, 683.0f / (kPi * kPi));  // pi m2
+    EXPECT_FALSE(lights[2].visible);
+    EXPECT_EQ(lights[3].size, glm::vec2(1.5f, 0.04f));
+    EXPECT_FLOAT_EQ(lights[3].intensity, 100.0f / (kPi * 2 * kPi * 0.02f * 1.5f));
+    EXPECT_EQ(lights[3].color, glm::vec3(1, 0.5f, 0));
 }
 
 TEST(SceneFile, FaultsOfTheFileAreNotFaultsOfTheCommand) {

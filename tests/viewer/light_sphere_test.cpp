@@ -52,6 +52,18 @@ TEST(DraggedLight, ADragAndItsReverseCancel) {
     EXPECT_EQ(dragged_direction(camera, before, {0, 0}, 600), glm::normalize(before));
 }
 
+TEST(DraggedLight, ARectangleTurnsAsAWhole) {
+    Light light;
+    light.type = LightType::rectangle;
+    light.position = {1.0f, 2.0f, 1.5f};
+    light.direction = glm::normalize(-light.position);
+    light.up = glm::normalize(glm::cross(light.direction, glm::vec3(1, 0, 0)));
+    const Light moved = dragged_light(front_camera(), light, {0, 0, 0}, {50, 20}, 600);
+    EXPECT_LT(glm::distance(moved.direction, glm::normalize(-moved.position)), 1e-6f);
+    EXPECT_NEAR(glm::dot(moved.up, moved.direction), 0.0f, 1e-6f);
+    EXPECT_NEAR(glm::length(moved.up), 1.0f, 1e-6f);
+}
+
 TEST(DraggedLight, PointAndSpotLightsKeepTheirDistance) {
     const Camera camera = front_camera();
     const glm::dvec3 pivot(0.2, 0.1, 0.0);

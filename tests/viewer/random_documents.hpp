@@ -112,17 +112,26 @@ class RandomDocuments {
         std::uniform_real_distribution<float> part;
         for (auto i = random_() % 4; i > 0; --i) {
             Light light;
-            light.type = static_cast<LightType>(random_() % 3);
+            light.type = static_cast<LightType>(random_() % 6);
             light.color = {part(random_), part(random_), random_() % 2 == 0 ? 1.0f : 0.5f};
             light.intensity = 100.0f * part(random_);
             if (light.type != LightType::directional) {
                 light.position = 7.0f * any_direction(random_);
-                light.range = random_() % 2 == 0 ? 0.0f : 12.0f * part(random_);
+                if (!has_area(light))
+                    light.range = random_() % 2 == 0 ? 0.0f : 12.0f * part(random_);
             }
             if (light.type != LightType::point) light.direction = any_direction(random_);
             if (light.type == LightType::spot) {
                 light.outer_cone = random_() % 4 == 0 ? 1.57079637f : 1.5f * part(random_);
                 light.inner_cone = light.outer_cone * part(random_);
+            }
+            if (has_area(light)) {
+                light.size = {0.01f + part(random_), 0.01f + part(random_)};
+                light.visible = random_() % 2 == 0;
+            }
+            if (light.type == LightType::rectangle || light.type == LightType::disc) {
+                light.up = glm::normalize(glm::cross(light.direction, any_direction(random_)));
+                light.two_sided = random_() % 2 == 0;
             }
             all.push_back(light);
         }

@@ -125,6 +125,23 @@ TEST(SavedScene, LightsOfTheModelGoWhenOthersTakeTheirPlace) {
     EXPECT_TRUE(rendered(folder / "dark again.json").scene.lights.empty());
 }
 
+TEST(SavedScene, TheTextureOfALightIsFoundAgain) {
+    const ScratchFolder folder;
+    write_image(folder / "box.exr", Image(4, 4, 3, 0.5f), {});
+    const std::string lit = folder
+                                .write("lit.json", R"({"format": "burnish-scene", "version": 1,
+        "objects": [{"model": "builtin:plane"}], "lights": [{"type": "rectangle", "position": [0, 0, 1],
+        "direction": [0, 0, -1], "size": 1, "radiance": 3, "texture": "box.exr"}]})")
+                                .string();
+    Document document{.input = lit, .environment = "none"};
+    const Stage stage = load_stage(document);
+    ASSERT_NE(stage.scene.lights.at(0).texture.image, nullptr);
+    save_scene(document, stage, folder / "saved.json");
+    const Light read = rendered(folder / "saved.json").scene.lights.at(0);
+    EXPECT_EQ(read, stage.scene.lights[0]);
+    EXPECT_EQ(read.texture.image->pixels, stage.scene.lights[0].texture.image->pixels);
+}
+
 TEST(SavedScene, RenderPassesOverTheViewersSection) {
     const ScratchFolder folder;
     Document document{.input = "builtin:plane", .environment = "none"};

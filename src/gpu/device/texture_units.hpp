@@ -39,5 +39,6 @@ constexpr GLuint material_unit(std::size_t texture) {
     return static_cast<GLuint>(first ? kMaterialUnits + texture
                                      : kLayerUnits + texture - kFirstMaterialUnits);
 }
+inline constexpr GLuint kAreaTextureUnit = 37;
 
 }  // namespace burnish::gpu

@@ -77,6 +77,13 @@ std::vector<SurfaceVariant> variants() {
         list.push_back(v);
         v.image_light = 3;
         list.push_back(v);
+        v.image_light = method % 2;
+        v.area_lights = 1 + method % 2;
+        v.shadow_maps = method % 3;
+        v.lights = method % 2;
+        v.area_textures = method % 2 == 0;
+        v.position = true;
+        list.push_back(v);
     }
     for (int brdf = 0; brdf < static_cast<int>(brdf_names().size()); ++brdf) {
         for (int mdf = 0; mdf < static_cast<int>(mdf_names().size()); ++mdf) {
@@ -87,6 +94,8 @@ std::vector<SurfaceVariant> variants() {
             v.lights = mdf;
             v.conductor = v.metal = mdf % 2 == 1;
             v.compensated = f32::brdf_masks(brdf);
+            v.area_lights = mdf > 1 ? mdf : 0;
+            v.position = true;
             v.fresnel_curve = v.conductor && brdf % 2 == 0;
             list.push_back(v);
         }
@@ -102,6 +111,8 @@ std::vector<SurfaceVariant> variants() {
             v.image_light = image_light;
             v.view = image_light == 3;
             v.visibility = image_light > 1;
+            v.area_lights = image_light > 1 ? 1 : 0;
+            v.position = true;
             list.push_back(v);
             if (image_light != 1) continue;
             v.view = v.furnace = true;
@@ -116,6 +127,9 @@ std::vector<SurfaceVariant> variants() {
         v.anisotropy_map = false;
         v.image_light = method % 2 == 0 ? 1 : 0;
         v.lights = method;
+        v.area_lights = method % 3;
+        v.area_textures = method == 1;
+        v.position = true;
         v.uv_per_texture = method == 4;
         v.view = method == 6;
         v.furnace = v.view && v.image_light == 1;

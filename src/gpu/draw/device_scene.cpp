@@ -26,6 +26,7 @@ DeviceScene::DeviceScene(const Context& context)
       textures_(context),
       bounds_(gpu::bounds_of(items_)),
       lights_(light_list_),
+      area_lights_(light_list_),
       shadows_(light_list_, bounds_),
       ground_(bounds_, 0, nullptr) {}
 
@@ -140,6 +141,7 @@ void DeviceScene::set_scene(const Scene& scene, const Progress& progress) {
         meshes.push_back(make_mesh(mesh));
     }
     LightUniforms lights(scene.lights);
+    AreaLightUniforms area_lights(scene.lights);
     std::vector<Light> light_list = scene.lights;
     Instances instances(scene.instances.begin(), scene.instances.end());
     std::string name = scene.name;
@@ -163,6 +165,7 @@ void DeviceScene::set_scene(const Scene& scene, const Progress& progress) {
     instances_ = std::move(instances);
     visible_.clear();
     lights_ = std::move(lights);
+    area_lights_ = std::move(area_lights);
 }
 
 void DeviceScene::set_visibility(const Visibility* visibility) {
@@ -207,11 +210,13 @@ void DeviceScene::set_environment(const std::shared_ptr<const PreparedEnvironmen
 
 void DeviceScene::set_lights(std::span<const Light> lights) {
     LightUniforms uniforms(lights);
+    AreaLightUniforms area_lights(lights);
     ShadowMaps shadows(lights, bounds_);
     light_list_.assign(lights.begin(), lights.end());
     shadows.take_device(shadows_);
     shadows_ = std::move(shadows);
     lights_ = std::move(uniforms);
+    area_lights_ = std::move(area_lights);
     ground_.invalidate();
 }
 

@@ -22,6 +22,7 @@
 #include "gpu/draw/ground.hpp"
 #include "gpu/draw/shadow_maps.hpp"
 #include "gpu/draw/surface_variant.hpp"
+#include "gpu/upload/area_lights.hpp"
 #include "gpu/upload/cloth_maps.hpp"
 #include "gpu/upload/environment.hpp"
 #include "gpu/upload/geometry.hpp"
@@ -95,6 +96,8 @@ class DeviceScene {
     bool any_tabulated() const;
     TextureStore& textures() { return textures_; }
     const LightUniforms& lights() const { return lights_; }
+    AreaLightUniforms& area_lights() { return area_lights_; }
+    const AreaLightUniforms& area_lights() const { return area_lights_; }
     ShadowMaps& shadows() { return shadows_; }
     const ShadowMaps& shadows() const { return shadows_; }
     Ground& ground() { return ground_; }
@@ -130,6 +133,7 @@ class DeviceScene {
     std::vector<DrawItem> items_;  // of the instances that exist
     Bounds bounds_;
     LightUniforms lights_;
+    AreaLightUniforms area_lights_;
     ShadowMaps shadows_;
     Ground ground_;
     UploadCounts uploads_;

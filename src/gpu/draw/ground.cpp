@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +31,9 @@ int sky_light_count(std::size_t triangles) {
 
 // Drawings per lamp, shifted within a texel: the anti-aliasing of its shadow's edge.
 constexpr int kLampDraws = 16;
+// Points of a light with an area: of a long one, neighbors lie an eighth of its length apart. Few: for a coarse
+// shadow.
+constexpr int kAreaPoints = 64, kFewAreaPoints = 5;
 // Number of the sky's lights for a coarse shadow: the shadow of a frame in motion.
 constexpr int kFewSkyLights = 6;
 // Half the square's side is half the model's diagonal and kHeights of its heights, room for long
@@ -83,10 +87,14 @@ Tile reach_of(const Bounds& box, const glm::mat4& clip_from_world) {
 }
 
 // One program for all numbers of lights: drawing takes moments, compiling a program does not.
-std::string light_defines(const LightUniforms& lights) {
-    if (lights.count() == 0) return "#define LIGHTS 0\n#define POSITION\n";
-    return "#define LIGHTS " + std::to_string(kMostLights) +
-           "\n#define LIGHT_COUNT_AT_RUN_TIME\n#define POSITION\n";
+std::string light_defines(const GroundLights& lights) {
+    if (lights.points.count() + lights.areas.count() == 0)
+        return "#define LIGHTS 0\n#define POSITION\n";
+    std::string defines = "#define LIGHTS " + std::to_string(kMostLights) +
+                          "\n#define LIGHT_COUNT_AT_RUN_TIME\n#define POSITION\n";
+    if (lights.areas.count() > 0)
+        defines += "#define AREA_LIGHTS " + std::to_string(kMostAreaLights) + "\n";
+    return defines;
 }
 
 }  // namespace
@@ -150,12 +158,13 @@ Ground::Shadow::Shadow() {
 struct Ground::Tools {
     ProgramCache& programs;
     GLuint empty_vertex_array;
-    const LightUniforms& lights;
+    const GroundLights& lights;
     const DrawCasters& draw_casters;
 };
 
-void Ground::set_place(Program& program, const LightUniforms& lights, float scale) const {
-    lights.set(program);
+void Ground::set_place(Program& program, const GroundLights& lights, float scale) const {
+    lights.points.set(program);
+    lights.areas.set(program);
     program.set("u_ground_center", center_);
     program.set("u_ground_half", half_);
     program.set("u_ground_scale", scale);
@@ -168,12 +177,12 @@ bool Ground::is_made_for(const Sky& sky) const {
     return made == sky;
 }
 
-void Ground::require_programs(ProgramCache& programs, const LightUniforms& lights) {
+void Ground::require_programs(ProgramCache& programs, const GroundLights& lights) {
     programs.get("fullscreen.vert", "ground_add.frag", light_defines(lights));
     programs.get("ground.vert", "ground.frag", light_defines(lights));
 }
 
-void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
+void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const GroundLights& lights,
                      const Sky& sky, const DrawCasters& draw_casters, const Progress& progress) {
     if (is_made_for(sky)) return;
     constexpr std::string_view kStage = "shadow on the ground";
@@ -182,7 +191,11 @@ void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const Li
     auto shadow = std::make_unique<Shadow>();
     shadow->sky = sky;
     glm::vec3 brightest = sky_irradiance_ * sky.intensity;
-    for (int i = 0; i < lights.count(); ++i) brightest += lights.irradiance(i, center_);
+    for (int i = 0; i < lights.points.count(); ++i)
+        brightest += lights.points.irradiance(i, center_);
+    // No light with an area gives more than its radiance from everywhere.
+    for (int i = 0; i < lights.areas.count(); ++i)
+        brightest += glm::vec3(lights.areas.radiance(i)) * std::numbers::pi_v<float>;
     shadow->scale = largest(brightest) > 0.0f ? 1.0f / largest(brightest) : 1.0f;
     glBindFramebuffer(GL_FRAMEBUFFER, shadow->blocked_target.get());
     apply(DrawState{});
@@ -190,10 +203,13 @@ void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const Li
     glClearBufferfv(GL_COLOR, 0, nothing);
     glViewport(0, 0, kSide, kSide);
     const Tools tools{programs, empty_vertex_array, lights, draw_casters};
-    for (int i = 0; i < lights.count(); ++i) {
+    for (int i = 0; i < lights.points.count(); ++i) {
         progress.step(kStage, 0.0);
-        add(tools, *shadow, i, {});
+        add(tools, *shadow,
+            {.place = lights.points.place(i), .light = i, .draws = sky.coarse ? 1 : kLampDraws});
     }
+    progress.step(kStage, 0.0);
+    add_areas(tools, *shadow);
     if (sky.intensity > 0.0f) {
         const std::vector<SkyLight>& all = sky.coarse ? few_sky_lights_ : sky_lights_;
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -203,16 +219,29 @@ void Ground::require(ProgramCache& programs, GLuint empty_vertex_array, const Li
                 progress.step(kStage, static_cast<double>(i) / static_cast<double>(all.size()));
             }
             const SkyLight& light = all[i];
-            add(tools, *shadow, -1,
-                {turned(light.direction, sky.rotation), light.irradiance * sky.intensity});
+            add(tools, *shadow,
+                {.place = glm::vec4(turned(light.direction, sky.rotation), 0.0f),
+                 .sky = light.irradiance * sky.intensity});
         }
     }
     check_gl("drawing the ground's shadow");
     made_ = std::move(shadow);
 }
 
-void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& sky) const {
-    const glm::vec4 place = light < 0 ? glm::vec4(sky.direction, 0.0f) : tools.lights.place(light);
+void Ground::add_areas(const Tools& tools, Shadow& shadow) const {
+    const int points = shadow.sky.coarse ? kFewAreaPoints : kAreaPoints;
+    for (int i = 0; i < tools.lights.areas.count(); ++i) {
+        const Light& light = tools.lights.areas.lights()[static_cast<std::size_t>(i)];
+        for (const glm::dvec2 offset : pixel_offsets(points))
+            add(tools, shadow,
+                {.place = glm::vec4(area_point(light, offset, model_.center()), 1.0f),
+                 .area = i,
+                 .share = 1.0f / static_cast<float>(points)});
+    }
+}
+
+void Ground::add(const Tools& tools, Shadow& shadow, const Blocked& light) const {
+    const glm::vec4& place = light.place;
     // Below the plane, which is dark with or without the model.
     if (!(place.y > center_.y * place.w)) return;
     // Seen from above: x to the right, z down. The plane has depth 0, the background 1.
@@ -224,10 +253,9 @@ void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& 
     const glm::mat4 flat = square * flattened(place, center_.y);
     Program& program =
         tools.programs.get("fullscreen.vert", "ground_add.frag", light_defines(tools.lights));
-    const int draws = light < 0 || shadow.sky.coarse ? 1 : kLampDraws;
     const Tile reach = reach_of(model_, flat);
     const Rectangle part{reach.x, reach.y, reach.width, reach.height};
-    for (const glm::dvec2 texels : pixel_offsets(draws)) {
+    for (const glm::dvec2 texels : pixel_offsets(light.draws)) {
         glm::mat4 shift(1.0f);
         const glm::dvec2 offset = texels * (2.0 / kSide);
         shift[3] = glm::vec4(static_cast<float>(offset.x), static_cast<float>(offset.y), 0, 1);
@@ -241,9 +269,10 @@ void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& 
         program.use();
         set_place(program, tools.lights, shadow.scale);
         program.set("u_depth", 0.0f);
-        program.set("u_light", light);
-        program.set("u_sky", sky.irradiance);
-        program.set("u_share", 1.0f / static_cast<float>(draws));
+        program.set("u_light", light.light);
+        program.set("u_area", light.area);
+        program.set("u_sky", light.sky);
+        program.set("u_share", light.share / static_cast<float>(light.draws));
         program.set("u_mask", static_cast<int>(kScratchUnit));
         glActiveTexture(GL_TEXTURE0 + kScratchUnit);
         glBindTexture(GL_TEXTURE_2D, shadow.mask.get());
@@ -253,7 +282,7 @@ void Ground::add(const Tools& tools, Shadow& shadow, int light, const SkyLight& 
     }
 }
 
-void Ground::paint(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
+void Ground::paint(ProgramCache& programs, GLuint empty_vertex_array, const GroundLights& lights,
                    const glm::mat4& clip_from_world, bool transparent) const {
     Program& program = programs.get("ground.vert", "ground.frag", light_defines(lights));
     program.use();

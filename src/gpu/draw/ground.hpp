@@ -4,7 +4,8 @@
 // The shadow is drawn on a square of the plane, seen from above, once for a scene and its
 // environment: the model is flattened onto the plane along each light (J. Blinn, "Me and My (Fake)
 // Shadow", 1988). Lamps are points, so their shadows are as sharp as the texels of the square. The
-// environment is represented by sky_lights(): a wide sky gives a soft shadow, darkest below the
+// Lights with an area are represented by points of theirs, whose shadows take away their part of the light's
+// irradiance. The environment is represented by sky_lights(): a wide sky gives a soft shadow, darkest below the
 // model; a sun gives a hard one. A shadow has the color of the remaining light. The ground reflects
 // no light to the model. Masked surfaces cast the shadow of all their triangles, blended ones none.
 #pragma once
@@ -19,6 +20,7 @@
 #include "burnish/scene.hpp"
 #include "gpu/device/handles.hpp"
 #include "gpu/device/program.hpp"
+#include "gpu/upload/area_lights.hpp"
 #include "gpu/upload/lights.hpp"
 #include "scene/light/sky_lights.hpp"
 
@@ -27,6 +29,12 @@ namespace burnish::gpu {
 // Projects a point to its shadow on the plane y = height. `light` is a position and 1, or the
 // direction towards it and 0. w <= 0 for a point no nearer to the plane than the light.
 glm::mat4 flattened(const glm::vec4& light, float height);
+
+// The lights of a scene, without and with an area.
+struct GroundLights {
+    const LightUniforms& points;
+    const AreaLightUniforms& areas;
+};
 
 class Ground {
   public:
@@ -48,10 +56,10 @@ class Ground {
     // Draws all shadow casters by shadow.frag with this clip_from_world.
     using DrawCasters = std::function<void(const glm::mat4&)>;
     // Compiles the programs of require and paint.
-    static void require_programs(ProgramCache& programs, const LightUniforms& lights);
+    static void require_programs(ProgramCache& programs, const GroundLights& lights);
     // Makes the shadow unless it exists for this sky. Changes framebuffer, viewport and raster
     // state. When `progress` throws, the previous shadow stays.
-    void require(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
+    void require(ProgramCache& programs, GLuint empty_vertex_array, const GroundLights& lights,
                  const Sky& sky, const DrawCasters& draw_casters, const Progress& progress);
     // Call after a change of lights or casters: the next require makes the shadow again.
     void invalidate() { made_.reset(); }
@@ -59,7 +67,7 @@ class Ground {
     bool is_made_for(const Sky& sky) const;
     // Multiplies the picture by the shadow; `transparent`: writes the shadow's coverage to alpha.
     // Depth is tested. `clip_from_world` is that of the view.
-    void paint(ProgramCache& programs, GLuint empty_vertex_array, const LightUniforms& lights,
+    void paint(ProgramCache& programs, GLuint empty_vertex_array, const GroundLights& lights,
                const glm::mat4& clip_from_world, bool transparent) const;
 
   private:
@@ -74,9 +82,19 @@ class Ground {
     };
     struct Tools;  // arguments of one drawing
     void find_sky_lights();
-    void set_place(Program& program, const LightUniforms& lights, float scale) const;
-    // Adds the shadow of one light to `blocked`; `light` -1: `sky`.
-    void add(const Tools& tools, Shadow& shadow, int light, const SkyLight& sky) const;
+    void set_place(Program& program, const GroundLights& lights, float scale) const;
+    // One drawing of casters: the light that they block.
+    struct Blocked {
+        glm::vec4 place{0.0f};  // of the light, as LightUniforms::place has it
+        int light = -1;         // number of a light without an area
+        int area = -1;          // of one with an area
+        glm::vec3 sky{0.0f};    // irradiance of the sky's
+        int draws = 1;          // shifted within a texel
+        float share = 1.0f;     // of the light's irradiance
+    };
+    // Adds the shadow of one light, or of one point of it, to `blocked`.
+    void add(const Tools& tools, Shadow& shadow, const Blocked& light) const;
+    void add_areas(const Tools& tools, Shadow& shadow) const;
 
     Bounds model_;
     glm::vec3 center_{0.0f};  // on the plane

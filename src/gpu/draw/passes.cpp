@@ -68,6 +68,9 @@ void Painter::set_frame(Program& program, const Frame& frame) {
     program.set("u_seed", o.seed);
     program.set("u_view", static_cast<int>(o.view));
     scene_.lights().set(program);
+    scene_.area_lights().set(program);
+    program.set("u_area_frame", static_cast<unsigned>(frame.sample));
+    program.set("u_area_seed", o.seed + 2u);  // other points than those of the image light
     if (needs_.shadows) scene_.shadows().bind(program);
     if (const EnvironmentMaps* environment = scene_.environment()) {
         environment->bind(program, o.environment_intensity, o.environment_rotation);
@@ -159,10 +162,11 @@ void Painter::paint(const Frame& frame, Targets& targets) {
     clear(frame, targets);
     if (needs_.defers) paint_deferred(frame, targets, forward);
     paint_forward(frame, forward);
+    if (shows_emitters(frame)) paint_emitters(frame);
     if (shows_environment(frame)) paint_background(frame);
     if (needs_.ground) {
         const auto time = timed(Pass::ground);
-        scene_.ground().paint(context_.programs(), empty_.get(), scene_.lights(),
+        scene_.ground().paint(context_.programs(), empty_.get(), ground_lights(),
                               frame.view.clip_from_world,
                               frame.options->background == BackgroundKind::transparent);
     }
@@ -257,6 +261,32 @@ void Painter::paint_gouraud(const Frame& frame, const DrawItem& item) {
     set_frame(program, frame);
     set_material(program, scene_.material(item.material).material, scene_.textures(), 0.0f);
     draw_item(program, item, frame.options->coarse);
+}
+
+// Lights with an area, from the sides that emit. A tube is the rectangle that shows the eye its outline.
+void Painter::paint_emitters(const Frame& frame) {
+    const auto time = timed(Pass::background);
+    Program& program = emitter_program(true);
+    program.use();
+    program.set("u_clip_from_world", frame.view.clip_from_world);
+    const AreaLightUniforms& uniforms = scene_.area_lights();
+    uniforms.bind_textures(program);
+    apply(DrawState{});
+    for (int i = 0; i < uniforms.count(); ++i) {
+        const Light& light = uniforms.lights()[static_cast<std::size_t>(i)];
+        if (!light.visible) continue;
+        const Emitter emitter = emitter_seen(light, frame.view.eye);
+        if (!emitter.lit) continue;
+        program.set("u_emitter_middle", light.position);
+        program.set("u_emitter_x", emitter.axes.x);
+        program.set("u_emitter_y", emitter.axes.y);
+        program.set("u_emitter_radiance", glm::vec3(uniforms.radiance(i)));
+        program.set("u_emitter_round", light.type == LightType::disc ? 1.0f : 0.0f);
+        program.set("u_emitter_layer", uniforms.layer(i));
+        glBindVertexArray(empty_.get());
+        glDrawArrays(GL_TRIANGLES, 0, 6);
+        glBindVertexArray(0);
+    }
 }
 
 void Painter::paint_background(const Frame& frame) {

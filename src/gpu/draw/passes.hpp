@@ -91,6 +91,9 @@ class Painter {
     bool can_defer(const Frame& frame, const DrawItem& item);
     bool shows_environment(const Frame& frame) const;
     bool sees_surroundings(const Frame& frame) const;
+    bool shows_emitters(const Frame& frame) const;
+    Program& emitter_program(bool wait);
+    GroundLights ground_lights() const { return {scene_.lights(), scene_.area_lights()}; }
     static bool is_furnace(const Frame& frame);
 
     void draw_casters(const glm::mat4& clip_from_world, bool coarse);
@@ -105,6 +108,7 @@ class Painter {
     void draw_item(Program& program, const DrawItem& item, bool coarse);
     void paint_item(const Frame& frame, const DrawItem& item);
     void paint_gouraud(const Frame& frame, const DrawItem& item);
+    void paint_emitters(const Frame& frame);
     void paint_background(const Frame& frame);
     void paint_blended(const Frame& frame);
     void set_lattice(Program& program, int samples);

@@ -79,7 +79,8 @@ Painter::Needs Painter::needs_of(const Frame& frame) {
     needs.shadows = frame.options->shadows && !is_furnace(frame) && scene_.shadows().count() > 0 &&
                     frame.variant != ShadingVariant::gouraud;
     needs.visibility = sees_surroundings(frame);
-    needs.position = scene_.lights().any_positional() || needs.shadows;
+    needs.position =
+        scene_.lights().any_positional() || scene_.area_lights().count() > 0 || needs.shadows;
     needs.ground = sees_ground(frame);
     needs.frame = new_uniform_version();
     const std::pair<int, bool> settings{frame.options->samples, frame.options->filter_cloth};
@@ -97,9 +98,12 @@ SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot,
     v.lights = is_furnace(frame) ? 0 : scene_.lights().count();
     v.position = needs_.position;
     v.shadow_maps = needs_.shadows ? scene_.shadows().count() : 0;
-    if (frame.light_count == LightCount::at_run_time && v.lights > 0) {
+    v.area_lights = is_furnace(frame) ? 0 : scene_.area_lights().count();
+    v.area_textures = v.area_lights > 0 && scene_.area_lights().any_texture();
+    if (frame.light_count == LightCount::at_run_time && v.lights + v.area_lights > 0) {
         v.light_count_at_run_time = true;
         v.lights = static_cast<int>(kMostLights);
+        if (v.area_lights > 0) v.area_lights = static_cast<int>(kMostAreaLights);
         if (v.shadow_maps > 0) v.shadow_maps = kMostShadowMaps;
     }
     const bool lit = scene_.environment() != nullptr && frame.options->environment_intensity > 0.0f;
@@ -155,6 +159,17 @@ Program& Painter::gbuffer_program(const MaterialSlot& slot, bool wait) {
     return of(context_.programs(), wait, "surface.vert", "gbuffer.frag", defines);
 }
 
+bool Painter::shows_emitters(const Frame& frame) const {
+    return frame.options->view == SurfaceView::radiance &&
+           frame.variant != ShadingVariant::gouraud &&
+           std::ranges::any_of(scene_.area_lights().lights(), &Light::visible);
+}
+
+Program& Painter::emitter_program(bool wait) {
+    return of(context_.programs(), wait, "area_emitter.vert", "area_emitter.frag",
+              scene_.area_lights().any_texture() ? "#define AREA_TEXTURES\n" : "");
+}
+
 Program& Painter::gouraud_program(bool wait) {
     std::string defines = "#define LIGHTS " + std::to_string(scene_.lights().count()) + "\n";
     if (scene_.lights().any_positional()) defines += "#define POSITION\n";
@@ -166,6 +181,7 @@ void Painter::start_programs(const Frame& frame, std::vector<Program*>& programs
     programs.push_back(&plain_program("fullscreen.vert", accumulation_of(*frame.options), false));
     if (needs_.shadows || frame.options->ground)
         programs.push_back(&plain_program("surface.vert", "shadow.frag", false));
+    if (shows_emitters(frame)) programs.push_back(&emitter_program(false));
     if (shows_environment(frame))
         programs.push_back(&plain_program("fullscreen.vert", "background.frag", false));
     if (frame.variant == ShadingVariant::gouraud) {
@@ -204,6 +220,7 @@ void Painter::prepare_programs(const Frame& frame, const Progress& progress) {
 }
 
 void Painter::prepare_tables(const Frame& frame, const Progress& progress) {
+    scene_.area_lights().require_textures();
     const ImageLight light = frame.options->image_light;
     EnvironmentMaps* environment = scene_.environment();
     const bool blurred = light == ImageLight::prefiltered || light == ImageLight::bent_normal;
@@ -226,11 +243,11 @@ void Painter::prepare_tables(const Frame& frame, const Progress& progress) {
 
 void Painter::prepare_ground(const Frame& frame, const Progress& progress) {
     const RenderSettings& o = *frame.options;
-    Ground::require_programs(context_.programs(), scene_.lights());
+    Ground::require_programs(context_.programs(), ground_lights());
     // An environment that is visible but gives no light casts no shadow.
     const bool lit = o.image_light != ImageLight::off;
     scene_.ground().require(
-        context_.programs(), empty_.get(), scene_.lights(),
+        context_.programs(), empty_.get(), ground_lights(),
         {lit ? o.environment_intensity : 0.0f, o.environment_rotation, o.coarse},
         [&](const glm::mat4& clip) { draw_casters(clip, o.coarse); }, progress);
 }

@@ -11,6 +11,7 @@
 
 #include "gpu/device/draw_state.hpp"
 #include "gpu/device/texture_units.hpp"
+#include "gpu/upload/area_lights.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -21,6 +22,9 @@ constexpr std::size_t kMostTexels = std::size_t{1} << 25;
 // Half angle in radians. A wider spot is rendered into six faces, because one plane cannot cover
 // nearly 90 degrees.
 constexpr float kWidestSpot = 1.3f;
+
+// A point has no extent to project.
+constexpr float kLeastRadius = 1e-6f;
 
 struct Axis {
     glm::vec3 forward, up;
@@ -52,8 +56,8 @@ int largest_side(std::size_t maps) {
 
 }  // namespace
 
-ShadowMaps::ShadowMaps(std::span<const Light> lights, const Bounds& bounds) {
-    for (const Light& light : lights) add_light(light, bounds);
+ShadowMaps::ShadowMaps(std::span<const Light> lights, const Bounds& bounds) : bounds_(bounds) {
+    for (const Light& light : lights) has_area(light) ? add_area_light(light) : add_light(light);
     current_.resize(maps_.size(), glm::mat4(1.0f));
     drawn_.resize(maps_.size());
     if (maps_.empty()) return;
@@ -61,10 +65,47 @@ ShadowMaps::ShadowMaps(std::span<const Light> lights, const Bounds& bounds) {
     for (Map& map : maps_) map.texel /= static_cast<float>(side_);
 }
 
-void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
-    // 1e-6: a point has no extent to project.
-    const float radius = std::max(bounds.radius(), 1e-6f);
-    const glm::vec3 center = bounds.center();
+void ShadowMaps::add_area_light(const Light& light) {
+    const float radius = std::max(bounds_.radius(), kLeastRadius);
+    const float extent = 0.5f * glm::length(light.size);
+    const float distance = glm::length(light.position - bounds_.center()) - extent;
+    // Every point of it sees the whole scene within the widest angle of one plane.
+    const bool one = distance * std::sin(kWidestSpot) > radius;
+    const auto needed = static_cast<std::size_t>(one ? 1 : 6);
+    const int number = static_cast<int>(area_lights_.size());
+    area_lights_.push_back(light);
+    area_points_.push_back(light.position);
+    if (maps_.size() + needed > kMostShadowMaps || !usable(light.position)) {
+        of_area_light_.emplace_back(-1.0f, 0.0f);
+        return;
+    }
+    of_area_light_.emplace_back(static_cast<float>(maps_.size()), static_cast<float>(needed));
+    // Of the six: 90 degrees. Of the one: the cone around the scene from the nearest point.
+    const float sine = one ? radius / distance : 0.0f;
+    const float side = one ? 2.0f * sine / std::sqrt(1.0f - sine * sine) : 2.0f;
+    for (int face = 0; face < static_cast<int>(needed); ++face)
+        maps_.push_back({glm::mat4(1.0f), side, number, one ? -1 : face});
+}
+
+glm::mat4 ShadowMaps::clip_of_area(const Map& map, const glm::vec3& point) const {
+    const float radius = std::max(bounds_.radius(), kLeastRadius);
+    const glm::vec3 to_center = bounds_.center() - point;
+    const float distance = glm::length(to_center);
+    const float far_plane = distance + 1.01f * radius;
+    const float near_plane = std::max(distance - 1.01f * radius, far_plane / 500.0f);
+    if (map.face >= 0) {
+        const Axis& face = kFaces[static_cast<std::size_t>(map.face)];
+        return glm::perspective(1.5707963f, 1.0f, near_plane * 0.57f, far_plane) *
+               glm::lookAt(point, point + face.forward, face.up);
+    }
+    const float half = std::asin(std::min(radius / distance, std::sin(kWidestSpot))) * 1.01f;
+    return glm::perspective(2.0f * half, 1.0f, near_plane, far_plane) *
+           glm::lookAt(point, bounds_.center(), up_for(to_center / distance));
+}
+
+void ShadowMaps::add_light(const Light& light) {
+    const float radius = std::max(bounds_.radius(), kLeastRadius);
+    const glm::vec3 center = bounds_.center();
     const float travel_length = glm::length(light.direction);
     const glm::vec3 travel = travel_length > 0.0f && std::isfinite(travel_length)
                                  ? light.direction / travel_length
@@ -82,7 +123,7 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
         const glm::mat4 view = glm::lookAt(center - 2.0f * radius * travel, center, up_for(travel));
         const glm::mat4 clip =
             glm::ortho(-radius, radius, -radius, radius, 0.9f * radius, 3.1f * radius);
-        maps_.push_back({clip * view, 2.0f * radius});
+        maps_.push_back({clip * view, 2.0f * radius, -1, -1});
         return;
     }
     const float distance = glm::length(light.position - center);
@@ -94,15 +135,15 @@ void ShadowMaps::add_light(const Light& light, const Bounds& bounds) {
         const float half = std::max(light.outer_cone, 0.01f) * 1.02f;
         maps_.push_back({glm::perspective(2.0f * half, 1.0f, near_plane, far_plane) *
                              glm::lookAt(light.position, light.position + travel, up_for(travel)),
-                         2.0f * std::tan(half)});
+                         2.0f * std::tan(half), -1, -1});
         return;
     }
     // Adjacent faces meet at 45 degrees to their axes (1/sqrt(3) in the corners), so the near
     // planes of the cube are nearer.
     const glm::mat4 clip = glm::perspective(1.5707963f, 1.0f, near_plane * 0.57f, far_plane);
     for (const Axis& face : kFaces) {
-        maps_.push_back(
-            {clip * glm::lookAt(light.position, light.position + face.forward, face.up), 2.0f});
+        maps_.push_back({clip * glm::lookAt(light.position, light.position + face.forward, face.up),
+                         2.0f, -1, -1});
     }
 }
 
@@ -159,7 +200,13 @@ glm::mat4 ShadowMaps::begin(int index, glm::dvec2 offset) {
     const glm::dvec2 shift = offset * (2.0 / side_);
     glm::mat4 moved(1.0f);
     moved[3] = glm::vec4(static_cast<float>(shift.x), static_cast<float>(shift.y), 0.0f, 1.0f);
-    current_[i] = moved * maps_[i].clip_from_world;
+    if (const int light = maps_[i].area; light >= 0) {
+        const auto number = static_cast<std::size_t>(light);
+        area_points_[number] = area_point(area_lights_[number], offset, bounds_.center());
+        current_[i] = moved * clip_of_area(maps_[i], area_points_[number]);
+    } else {
+        current_[i] = moved * maps_[i].clip_from_world;
+    }
     drawn_[i] = offset;
     glBindFramebuffer(GL_FRAMEBUFFER, device_->target.get());
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, device_->texture.get(), 0,
@@ -188,6 +235,9 @@ void ShadowMaps::bind(Program& program) const {
     program.set("u_shadow_clip", std::span<const glm::mat4>(current_));
     program.set("u_shadow_texel", std::span<const float>(texels));
     program.set("u_shadow_of_light", std::span<const glm::vec2>(of_light_));
+    if (area_lights_.empty()) return;
+    program.set("u_area_shadow", std::span<const glm::vec2>(of_area_light_));
+    program.set("u_area_point", std::span<const glm::vec3>(area_points_));
 }
 
 }  // namespace burnish::gpu

@@ -1,4 +1,6 @@
-// Depth maps of the lights: one for a directional light or a spot, six for a point light.
+// Depth maps of the lights: one for a directional light or a spot, six for a point light. A light with an
+// area has one that looks at the whole scene, or six where it is within it; its maps are drawn from another point
+// of the light for every sub-pixel sample, so that the mean over the samples is the soft shadow.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -50,6 +52,8 @@ class ShadowMaps {
     struct Map {
         glm::mat4 clip_from_world{1.0f};
         float texel = 0.0f;  // side in the world at distance 1; constant for a directional light
+        int area = -1;  // number of the light with an area, whose maps are made for each sample
+        int face = -1;  // -1: towards the middle of the scene
     };
     struct Device {
         GlTexture texture;
@@ -57,12 +61,19 @@ class ShadowMaps {
         Framebuffer target;
         int side = 0, layers = 0;  // as allocated
     };
-    void add_light(const Light& light, const Bounds& bounds);
+    void add_light(const Light& light);
+    void add_area_light(const Light& light);
+    // The map of a light with an area from this point of it.
+    glm::mat4 clip_of_area(const Map& map, const glm::vec3& point) const;
     bool has_images() const;
     void make_images();
 
+    Bounds bounds_;
     std::vector<Map> maps_;
-    std::vector<glm::vec2> of_light_;               // first map or -1, number of maps
+    std::vector<glm::vec2> of_light_;  // first map or -1, number of maps
+    std::vector<Light> area_lights_;
+    std::vector<glm::vec2> of_area_light_;          // the same of lights with an area
+    std::vector<glm::vec3> area_points_;            // where their maps are drawn from
     std::vector<glm::mat4> current_;                // as last drawn, with the shift
     std::vector<std::optional<glm::dvec2>> drawn_;  // offset of each map's last drawing
     std::vector<bool> casters_;

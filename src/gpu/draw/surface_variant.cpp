@@ -11,6 +11,14 @@ std::string define(const char* name, int value) {
     return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+// Whether lights with an area are points to this lobe: tables have no map to the cosine, and where normal-map
+// draws the lobe of ashikhmin-shirley or ward, which do not follow slopes, the map folds.
+bool is_sampled_by_areas(const SurfaceVariant& v) {
+    const int mdf = f32::brdf_mdf(static_cast<int>(v.brdf), static_cast<int>(v.mdf));
+    return v.tabulated || (v.method == Method::normal_map && has_half_vectors(v.brdf) &&
+                           (mdf == f32::kMdfAshikhminShirley || mdf == f32::kMdfWard));
+}
+
 }  // namespace
 
 std::string SurfaceVariant::defines() const {
@@ -23,6 +31,7 @@ std::string SurfaceVariant::defines() const {
     lines += define("LIGHTS", lights);
     lines += define("SHADOW_MAPS", shadow_maps);
     lines += define("IMAGE_LIGHT", image_light);
+    if (area_lights > 0) lines += define("AREA_LIGHTS", area_lights);
     const std::pair<bool, const char*> switches[] = {
         {conductor, "CONDUCTOR"},
         {fresnel_curve, "FRESNEL_CURVE"},
@@ -59,6 +68,9 @@ std::string SurfaceVariant::defines() const {
         {uv_per_texture, "UV_PER_TEXTURE"},
         {vertex_color, "VERTEX_COLOR"},
         {light_count_at_run_time, "LIGHT_COUNT_AT_RUN_TIME"},
+        {area_textures, "AREA_TEXTURES"},
+        {area_lights > 0 && shadow_maps > 0, "AREA_SHADOWS"},
+        {area_lights > 0 && is_sampled_by_areas(*this), "AREA_SAMPLED"},
         {position, "POSITION"},
         {visibility, "VISIBILITY"},
         {view, "VIEW"},

@@ -49,6 +49,8 @@ struct SurfaceVariant {
     AlphaMode alpha_mode = AlphaMode::opaque;
     int lights = 0;  // with light_count_at_run_time: capacity
     bool light_count_at_run_time = false;
+    int area_lights = 0;  // with light_count_at_run_time: capacity
+    bool area_textures = false;
     bool position = false;  // a light needs the position of the surface
     int shadow_maps = 0;
     int image_light = 0;      // 0 off, 1 importance, 2 bent normal, 3 prefiltered

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <string>
 
@@ -25,11 +26,14 @@ glm::vec2 cone_of(const Light& light) {
 }  // namespace
 
 LightUniforms::LightUniforms(std::span<const Light> lights) {
-    if (lights.size() > kMostLights) {
+    const auto punctual = static_cast<std::size_t>(
+        std::count_if(lights.begin(), lights.end(), std::not_fn(has_area)));
+    if (punctual > kMostLights) {
         throw Error("scene", "lights", "at most " + std::to_string(kMostLights),
-                    std::to_string(lights.size()));
+                    std::to_string(punctual));
     }
     for (const Light& light : lights) {
+        if (has_area(light)) continue;
         const glm::vec3 travel = unit_or(light.direction, glm::vec3(0, 0, -1));
         const bool directional = light.type == LightType::directional;
         any_positional_ = any_positional_ || !directional;

@@ -13,7 +13,7 @@ inline constexpr std::size_t kMostLights = 16;
 
 class LightUniforms {
   public:
-    // Throws Error for more than kMostLights lights.
+    // Takes those of `lights` that have no area, in their order. Throws Error for more than kMostLights.
     explicit LightUniforms(std::span<const Light> lights);
 
     int count() const { return static_cast<int>(place_.size()); }

@@ -49,6 +49,7 @@ TurntableFrame turntable_frame(const Camera& camera, std::span<const Light> ligh
         for (Light& light : frame.lights) {
             light.position = about.place(light.position);
             light.direction = about.direction(light.direction);
+            light.up = about.direction(light.up);
         }
         frame.environment_rotation =
             static_cast<float>(static_cast<double>(environment_rotation) + angle);

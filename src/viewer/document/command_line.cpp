@@ -57,7 +57,7 @@ std::string why_a_scene(const Document& document, const Document& opened, const 
     if (!document.dark.empty()) return "lights that are switched off";
     if (!document.lights) return "";
     for (const Light& light : *document.lights)
-        if (light_word(light).empty()) return "lights with a color, a range or a cone";
+        if (light_word(light).empty()) return "lights with a color, a range, a cone or an area";
     return "";
 }
 
@@ -73,7 +73,7 @@ std::string light_word(const Light& light) {
     constexpr float kMostLux = 1e6f;  // of --light
     if (light.color != glm::vec3(1.0f) || !(light.intensity >= 0.0f && light.intensity <= kMostLux))
         return "";
-    if (light.type == LightType::spot) return "";
+    if (light.type == LightType::spot || has_area(light)) return "";
     if (light.type == LightType::point) {
         const glm::vec3& p = light.position;
         return light.range != 0.0f

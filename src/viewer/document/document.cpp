@@ -76,6 +76,16 @@ void require_unit(const glm::vec3& direction) {
         refuse("light: direction", "a vector of length 1", std::sqrt(squared));
 }
 
+void require_valid_area(const Light& light) {
+    // As scene files have it; a float is as near to the ends as it can be.
+    require_in("light: width", static_cast<double>(light.size.x), 0.999e-6, 2.001e6);
+    require_in("light: height", static_cast<double>(light.size.y), 0.999e-6, 2.001e6);
+    if (light.type == LightType::tube) return;
+    if (!(glm::length(glm::cross(glm::normalize(light.up), light.direction)) >= 1e-3f))
+        throw UsageError("light: up", "", "a direction that is not along `direction`",
+                         "one that is");
+}
+
 }  // namespace
 
 std::span<const std::string_view> compare_mode_names() {
@@ -153,6 +163,7 @@ void require_valid(const Light& light) {
     if (light.type != LightType::point) require_unit(light.direction);
     if (light.type == LightType::directional) return;
     require_in("light: position", light.position, -kFar, kFar);
+    if (has_area(light)) return require_valid_area(light);
     require_in("light: range", static_cast<double>(light.range), 0.0, kFar);
     if (light.type != LightType::spot) return;
     // The float that is nearest to a right angle is larger than it.

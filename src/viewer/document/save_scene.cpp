@@ -132,8 +132,30 @@ Json json_of_values(const ParameterValues& values, bool of_materials, const File
     return out;
 }
 
-Json json_of_light(const Light& light) {
+Json json_of_area_light(const Light& light, const FileNames& files) {
+    const bool tube = light.type == LightType::tube;
+    Json out;
+    out["type"] = tube ? "tube" : light.type == LightType::disc ? "disc" : "rectangle";
+    out["position"] = json_of(light.position);
+    out["direction"] = json_of(light.direction);
+    if (tube) {
+        out["length"] = decimal_of(light.size.x);
+        out["radius"] = 0.5 * decimal_of(light.size.y);
+    } else {
+        out["size"] = Json::array({decimal_of(light.size.x), decimal_of(light.size.y)});
+        if (light.up != Light{}.up) out["up"] = json_of(light.up);
+        if (light.two_sided) out["two_sided"] = true;
+    }
+    if (!light.visible) out["visible"] = false;
+    if (!light.texture.file.empty()) out["texture"] = files.name(light.texture.file);
+    out["radiance"] = decimal_of(light.intensity);
+    if (light.color != glm::vec3(1.0f)) out["color"] = json_of(light.color);
+    return out;
+}
+
+Json json_of_light(const Light& light, const FileNames& files) {
     require_valid(light);
+    if (has_area(light)) return json_of_area_light(light, files);
     static constexpr std::string_view kTypes[] = {"directional", "point", "spot"};
     const bool spot = light.type == LightType::spot, point = light.type == LightType::point;
     Json out;
@@ -235,13 +257,14 @@ Json json_of_object(const SceneFile::Object& object, const Document& document,
     return out;
 }
 
-void add_lights(Json& root, const Document& document, const SceneFile& file) {
+void add_lights(Json& root, const Document& document, const SceneFile& file,
+                const FileNames& files) {
     const bool replaced = document.lights || !document.dark.empty();
     if (file.drops_lights || (replaced && file.model_lights > 0)) root["model_lights"] = false;
     const std::vector<Light> lights = drawn_lights(document, file.scene.lights);
     for (std::size_t i = replaced ? 0 : static_cast<std::size_t>(file.model_lights);
          i < lights.size(); ++i)
-        root["lights"].push_back(json_of_light(lights[i]));
+        root["lights"].push_back(json_of_light(lights[i], files));
 }
 
 bool is_flat(const Json& json) {
@@ -283,7 +306,7 @@ std::string text_of_scene(const Document& document, const Stage& stage, const Fi
     for (const SceneFile::Object& object : stage.file.objects)
         root["objects"].push_back(json_of_object(object, document, materials, files));
     if (!materials.sets().empty()) root["materials"] = materials.sets();
-    add_lights(root, document, stage.file);
+    add_lights(root, document, stage.file, files);
     const std::string& environment =
         document.environment.empty() ? stage.file.environment : document.environment;
     if (!environment.empty()) root["environment"] = files.name(environment);

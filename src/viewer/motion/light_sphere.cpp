@@ -6,6 +6,7 @@
 
 #include "core/constants.hpp"
 #include "scene/camera/view.hpp"
+#include "scene/light/area_lights.hpp"
 #include "viewer/inspect/point_lobe.hpp"
 
 namespace burnish::viewer {
@@ -62,6 +63,8 @@ Light dragged_light(const Camera& camera, const Light& light, glm::dvec3 pivot, 
     const BallTurn turn(camera, drag_px, height_px);
     Light moved = light;
     moved.direction = glm::vec3(glm::normalize(turn(glm::dvec3(light.direction))));
+    if (light.type == LightType::rectangle || light.type == LightType::disc)
+        moved.up = glm::vec3(turn(glm::dvec3(light.up)));
     if (light.type != LightType::directional)
         moved.position = glm::vec3(pivot + turn(glm::dvec3(light.position) - pivot));
     return moved;
@@ -98,8 +101,13 @@ std::optional<Light> light_for_highlight(const Scene& scene, const Hit& hit, glm
     const std::optional<glm::dvec3> towards = direction_for_highlight(scene, hit, to_eye);
     if (!towards) return std::nullopt;
     Light placed = light;
-    if (light.type != LightType::point) placed.direction = glm::vec3(-*towards);
+    // A tube shines to all sides of its axis: it moves and does not turn.
+    if (light.type != LightType::point && light.type != LightType::tube)
+        placed.direction = glm::vec3(-*towards);
     if (light.type == LightType::directional) return placed;
+    // `up` may not lie along the new direction.
+    if (light.type == LightType::rectangle || light.type == LightType::disc)
+        placed.up = glm::normalize(area_axes(placed).y);
     const double distance = glm::length(glm::dvec3(light.position) - hit.position);
     placed.position = glm::vec3(hit.position + *towards * distance);
     return placed;

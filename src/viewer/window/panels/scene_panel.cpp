@@ -158,9 +158,15 @@ bool light_rows(Light& light) {
     } else {
         changed |= ImGui::DragFloat3("place, m", &light.position.x, 0.02f);
     }
-    changed |=
-        ImGui::SliderFloat(light.type == LightType::directional ? "lux" : "candela",
-                           &light.intensity, 0.0f, 1000.0f, "%.3g", ImGuiSliderFlags_Logarithmic);
+    if (has_area(light)) {
+        const char* sides = light.type == LightType::tube ? "length, diameter" : "size, m";
+        changed |= ImGui::DragFloat2(sides, &light.size.x, 0.005f, 1e-3f, 100.0f);
+    }
+    const char* unit = light.type == LightType::directional ? "lux"
+                       : has_area(light)                    ? "cd/m2"
+                                                            : "candela";
+    changed |= ImGui::SliderFloat(unit, &light.intensity, 0.0f, 1000.0f, "%.3g",
+                                  ImGuiSliderFlags_Logarithmic);
     changed |= ImGui::ColorEdit3("color", &light.color.x, ImGuiColorEditFlags_Float);
     return changed;
 }
@@ -170,7 +176,8 @@ void lights(App& app) {
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const int index = static_cast<int>(i);
         ImGui::PushID(index);
-        static constexpr const char* kKinds[] = {"directional", "point", "spot"};
+        static constexpr const char* kKinds[] = {"directional", "point", "spot",
+                                                 "rectangle",   "disc",  "tube"};
         bool on = !app.document().dark.contains(index);
         if (ImGui::Checkbox("##on", &on)) app.switch_light(index, on);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("on or off");
