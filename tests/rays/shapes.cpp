@@ -204,7 +204,7 @@ f64::Harmonics blocked_of(const VertexVisibility& vertex) {
 }
 
 f64::Surroundings around_of(const VertexVisibility& vertex) {
-    std::array<double, 6> v{};
+    std::array<double, 7> v{};
     for (std::size_t i = 0; i < v.size(); ++i) v[i] = glm::unpackHalf1x16(vertex.around[i]);
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6] + 1.0f};
 }

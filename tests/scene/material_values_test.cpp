@@ -10,9 +10,10 @@
 namespace burnish {
 namespace {
 
-// Of a lobe that is assigned to a new material, GCC 12 says wrongly that the former one may be uninitialized.
 Material material_with(const MaterialLobe& lobe) {
-    return Material{.lobe = lobe};
+    Material material;
+    material.lobe = lobe;
+    return material;
 }
 
 // Fibers in disorder add the variance of their slopes: 2 variance to alpha^2 of a Beckmann lobe.

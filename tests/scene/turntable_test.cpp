@@ -16,8 +16,8 @@ namespace {
 
 constexpr Turn kTurns[] = {Turn::object, Turn::light, Turn::camera};
 // Places and directions are floats of size about 5.
-constexpr double kRounding = 2e-6;
-constexpr float kRotation = 0.7f;
+constexpr double kTurnRounding = 2e-6;
+constexpr float kTurnRotation = 0.7f;
 
 Camera tilted_camera() {
     Camera camera;
@@ -43,7 +43,7 @@ std::vector<Light> lights_of_all_types() {
 }
 
 TurntableFrame frame_of(Turn turn, int index, int count) {
-    return turntable_frame(tilted_camera(), lights_of_all_types(), kRotation, turn, index, count);
+    return turntable_frame(tilted_camera(), lights_of_all_types(), kTurnRotation, turn, index, count);
 }
 
 // In the axes of the camera: right, up, back.
@@ -68,22 +68,22 @@ TEST(Turntable, FrameZeroIsTheStillInEveryTurn) {
         const TurntableFrame frame = frame_of(turn, 0, 24);
         EXPECT_EQ(frame.camera, tilted_camera());
         EXPECT_EQ(frame.lights, lights_of_all_types());
-        EXPECT_EQ(frame.environment_rotation, kRotation);
+        EXPECT_EQ(frame.environment_rotation, kTurnRotation);
     }
 }
 
 TEST(Turntable, TheFrameAfterTheLastIsFrameZero) {
     for (const Turn turn : kTurns) {
         const TurntableFrame first = frame_of(turn, 0, 24), next = frame_of(turn, 24, 24);
-        EXPECT_LT(glm::distance(next.camera.position, first.camera.position), kRounding);
-        EXPECT_LT(glm::distance(next.camera.up, first.camera.up), kRounding);
+        EXPECT_LT(glm::distance(next.camera.position, first.camera.position), kTurnRounding);
+        EXPECT_LT(glm::distance(next.camera.up, first.camera.up), kTurnRounding);
         for (std::size_t i = 0; i < first.lights.size(); ++i) {
-            EXPECT_LT(glm::distance(next.lights[i].position, first.lights[i].position), kRounding);
+            EXPECT_LT(glm::distance(next.lights[i].position, first.lights[i].position), kTurnRounding);
             EXPECT_LT(glm::distance(next.lights[i].direction, first.lights[i].direction),
-                      kRounding);
+                      kTurnRounding);
         }
-        EXPECT_NEAR(std::cos(next.environment_rotation), std::cos(kRotation), kRounding);
-        EXPECT_NEAR(std::sin(next.environment_rotation), std::sin(kRotation), kRounding);
+        EXPECT_NEAR(std::cos(next.environment_rotation), std::cos(kTurnRotation), kTurnRounding);
+        EXPECT_NEAR(std::sin(next.environment_rotation), std::sin(kTurnRotation), kTurnRounding);
     }
 }
 
@@ -97,20 +97,20 @@ TEST(Turntable, TheCameraSeesTheSameLightsWhileTheObjectTurns) {
         for (std::size_t l = 0; l < lights.size(); ++l) {
             EXPECT_LT(glm::distance(seen(frame.camera, glm::dvec3(frame.lights[l].direction)),
                                     seen(camera, glm::dvec3(lights[l].direction))),
-                      kRounding);
+                      kTurnRounding);
             EXPECT_LT(glm::distance(seen_place(frame.camera, glm::dvec3(frame.lights[l].position)),
                                     seen_place(camera, glm::dvec3(lights[l].position))),
-                      5 * kRounding);
+                      5 * kTurnRounding);
         }
         // A direction of the environment's picture, where it is seen.
         EXPECT_LT(glm::distance(seen(frame.camera,
                                      turned(sky, static_cast<double>(frame.environment_rotation))),
-                                seen(camera, turned(sky, static_cast<double>(kRotation)))),
-                  kRounding);
+                                seen(camera, turned(sky, static_cast<double>(kTurnRotation)))),
+                  kTurnRounding);
         // A corner of the object, counter-clockwise about the axis through the target.
         EXPECT_LT(glm::distance(seen_place(frame.camera, corner),
                                 seen_place(camera, target + turned(corner - target, angle))),
-                  5 * kRounding);
+                  5 * kTurnRounding);
     }
 }
 
@@ -125,16 +125,16 @@ TEST(Turntable, LightsTurnAboutTheTargetWhileTheCameraStands) {
     for (std::size_t l = 1; l < lights.size(); ++l) {
         const glm::dvec3 before = glm::dvec3(lights[l].position) - axis;
         const glm::dvec3 after = glm::dvec3(frame.lights[l].position) - axis;
-        EXPECT_LT(glm::distance(after, glm::dvec3(before.z, before.y, -before.x)), kRounding);
+        EXPECT_LT(glm::distance(after, glm::dvec3(before.z, before.y, -before.x)), kTurnRounding);
     }
-    EXPECT_NEAR(frame.environment_rotation, kRotation + glm::half_pi<float>(), kRounding);
+    EXPECT_NEAR(frame.environment_rotation, kTurnRotation + glm::half_pi<float>(), kTurnRounding);
     EXPECT_EQ(frame.lights[2].outer_cone, lights[2].outer_cone);
 }
 
 TEST(Turntable, TheCameraGoesAroundWhileLightsStand) {
     const TurntableFrame frame = frame_of(Turn::camera, 1, 4);
     EXPECT_EQ(frame.lights, lights_of_all_types());
-    EXPECT_EQ(frame.environment_rotation, kRotation);
+    EXPECT_EQ(frame.environment_rotation, kTurnRotation);
     const auto azimuth = [](const Camera& camera) {
         return angles_of(glm::dvec3(camera.position) - glm::dvec3(camera.target)).azimuth_deg;
     };

@@ -18,7 +18,7 @@ namespace {
 
 using f64::vec3;
 
-constexpr double kPi = 3.14159265358979323846;
+using f64::kPi;
 constexpr std::array<const char*, 3> kShapes = {"rectangle", "disc", "tube"};
 
 // Steps of a sum along either side: a step is a tenth of the narrowest lobe.

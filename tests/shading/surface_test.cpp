@@ -12,7 +12,7 @@
 namespace burnish::test {
 namespace {
 
-const vec3 kTilted = direction(30 * kPi / 180, 0.9);
+const vec3 kTiltedBy30 = direction(30 * kPi / 180, 0.9);
 const vec3 kView = direction(40 * kPi / 180, 2.2);
 
 f64::Perturbation perturbation_of(const SurfaceCase& c, int method, vec3 n) {
@@ -42,7 +42,7 @@ TEST_P(EveryMethod, SamplesOfBothTermsFollowTheirDensity) {
     unsigned seed = 100 * static_cast<unsigned>(method);
     for (const SurfaceCase& c : cases) {
         if (!f64::brdf_takes_method(c.material.brdf, method)) continue;
-        const f64::Perturbation p = perturbation_of(c, method, kTilted);
+        const f64::Perturbation p = perturbation_of(c, method, kTiltedBy30);
         double integral = 0;
         const double p_value = sampler_p_value(
             [&](vec3 wi) { return density_at(c, p, wi); },
@@ -62,7 +62,7 @@ TEST_P(EveryMethod, TheEstimateIsTheIntegral) {
     std::uniform_real_distribution<double> uniform(0, 1);
     for (const SurfaceCase& c : surface_cases()) {
         if (!f64::brdf_takes_method(c.material.brdf, method)) continue;
-        const f64::Perturbation p = perturbation_of(c, method, kTilted);
+        const f64::Perturbation p = perturbation_of(c, method, kTiltedBy30);
         const Axes axes(f64::reflect_about(kView, p.n));
         double exact = 0;
         for (const double part :
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Surface, EveryMethod, testing::Range(0, kMethods), meth
 TEST(Surface, SampleSaysItsDensity) {
     for (const SurfaceCase& c : surface_cases()) {
         if (c.material.brdf > f64::kBrdfLafortune) continue;
-        const f64::Perturbation p = perturbation_of(c, f64::kMethodFollowGrain, kTilted);
+        const f64::Perturbation p = perturbation_of(c, f64::kMethodFollowGrain, kTiltedBy30);
         for (int i = 0; i < 200; ++i) {
             const double a = (i + 0.5) / 200, b = std::fmod(0.618034 * i, 1.0);
             const double select = std::fmod(0.754878 * i, 1.0);
@@ -124,7 +124,7 @@ TEST(Surface, SpecularSampleAndDensityAgree) {
         if (c.is_tabulated()) continue;
         for (int method = 0; method < kMethods; ++method) {
             if (!f64::brdf_takes_method(c.material.brdf, method)) continue;
-            const f64::Perturbation p = perturbation_of(c, method, kTilted);
+            const f64::Perturbation p = perturbation_of(c, method, kTiltedBy30);
             for (int i = 0; i < 100; ++i) {
                 double pdf = 0;
                 const vec3 wi = f64::specular_sample(
@@ -141,7 +141,7 @@ TEST(Surface, SpecularSampleAndDensityAgree) {
 
 TEST(Surface, TheTermsAddUp) {
     for (const SurfaceCase& c : surface_cases()) {
-        const f64::Perturbation p = perturbation_of(c, f64::kMethodNone, kTilted);
+        const f64::Perturbation p = perturbation_of(c, f64::kMethodNone, kTiltedBy30);
         const vec3 wi = direction(0.7, 5.0);
         const f64::LobeValues v = looked_up(c, p, wi, kView);
         f64::SurfaceMaterial black = c.material;
@@ -212,7 +212,7 @@ TEST(Surface, TheRuleOfModelsAndMethods) {
 TEST(Surface, AnotherLobeIsThatOfAnotherMaterial) {
     for (const SurfaceCase& c : surface_cases()) {
         if (c.material.brdf > f64::kBrdfLafortune) continue;
-        const f64::Perturbation p = perturbation_of(c, f64::kMethodFollowGrain, kTilted);
+        const f64::Perturbation p = perturbation_of(c, f64::kMethodFollowGrain, kTiltedBy30);
         const f64::Lobe wide = f64::widen_lobe(c.material.lobe, 0.02, 0.05);
         const f64::SurfaceMaterial widened = f64::surface_with_lobe(c.material, wide);
         f64::SurfaceMaterial made = f64::surface_material(c.material.brdf, wide, c.material.ks,
@@ -257,7 +257,7 @@ TEST(Surface, NoEnergyIsGained) {
         SurfaceCase white = c;
         white.material = f64::surface_colored(white.material, {1, 1, 1}, 0);
         if (c.is_tabulated()) continue;  // diffuse and specular of a table are fitted together
-        const f64::Perturbation p = perturbation_of(c, f64::kMethodNone, kTilted);
+        const f64::Perturbation p = perturbation_of(c, f64::kMethodNone, kTiltedBy30);
         const double albedo = integrate_cap([&](vec3 wi) { return reflected_at(white, p, wi); },
                                             {0, 0, 1}, kPi / 2, 400, 400);
         EXPECT_LT(albedo, 1.0) << c.name;

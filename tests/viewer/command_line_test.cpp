@@ -110,10 +110,19 @@ TEST(CommandLineOfTheViewer, LightsAreSaidByTheFewestDigitsThatGiveThemAgain) {
     }
     for (const char* said : {"0,90,1", "0,-90,1", "90,0", "point:1,2.5,-3,7"})
         EXPECT_TRUE(parse_light(light_word(parse_light(said))) == parse_light(said)) << said;
-    EXPECT_EQ(light_word({.color = {1, 1, 0.5f}}), "");
-    EXPECT_EQ(light_word({.type = LightType::spot}), "");
-    EXPECT_EQ(light_word({.type = LightType::point, .range = 3.0f}), "");
-    EXPECT_EQ(light_word({.intensity = 2e6f}), "");
+    const auto word_of = [](auto change) {
+        Light light;
+        change(light);
+        return light_word(light);
+    };
+    EXPECT_EQ(word_of([](Light& l) { l.color = {1, 1, 0.5f}; }), "");
+    EXPECT_EQ(word_of([](Light& l) { l.type = LightType::spot; }), "");
+    EXPECT_EQ(word_of([](Light& l) { l.intensity = 2e6f; }), "");
+    EXPECT_EQ(word_of([](Light& l) {
+                  l.type = LightType::point;
+                  l.range = 3.0f;
+              }),
+              "");
 }
 
 TEST(CommandLineOfTheViewer, NamesTheReasonForAScene) {
@@ -122,7 +131,7 @@ TEST(CommandLineOfTheViewer, NamesTheReasonForAScene) {
         return render_command(document, load_stage(document), "s.json", "p.png").reason;
     };
     EXPECT_EQ(reason(), "");
-    document.lights = {Light{.color = {1, 0, 0}}};
+    document.lights.emplace(1).front().color = {1, 0, 0};
     EXPECT_NE(reason().find("lights"), std::string::npos);
     document.hidden = {0};
     EXPECT_EQ(reason(), "hidden parts");
@@ -135,7 +144,8 @@ TEST(CommandLineOfTheViewer, NamesTheReasonForAScene) {
 TEST(CommandLineOfTheViewer, WhatTheOpenSceneFileSaysNeedsNoFlagAndNoOtherScene) {
     const test::ScratchFolder folder;
     Document document{.input = "builtin:plane", .environment = "none"};
-    document.lights = {Light{.color = {1, 0, 0}}, parse_light("30,40,2")};
+    document.lights = {Light{}, parse_light("30,40,2")};
+    document.lights->front().color = {1, 0, 0};
     document.dark = {1};
     document.hidden = {0};
     document.material_values[0].set_value("alpha_x", 0.2);

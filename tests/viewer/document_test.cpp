@@ -95,7 +95,10 @@ TEST(ViewerDocument, TheCameraIsPlacedByThreeValuesAlone) {
 
 TEST(ViewerDocument, LightsThatNoSceneFileCouldHoldAreRefused) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const Light sound{.type = LightType::spot, .inner_cone = 0.1f, .outer_cone = 0.5f};
+    Light sound;
+    sound.type = LightType::spot;
+    sound.inner_cone = 0.1f;
+    sound.outer_cone = 0.5f;
     require_valid(sound);
     const auto refused = [&](auto change) {
         Light light = sound;

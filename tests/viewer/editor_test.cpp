@@ -159,7 +159,7 @@ TEST_F(EditorOfTwo, AnEditThatThrowsLeavesEverythingAsItWas) {
         d.material_values[1].set_value("alpha_x", 0.3);
     });
     refused([&](Document& d) { d.input = (folder_ / "missing.glb").string(); });
-    refused([&](Document& d) { d.lights = {Light{.intensity = -1.0f}}; });
+    refused([&](Document& d) { d.lights.emplace(1).front().intensity = -1.0f; });
     refused([&](Document& d) { d.values.set_value("camera_index", 7); });
     refused([&](Document& d) { d.compare.methods.clear(); });
     // One map is read before the other one fails.

@@ -176,7 +176,7 @@ TEST(SavedScene, IsWrittenWholeOrNotAtAll) {
     Document document{.input = "builtin:plane", .environment = "none"};
     const Stage stage = load_stage(document);
     folder.write("scene.json", "before");
-    document.lights = {Light{.color = glm::vec3(7.0f)}};
+    document.lights.emplace(1).front().color = glm::vec3(7.0f);
     error_line<UsageError>([&] { save_scene(document, stage, folder / "scene.json"); });
     std::ifstream file(folder / "scene.json");
     std::string text;
