@@ -53,13 +53,13 @@ enum class SurfaceView {
     tilt,     // |d|, the sine of the angle between n and n~: 0 to 1
     texture_coordinates,  // (u, v) modulo 1 in red and green, a checker of whole units
     slope_variance,       // that the normal map adds, square root along the larger axis: 0 to 1
-    moments,         // of the slopes under the mip of the normal map, as square roots: deviations
-                     // along tangent (red) and bitangent (green); blue: signed root of covariance
-    albedo,          // of the whole surface towards the eye, sampled in a white furnace: gray 0 to
-                     // 1; red where the lobe gains energy, darker up to 2
-    not_finite,      // magenta where the radiance is infinite or no number, else gray
+    moments,          // of the slopes under the mip of the normal map, as square roots: deviations
+                      // along tangent (red) and bitangent (green); blue: signed root of covariance
+    albedo,           // of the whole surface towards the eye, sampled in a white furnace: gray 0 to
+                      // 1; red where the lobe gains energy, darker up to 2
+    not_finite,       // magenta where the radiance is infinite or no number, else gray
     highlight_error,  // angle from the peak of the lobe to that of follow-grain: 0 to 45 degrees
-    openness  // share of a uniform environment that reaches a diffuse surface: 0 to 1
+    openness          // share of a uniform environment that reaches a diffuse surface: 0 to 1
 };
 std::span<const std::string_view> surface_view_names();  // in the order of the enumeration
 
@@ -79,7 +79,7 @@ struct RenderSettings {
     float background_blur = 0.0f;       // 0..1
     bool shadows = true;                // of punctual lights; they are never darkened otherwise
     bool ground = false;                // a shadow on the plane under the scene (ground.hpp)
-    bool visibility = true;             // what Renderer::set_visibility was given is taken into account
+    bool visibility = true;  // what Renderer::set_visibility was given is taken into account
     // For who finds it (burnish/visibility.hpp); a renderer does not read them.
     int bounces = 2;
     int visibility_rays = 256;

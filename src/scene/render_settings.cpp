@@ -17,12 +17,21 @@ std::span<const std::string_view> background_names() {
 }
 
 std::span<const std::string_view> surface_view_names() {
-    static constexpr std::array<std::string_view, 15> kNames = {
-        "radiance",       "normal",         "perturbed-normal",
-        "tangent",        "grain",          "alpha-x",
-        "alpha-y",        "tilt",           "texture-coordinates",
-        "slope-variance", "moments",        "albedo",
-        "not-finite",     "highlight-error", "openness"};
+    static constexpr std::array<std::string_view, 15> kNames = {"radiance",
+                                                                "normal",
+                                                                "perturbed-normal",
+                                                                "tangent",
+                                                                "grain",
+                                                                "alpha-x",
+                                                                "alpha-y",
+                                                                "tilt",
+                                                                "texture-coordinates",
+                                                                "slope-variance",
+                                                                "moments",
+                                                                "albedo",
+                                                                "not-finite",
+                                                                "highlight-error",
+                                                                "openness"};
     return kNames;
 }
 

@@ -43,7 +43,8 @@ std::vector<Light> lights_of_all_types() {
 }
 
 TurntableFrame frame_of(Turn turn, int index, int count) {
-    return turntable_frame(tilted_camera(), lights_of_all_types(), kTurnRotation, turn, index, count);
+    return turntable_frame(tilted_camera(), lights_of_all_types(), kTurnRotation, turn, index,
+                           count);
 }
 
 // In the axes of the camera: right, up, back.
@@ -78,7 +79,8 @@ TEST(Turntable, TheFrameAfterTheLastIsFrameZero) {
         EXPECT_LT(glm::distance(next.camera.position, first.camera.position), kTurnRounding);
         EXPECT_LT(glm::distance(next.camera.up, first.camera.up), kTurnRounding);
         for (std::size_t i = 0; i < first.lights.size(); ++i) {
-            EXPECT_LT(glm::distance(next.lights[i].position, first.lights[i].position), kTurnRounding);
+            EXPECT_LT(glm::distance(next.lights[i].position, first.lights[i].position),
+                      kTurnRounding);
             EXPECT_LT(glm::distance(next.lights[i].direction, first.lights[i].direction),
                       kTurnRounding);
         }

@@ -258,9 +258,11 @@ void add_render(Table& t) {
     t.boolean("visibility", standard.visibility,
               "surfaces shade one another from the environment, found by rays");
     t.belongs_to = "visibility";
-    t.integer("bounces", 0, 8, standard.bounces, "",
-              "reflections by which light reaches a place that other surfaces shade; 0: it stays black");
-    t.integer("visibility_rays", 16, 4096, standard.visibility_rays, "", "rays of each vertex: more is smoother");
+    t.integer(
+        "bounces", 0, 8, standard.bounces, "",
+        "reflections by which light reaches a place that other surfaces shade; 0: it stays black");
+    t.integer("visibility_rays", 16, 4096, standard.visibility_rays, "",
+              "rays of each vertex: more is smoother");
     t.belongs_to = "";
     t.boolean("ground", standard.ground, "the model's shadow on the plane under it");
     t.real("exposure", -20, 20, 0.0, "EV", "brightness, in powers of two");
