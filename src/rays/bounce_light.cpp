@@ -185,8 +185,12 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
     const BounceMaterial& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
     const std::span<const std::uint32_t> points = scene_.mesh.points_of(hit.mesh);
     const std::array<float, 3> weights = {1.0f - hit.u - hit.v, hit.u, hit.v};
-    // The side that the ray has come to. One that is not drawn is black.
-    const std::size_t side = glm::dot(hit.normal, direction) > 0.0f ? 1 : 0;
+    // The side that the ray has come to, whatever the order of the corners. One that is not drawn is black.
+    glm::vec3 up(0.0f);
+    for (std::size_t k = 0; k < 3; ++k)
+        up += mesh.normals[mesh.indices[3 * static_cast<std::size_t>(hit.triangle) + k]];
+    const float turned = glm::dot(hit.normal, up) < 0.0f ? -1.0f : 1.0f;
+    const std::size_t side = turned * glm::dot(hit.normal, direction) > 0.0f ? 1 : 0;
     if (side == 1 && !mesh.double_sided) return glm::vec3(0.0f);
     glm::vec3 normal(0.0f), sky(0.0f), lamps(0.0f), color(0.0f), slope(0.0f);
     f32::Harmonics blocked{};
@@ -202,7 +206,7 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
         slope += weights[k] * to_glm(before[point].slope);
     }
     const float length = glm::length(normal);
-    normal = length > 0.0f ? normal / length : glm::normalize(kUp[side] * hit.normal);
+    normal = length > 0.0f ? normal / length : glm::normalize(kUp[side] * turned * hit.normal);
     const f32::Surroundings around{to_f32(color), to_f32(slope), 1.0f};
     const float share = f32::blocked_about(blocked, to_f32(normal));
     const glm::vec3 all =

@@ -64,6 +64,7 @@ glm::vec3 EnvironmentLookup::at(const Cube& cube, const glm::vec3& world) const 
         face = d.z > 0.0f ? 4 : 5;
         p = {d.z > 0.0f ? d.x : -d.x, -d.y, l.z};
     }
+    if (!(p.z > 0.0f)) return glm::vec3(0.0f);  // no direction
     const auto size = static_cast<float>(cube.size);
     const float last = size - 1.0f;
     const float x = std::clamp((0.5f * p.x / p.z + 0.5f) * size - 0.5f, 0.0f, last);

@@ -147,6 +147,7 @@ const std::map<std::string, std::string> kPublic = {
     {"rgl_material", "formats"},
     {"load_tabulated", "formats"},
     {"wif", "formats"},
+    {"visibility", "scene"},
     {"stage", "stage"},
     {"layered_materials", "stage"},
     {"material_assets", "stage"},

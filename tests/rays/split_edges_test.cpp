@@ -295,7 +295,7 @@ TEST(SplitEdges, ShowContact) {
             most = std::max(most, std::abs(share - wanted));
         }
         // Measured: 0.002 and 0.0098, of 256 rays and of what is not linear between vertices.
-        EXPECT_NEAR(mean, wanted, 0.005) << distance;
+        EXPECT_NEAR(mean, wanted, 0.008) << distance;
         EXPECT_LT(most, 0.02) << distance;
     }
 }
@@ -306,17 +306,17 @@ TEST(SplitEdges, AreNotSplitWithoutBeingAsked) {
     EXPECT_EQ(found->instances.at(0).vertices.size(), 4u);
 }
 
-// Edges of more than 1/32 of a square's side are split to look for contact between their ends; finer meshes stay
+// Edges of more than 1/64 of a square's side are split to look for contact between their ends; finer meshes stay
 // as they are where nothing changes.
 TEST(SplitEdges, AreFewWhereNothingChanges) {
     for (const int cells : {1, 4, 16, 32, 64}) {
         const Scene scene = scene_of({ground(1.0, cells)});
         const auto found = VisibilityFinder(scene, {}).visibility();
         EXPECT_TRUE(is_open(found->instances.at(0)));
-        if (cells >= 32) {
+        if (cells >= 64) {
             EXPECT_FALSE(found->instances[0].mesh) << cells;
         } else {
-            EXPECT_LE(split_mesh_of(*found, 0).positions.size(), 33u * 33) << cells;
+            EXPECT_LE(split_mesh_of(*found, 0).positions.size(), 65u * 65) << cells;
         }
     }
 }

@@ -98,7 +98,7 @@ TEST(Coat, FaceIsThatOfTheExtension) {
     }
 }
 
-// The fit of the albedo, for every roughness. Measured: 0.0076 from cosine 0.1 on, 0.029 below, at roughness 0.05.
+// The fit of the albedo, for every roughness. Measured: 0.0068 from cosine 0.1 on, 0.027 below; 0.0004 of the mean.
 TEST(Coat, AlbedoIsTheIntegralOfItsFace) {
     for (int step = 1; step <= 10; ++step) {
         const double roughness = 0.1 * step;
@@ -156,19 +156,19 @@ TEST(Coat, LightGoesToAndFroBetweenTheCoatAndItsBase) {
     }
 }
 
-// A white base loses nothing: what is missing or gained is the error of the fit. Measured: 0.0090 at cosine 0.05,
-// 0.0056 from 0.15 on.
+// A white base loses nothing: what is missing or gained is the error of the fit. Measured: 0.0076 at cosine 0.05,
+// 0.0035 from 0.15 on.
 TEST(Coat, OverWhitePaintReflectsAllLight) {
     const f64::Perturbation p = f64::perturb_make(f64::kMethodNone, kUp, true, false);
     for (const double roughness : {0.0, 0.2, 0.5, 1.0})
         for (const double cosine : kLayerCosines) {
             const vec3 albedo =
                 albedo_by_samples(white_paint(), layers_of(coat_of(roughness)), p, seen_at(cosine));
-            EXPECT_NEAR(albedo.x, 1, cosine < 0.1 ? 0.02 : 0.008) << roughness << " at " << cosine;
+            EXPECT_NEAR(albedo.x, 1, cosine < 0.1 ? 0.012 : 0.006) << roughness << " at " << cosine;
         }
 }
 
-// A mirror of color 1 under every method: never more than 1 but for the error of the fit. What is missing is what its
+// A mirror of color 1 under every rotation: never more than 1 but for the error of the fit. What is missing is what its
 // facets shade (single scattering) and, where light and eye differ, the smaller of the two that pass.
 TEST(Coat, OverAMirrorGainsNothingUnderAnyMethod) {
     const vec3 n = direction(0.35, 0.8);
@@ -185,8 +185,8 @@ TEST(Coat, OverAMirrorGainsNothingUnderAnyMethod) {
                 };
                 const double coated =
                     albedo_by_samples(mirror(0.1, 0.3), layers_of(coat_of(roughness)), p, wo).x;
-                EXPECT_LE(coated, std::max(bare(), 1.0) + 0.01) << method << " " << cosine;
-                EXPECT_GE(coated, bare() - 0.12) << method << " " << cosine;
+                EXPECT_LE(coated, std::max(bare(), 1.0) + 0.005) << method << " " << cosine;
+                EXPECT_GE(coated, bare() - 0.06) << method << " " << cosine;
             }
     }
 }
@@ -237,20 +237,21 @@ TEST(Sheen, ValueIsThatOfThePaperAndAtMostWhatArrives) {
     }
 }
 
-// Measured: 0.0118 (at roughness 1 and grazing), and 0.9 % above an albedo of 1.
+// Measured: 0.0133, and 0.7 % where the albedo is above 1.
 TEST(Sheen, AlbedoIsTheIntegral) {
     for (const double roughness : {0.1, 0.2, 0.35, 0.5, 0.7, 1.0}) {
         const f64::SheenLayer sheen = f64::sheen_make({1, 1, 1}, roughness);
         for (const double cosine : kLayerCosines) {
             const double want =
                 static_cast<double>(oracle::sheen_albedo(roughness * roughness, cosine));
-            EXPECT_NEAR(f64::sheen_albedo(sheen, cosine), want, 0.014 * std::max(want, 1.0))
+            EXPECT_NEAR(f64::sheen_albedo(sheen, cosine), want, 0.016 * std::max(want, 1.0))
                 << roughness << " at " << cosine;
         }
     }
 }
 
-// The fit's error alone is above 1. Smooth sheens, which the paper has gain energy at grazing angles, too.
+// The fit's error alone is above 1. Smooth sheens, which the paper has gain energy at grazing angles, too. Measured:
+// 0.857 to 1.0049.
 TEST(Sheen, OverWhitePaintGainsNothing) {
     const f64::Perturbation p = f64::perturb_make(f64::kMethodNone, kUp, true, false);
     for (const double roughness : {0.0, 0.1, 0.25, 0.5, 1.0})
@@ -258,8 +259,8 @@ TEST(Sheen, OverWhitePaintGainsNothing) {
             f64::SurfaceLayers l = layers_of(f64::coat_none());
             l.sheen = f64::sheen_make({1, 1, 1}, roughness);
             const vec3 albedo = albedo_by_samples(white_paint(), l, p, seen_at(cosine), 1 << 16);
-            EXPECT_LE(albedo.x, 1.015) << roughness << " at " << cosine;
-            EXPECT_GE(albedo.x, 0.7) << roughness << " at " << cosine;
+            EXPECT_LE(albedo.x, 1.008) << roughness << " at " << cosine;
+            EXPECT_GE(albedo.x, 0.84) << roughness << " at " << cosine;
         }
 }
 

@@ -96,7 +96,9 @@ class RandomDocuments {
                 continue;
             }
             if (p.kind == ParameterKind::integer) {
-                out.set_value(p.name, static_cast<int>(1 + random_() % 40));
+                const int value = static_cast<int>(1 + random_() % 40);
+                out.set_value(p.name, std::clamp(value, static_cast<int>(p.low),
+                                                 static_cast<int>(std::min(p.high, 1e6))));
                 continue;
             }
             out.merge(samples_.values(p, static_cast<int>(random_() % 2)));

@@ -110,9 +110,7 @@ TEST(TableMap, ThePictureHasACellAtEachPixelOfTheDisk) {
 }
 
 TEST(TableMap, APointWithoutATableHasNone) {
-    Material m;
-    m.lobe = AlphaLobe{{0.2f, 0.4f}};
-    const Scene scene = test::one_object(test::unit_plane(), m);
+    const Scene scene = test::one_object(test::unit_plane(), Material{});
     const Method methods[] = {Method::none};
     const LobeReport report =
         inspect(scene, test::hit_at(scene, 0, 0), {0, 0, 1}, {0, 0, 1}, methods, Shapes::none);

@@ -42,6 +42,8 @@ class VisibleLight {
     void step();
     // Gives the renderer what is ready. False: there is nothing new.
     bool give(gpu::Renderer& renderer);
+    // What it was given last.
+    void give_again(gpu::Renderer& renderer) const { renderer.set_visibility(known_); }
     bool working() const { return work_.valid() || next_.has_value(); }
 
   private:

@@ -6,6 +6,7 @@
 #include "burnish/turntable.hpp"
 #include "core/files.hpp"
 #include "jobs/film.hpp"
+#include "jobs/lit_visibility.hpp"
 #include "jobs/render.hpp"
 #include "viewer/window/app.hpp"
 
@@ -35,6 +36,24 @@ class LightsOfFrames {
     const Scene& scene_;
 };
 
+// The renderer's vertices see what the window has found again where this ends.
+class VisibilityOfFrames {
+  public:
+    explicit VisibilityOfFrames(Picture& picture) : picture_(picture) {}
+    VisibilityOfFrames(const VisibilityOfFrames&) = delete;
+    VisibilityOfFrames& operator=(const VisibilityOfFrames&) = delete;
+    ~VisibilityOfFrames() {
+        try {
+            picture_.restore_visibility();
+        } catch (const Error&) {
+            // The device is lost: the window finds that out by itself.
+        }
+    }
+
+  private:
+    Picture& picture_;
+};
+
 }  // namespace
 
 void App::save_turntable(const std::filesystem::path& path, int frames, Turn turn) {
@@ -46,10 +65,18 @@ void App::save_turntable(const std::filesystem::path& path, int frames, Turn tur
     if (film) std::filesystem::create_directory(pictures.parent_path());
     const Stage& stage = editor.stage();
     LightsOfFrames lights(picture.renderer(), stage.scene);
+    LitVisibility visibility(
+        stage,
+        stage.environment.radiance.empty() ? nullptr : prepare_environment(stage.environment), {});
+    const VisibilityOfFrames seen(picture);
     for (int i = 0; i < frames; ++i) {
         const TurntableFrame frame = turntable_frame(
             stage.camera, stage.scene.lights, stage.settings.environment_rotation, turn, i, frames);
-        if (turn != Turn::camera) lights.set(frame.lights);
+        if (turn != Turn::camera) {
+            lights.set(frame.lights);
+            picture.renderer().set_visibility(
+                visibility.lit(frame.lights, frame.environment_rotation, {}));
+        }
         RenderSettings settings = stage.settings;
         settings.environment_rotation = frame.environment_rotation;
         settings.width = picture_width;

@@ -319,7 +319,7 @@ void picked_mark(App& app, ImDrawList& draw) {
 std::string legend_of(SurfaceView view) {
     static constexpr const char* kVector = "red, green, blue: (v + 1) / 2";
     static constexpr const char* kUnit = "dark blue 0, light yellow 1";
-    static constexpr std::array<const char*, 14> kLegends = {
+    static constexpr std::array<const char*, 15> kLegends = {
         "",
         kVector,
         kVector,
@@ -333,7 +333,8 @@ std::string legend_of(SurfaceView view) {
         "roots of: red, green deviation along tangent, bitangent; blue covariance",
         "gray 0 to 1; red gains energy",
         "magenta: infinite or no number",
-        "dark blue 0, light yellow 45 degrees"};
+        "dark blue 0, light yellow 45 degrees",
+        kUnit};
     const auto index = static_cast<std::size_t>(view);
     return fmt::format("view: {} ({})", surface_view_names()[index], kLegends.at(index));
 }
