@@ -16,6 +16,8 @@ namespace burnish {
 namespace {
 
 constexpr std::array<float, 2> kUp = {1.0f, -1.0f};  // of the sides, along the normal
+// (1 - c)^5 is its cosine-weighted mean, 1/21.
+constexpr float kMeanCosine = 0.4561f;
 constexpr int kSkyLamps = 64;
 constexpr float kMostSkyRatio = 4.0f;
 constexpr std::size_t kPointsOfTask = 64;  // points a task
@@ -217,9 +219,9 @@ glm::vec3 BounceLight::radiance_of(const RayHit& hit, const glm::vec3& direction
     const glm::vec3 reflected = (1.0f - hidden) * environment_.radiance(mirror, material.alpha) +
                                 lamps +
                                 hidden * to_glm(f32::surroundings_towards(around, to_f32(mirror)));
-    const float cosine = std::clamp(-glm::dot(direction, normal), 0.0f, 1.0f);
-    const float through =
-        f32::diffuse_albedo(material.brdf, material.dielectric_f0, material.dielectric_f90, cosine);
+    // The mean over directions: the rise at grazing angles is more than a plane of least squares can follow.
+    const float through = f32::diffuse_albedo(material.brdf, material.dielectric_f0,
+                                              material.dielectric_f90, kMeanCosine);
     return material.emitted + material.diffuse * (all * through) + material.specular * reflected;
 }
 
