@@ -1,6 +1,6 @@
 // `make bench`: measures the costs that have budgets and writes both side by side.
 // Usage: burnish_bench OUT.md [PART...], with the parts frames, area-lights, cloth, layers, edits, image-light, loading,
-// first-picture, scratches, weaves, distributions and capture.
+// first-picture, scratches, weaves, distributions, capture and visibility.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

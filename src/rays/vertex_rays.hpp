@@ -1,6 +1,7 @@
 // Rays from the points of a scene: the share of every direction that is blocked.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>

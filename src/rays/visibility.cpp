@@ -29,18 +29,19 @@ constexpr int kFewestRays = 16;
 constexpr double kMostRays = 1.5e7;
 // Edges are split until they are shorter than this part of the scene's diagonal, and where visibility changes
 // fast until they are shorter than the second.
-constexpr float kCoarseEdges = 1.0f / 64.0f, kFineEdges = 1.0f / 1000.0f;
+constexpr float kCoarseEdges = 1.0f / 64.0f, kFineEdges = 1.0f / 500.0f;
 // The root mean square over all directions of the difference of blocked shares from which on it changes fast:
 // above what rays leave to chance.
 constexpr float kFastChange = 0.12f;
 // Edges that may be split: a third of the points, within these.
 constexpr std::size_t kFewestSplitEdges = 10'000, kMostSplitEdges = 40'000;
-constexpr int kRounds = 8;  // of splitting: each halves the edges
+constexpr int kRounds = 8;      // of splitting: each halves the edges
+constexpr int kSmoothings = 2;  // of what is blocked, and of the light of surroundings
+// Radii of smoothing, in diagonals of the scene: of what is blocked, and of light.
+constexpr float kSmoothing = 1.0f / 120.0f, kLightSmoothing = 1.0f / 50.0f;
+// The difference of blocked shares from which on two points do not share their light.
+constexpr float kAlike = 0.15f;
 // An instance whose points are all blocked beyond this share sees nothing.
-constexpr int kLightRounds = 2;  // of smoothing the light of surroundings
-// Radii of smoothing, in diagonals of the scene, of what is blocked and of light, and the difference of blocked shares from which on two points do
-// not share their light.
-constexpr float kSmoothing = 1.0f / 120.0f, kLightSmoothing = 1.0f / 50.0f, kAlike = 0.15f;
 constexpr float kSeesNothing = 0.995f;
 
 void require_sound(const VisibilitySettings& settings) {
@@ -121,8 +122,7 @@ struct VisibilityFinder::Impl {
     Impl(const Scene& scene, const VisibilitySettings& settings, const Progress& progress)
         : mesh(world_meshes(scene)) {
         require_sound(settings);
-        for (const Material& material : scene.materials)
-            materials.push_back(bounce_material(material, scene.textures));
+        set_materials(scene.materials, scene.textures);
         diagonal = diagonal_of(mesh.meshes());
         split_left =
             settings.split ? std::clamp(mesh.points() / 3, kFewestSplitEdges, kMostSplitEdges) : 0;
@@ -132,9 +132,14 @@ struct VisibilityFinder::Impl {
         hits = HitTable(count, any_double_sided() ? 2 : 1);
         find(progress);
         split_fast_changes(progress);
-        for (int i = 0; i < 2; ++i) smooth();
-        instances = scene.instances.size();
+        smooth();
         make_result(scene);
+    }
+
+    void set_materials(std::span<const Material> list, std::span<const Texture> textures) {
+        materials.clear();
+        for (const Material& material : list)
+            materials.push_back(bounce_material(material, textures));
     }
 
     int ray_count(int wanted) const {
@@ -168,8 +173,8 @@ struct VisibilityFinder::Impl {
     void split_fast_changes(const Progress& progress) {
         const float shortest = kFineEdges * diagonal;
         const auto changes = [&](std::uint32_t a, std::uint32_t b) {
-            // Points of this round are not known yet, and shortest keeps rounding from splitting for ever.
-            if (a >= blocked.size() || b >= blocked.size() || length_of(a, b) < 2.0f * shortest)
+            // What the points of this round see is not known yet.
+            if (a >= blocked.size() || b >= blocked.size() || length_of(a, b) < shortest)
                 return false;
             return root_mean_square(blocked[a] + blocked[b] * -1.0f) > kFastChange;
         };
@@ -218,6 +223,10 @@ struct VisibilityFinder::Impl {
     // The mean with near points that differ by no more than chance explains: fewer rays, more chance.
     void smooth() {
         const NearPoints near(mesh, fans, kSmoothing * diagonal);
+        for (int i = 0; i < kSmoothings; ++i) smooth_blocked(near);
+    }
+
+    void smooth_blocked(const NearPoints& near) {
         const float chance = 1.0f / std::sqrt(static_cast<float>(count));
         std::vector<f32::Harmonics> next(blocked.size());
         for_points(near, [&](std::uint32_t point, std::span<const NearPoints::Near> found) {
@@ -250,8 +259,12 @@ struct VisibilityFinder::Impl {
     }
 
     // The light of surroundings from near points that see alike: what blocks more is known by more rays.
-    void smooth(std::vector<f32::Surroundings>& around) const {
+    void smooth_light(std::vector<f32::Surroundings>& around) const {
         const NearPoints near(mesh, fans, kLightSmoothing * diagonal);
+        for (int i = 0; i < kSmoothings; ++i) smooth_light(around, near);
+    }
+
+    void smooth_light(std::vector<f32::Surroundings>& around, const NearPoints& near) const {
         std::vector<f32::Surroundings> next(around.size());
         for_points(near, [&](std::uint32_t point, std::span<const NearPoints::Near> found) {
             // 1e-6: a point that nothing blocks takes the light of its neighbors.
@@ -279,7 +292,7 @@ struct VisibilityFinder::Impl {
     }
 
     void make_result(const Scene& scene) {
-        result.instances.resize(instances);
+        result.instances.resize(scene.instances.size());
         for (std::size_t m = 0; m < mesh.meshes().size(); ++m) {
             const WorldMesh& world = mesh.meshes()[m];
             const auto index = static_cast<std::size_t>(world.instance);
@@ -322,7 +335,7 @@ struct VisibilityFinder::Impl {
     float diagonal = 0.0f;
     int count = 0;               // rays a point
     std::size_t split_left = 0;  // edges that may still be split
-    std::size_t traced = 0, instances = 0;
+    std::size_t traced = 0;
     Visibility result;
 };
 
@@ -336,9 +349,7 @@ VisibilityFinder& VisibilityFinder::operator=(VisibilityFinder&&) noexcept = def
 
 void VisibilityFinder::set_materials(std::span<const Material> materials,
                                      std::span<const Texture> textures) {
-    impl_->materials.clear();
-    for (const Material& material : materials)
-        impl_->materials.push_back(bounce_material(material, textures));
+    impl_->set_materials(materials, textures);
 }
 
 std::shared_ptr<const Visibility> VisibilityFinder::visibility() const {
@@ -359,7 +370,7 @@ std::shared_ptr<const Visibility> VisibilityFinder::lit(const SceneLight& light,
     around.resize(impl_->mesh.points(), {{}, {}, 1.0f});
     for (std::uint32_t i = 0; i < around.size(); ++i) around[i].sky = direct.sky_ratio(i);
     impl_->smooth_sky(around);
-    for (int i = 0; i < kLightRounds; ++i) impl_->smooth(around);
+    impl_->smooth_light(around);
     return std::make_shared<const Visibility>(impl_->lit_by(around));
 }
 
