@@ -3,17 +3,12 @@
 
 #include <chrono>
 #include <memory>
-#include <string>
+#include <vector>
 
-#include "bench/frame/interleave.hpp"
-#include "burnish/context.hpp"
 #include "burnish/environments.hpp"
-#include "burnish/layered_materials.hpp"
-#include "burnish/load_model.hpp"
-#include "burnish/render_settings.hpp"
-#include "burnish/renderer.hpp"
+#include "burnish/prepared_environment.hpp"
 #include "burnish/visibility.hpp"
-#include "report.hpp"
+#include "frame_subject.hpp"
 
 namespace burnish::bench {
 namespace {
@@ -21,14 +16,10 @@ namespace {
 constexpr int kTriangles = 102400;
 
 Scene steel_torus() {
-    Scene scene = load_model("builtin:torus", kTriangles);
-    ParameterValues values;
-    for (const auto& [name, value] :
-         {std::pair{"metal", "steel"}, std::pair{"alpha_x", "0.1"}, std::pair{"alpha_y", "0.4"},
-          std::pair{"normal_map", "builtin:bumps"}})
-        values.set(name, value, "bench");
-    apply_material_parameters(scene, values);
-    return scene;
+    return torus_with(kTriangles, {{"metal", "steel"},
+                                   {"alpha_x", "0.1"},
+                                   {"alpha_y", "0.4"},
+                                   {"normal_map", "builtin:bumps"}});
 }
 
 }  // namespace
@@ -55,34 +46,15 @@ void measure_visibility(Report& report) {
     report.rows.push_back({fmt::format("light between surfaces, two bounces, {}", size), 0.0,
                            median(lit_s), half_quartile_distance(lit_s), "s"});
 
-    gpu::Renderer renderer(context);
-    renderer.set_scene(scene);
-    renderer.set_environment(environment);
-    renderer.set_visibility(visibility);
-    Camera camera;
-    camera.position = {0.0f, 1.0f, 1.5f};
-    RenderSettings settings;
-    settings.width = 1280;
-    settings.height = 720;
-    settings.samples = 1;
-    InterleaveOptions options;
-    options.rounds = 15;
-    options.sample_s = 0.1;
+    const Environment studio = load_environment("builtin:studio");
     for (const ImageLight light : {ImageLight::prefiltered, ImageLight::importance}) {
-        settings.image_light = light;
-        const RoundSamples samples = interleave(
-            2, options,
-            [&](std::size_t i, int frames) {
-                settings.visibility = i == 0;
-                return renderer.measure_frames(camera, settings, frames, frames > 1 ? 1 : 0,
-                                               gpu::ShadingVariant::full);
-            },
-            [](double) {});
-        const Estimate e = ratio(samples, 0, 1, Clock::wall).value();
+        FrameSubject with(context, scene, light, &studio), without(context, scene, light, &studio);
+        with.renderer().set_visibility(visibility);
         report.rows.push_back(
-            {fmt::format("a frame with visibility against one without, {}, image light {}", size,
-                         image_light_names()[static_cast<std::size_t>(light)]),
-             1.1, e.median, e.spread, "x"});
+            ratio_of(with, without,
+                     fmt::format("a frame with visibility against one without, {}, image light {}",
+                                 size, image_light_names()[static_cast<std::size_t>(light)]),
+                     1.1));
     }
 }
 

@@ -27,4 +27,16 @@ std::shared_ptr<const Visibility> LitVisibility::lit(std::span<const Light> ligh
                         progress);
 }
 
+LitVisibility put_stage(gpu::Renderer& renderer, const Stage& stage, const Progress& progress) {
+    renderer.set_scene(stage.scene, progress);
+    const auto environment = stage.environment.radiance.empty()
+                                 ? nullptr
+                                 : prepare_environment(stage.environment, progress);
+    renderer.set_environment(environment);
+    LitVisibility visibility(stage, environment, progress);
+    renderer.set_visibility(
+        visibility.lit(stage.scene.lights, stage.settings.environment_rotation, progress));
+    return visibility;
+}
+
 }  // namespace burnish

@@ -8,6 +8,7 @@
 
 #include "burnish/prepared_environment.hpp"
 #include "burnish/progress.hpp"
+#include "burnish/renderer.hpp"
 #include "burnish/stage.hpp"
 #include "burnish/visibility.hpp"
 
@@ -31,5 +32,9 @@ class LitVisibility {
     int bounces_ = 0;
     std::vector<std::string> warnings_;
 };
+
+// Gives the renderer the stage's scene and environment, and what its vertices see. Returns the last, for pictures
+// under other lights.
+LitVisibility put_stage(gpu::Renderer& renderer, const Stage& stage, const Progress& progress);
 
 }  // namespace burnish

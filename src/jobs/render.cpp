@@ -143,14 +143,7 @@ void render_comparison(const RenderRequest& request, Stage& stage, gpu::Renderer
 RenderReport render_one(const RenderRequest& request, Stage& stage, const Progress& progress) {
     gpu::Context context(request.gl_device);
     gpu::Renderer renderer(context);
-    renderer.set_scene(stage.scene, progress);
-    const auto environment = stage.environment.radiance.empty()
-                                 ? nullptr
-                                 : prepare_environment(stage.environment, progress);
-    renderer.set_environment(environment);
-    LitVisibility visibility(stage, environment, progress);
-    renderer.set_visibility(
-        visibility.lit(stage.scene.lights, stage.settings.environment_rotation, progress));
+    const LitVisibility visibility = put_stage(renderer, stage, progress);
     Metadata metadata = metadata_of(request, stage);
     metadata["burnish:device"] = context.renderer();
     if (!request.compare.empty())

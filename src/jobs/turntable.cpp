@@ -113,16 +113,9 @@ void draw_missing(const RenderRequest& request, const Stage& stage, std::vector<
     if (missing == 0) return;
     gpu::Context context(request.gl_device);
     gpu::Renderer renderer(context);
-    renderer.set_scene(stage.scene, progress);
-    const auto environment = stage.environment.radiance.empty()
-                                 ? nullptr
-                                 : prepare_environment(stage.environment, progress);
-    renderer.set_environment(environment);
-    LitVisibility visibility(stage, environment, progress);
+    LitVisibility visibility = put_stage(renderer, stage, progress);
     report.warnings.insert(report.warnings.end(), visibility.warnings().begin(),
                            visibility.warnings().end());
-    renderer.set_visibility(
-        visibility.lit(stage.scene.lights, stage.settings.environment_rotation, progress));
     report.device = context.renderer();
     std::size_t done = 0;
     for (Frame& frame : frames) {

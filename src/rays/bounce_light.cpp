@@ -11,6 +11,7 @@
 #include "core/parallel.hpp"
 #include "rays/vectors.hpp"
 #include "rays/vertex_rays.hpp"
+#include "scene/light/punctual_lights.hpp"
 
 namespace burnish {
 namespace {
@@ -82,7 +83,7 @@ struct HitSums {
 float area_share(const Light& light, const glm::vec3& position) {
     const glm::vec3 away = position - light.position;
     const float distance2 = std::max(glm::dot(away, away), 1e-12f);
-    const float along = glm::dot(light.direction, away) / std::sqrt(distance2);
+    const float along = glm::dot(travel_of(light), away) / std::sqrt(distance2);
     float area = light.size.x * light.size.y;
     if (light.type == LightType::tube) {
         area *= std::sqrt(std::max(1.0f - along * along, 0.0f));  // its silhouette
@@ -158,22 +159,16 @@ glm::vec3 BounceLight::lamps_at(std::uint32_t point, std::size_t side,
     const glm::vec3 normal = kUp[side] * scene_.mesh.normal(point);
     const RayOrigins origins(scene_.mesh, scene_.fans.of(point), point, kUp[side]);
     for (const Light& lamp : light.lights) {
-        const bool placed = lamp.type != LightType::directional;
-        const glm::vec3 place = placed ? lamp.position : -1.0f * lamp.direction;
-        const f32::vec2 cone =
-            lamp.type == LightType::spot
-                ? f32::spot_cone(std::cos(lamp.inner_cone), std::cos(lamp.outer_cone))
-                : f32::vec2(0.0f, 1.0f);
-        const float range = lamp.range > 0.0f ? 1.0f / (lamp.range * lamp.range) : 0.0f;
+        const PunctualValues values = punctual_values(lamp);
         const f32::LightAtPoint at =
-            f32::light_at(to_f32(place), placed ? 1.0f : 0.0f, to_f32(lamp.direction), cone, range,
-                          to_f32(position));
+            f32::light_at(to_f32(glm::vec3(values.place)), values.place.w, to_f32(values.axis),
+                          {values.cone.x, values.cone.y}, values.inverse_range2, to_f32(position));
         const glm::vec3 wi = to_glm(at.wi);
         const float cosine = glm::dot(normal, wi);
         const float falloff = has_area(lamp) ? area_share(lamp, position) : at.falloff;
         if (!(cosine > 0.0f) || !(falloff > 0.0f)) continue;
         const RayOrigins::Start start = origins.at(0, wi);
-        const float farthest = placed ? glm::length(place - position) : 0.0f;
+        const float farthest = values.place.w > 0.0f ? glm::length(lamp.position - position) : 0.0f;
         if (start.found && scene_.rays.is_blocked({start.origin, wi, 0.0f, farthest})) continue;
         sum += lamp.color * (lamp.intensity * falloff * cosine / std::numbers::pi_v<float>);
     }

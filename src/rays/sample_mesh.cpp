@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "scene/geometry/normal_transform.hpp"
 #include "scene/geometry/weld.hpp"
 
 namespace burnish {
@@ -39,12 +40,8 @@ WorldMesh world_mesh(const Mesh& mesh, const Instance& instance, const Material&
     out.blocks = material.alpha_mode != AlphaMode::blend;
     const glm::mat4& m = instance.transform;
     const glm::mat3 linear(m);
-    // Cofactors: the inverse transpose times the determinant, whose sign turns mirrored normals.
-    glm::mat3 of_normals(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                         glm::cross(linear[0], linear[1]));
-    const bool mirrored = glm::determinant(linear) < 0.0f;
-    out.mirrored = mirrored;
-    if (mirrored) of_normals = -1.0f * of_normals;
+    const glm::mat3 of_normals = normal_transform(linear);
+    out.mirrored = is_mirrored(linear);
     for (const glm::vec3& p : mesh.positions) {
         const glm::vec3 world(m * glm::vec4(p, 1.0f));
         out.positions.push_back(is_finite(world) ? world : glm::vec3(0.0f));
@@ -60,7 +57,8 @@ WorldMesh world_mesh(const Mesh& mesh, const Instance& instance, const Material&
         }
         // A triangle that is left out still has its place, so that triangles keep their numbers.
         for (std::size_t k = 0; k < 3; ++k)
-            out.indices.push_back(sound ? mesh.indices[c + (mirrored && k > 0 ? 3 - k : k)] : 0);
+            out.indices.push_back(sound ? mesh.indices[c + (out.mirrored && k > 0 ? 3 - k : k)]
+                                        : 0);
     }
     return out;
 }

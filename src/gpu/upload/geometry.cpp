@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "burnish/error.hpp"
+#include "scene/geometry/normal_transform.hpp"
 
 namespace burnish::gpu {
 namespace {
@@ -237,14 +238,8 @@ std::vector<DrawItem> draw_items(std::span<const std::optional<Instance>> instan
         item.material = instance.material;
         item.world_from_local = instance.transform;
         const glm::mat3 linear(instance.transform);
-        const float determinant = glm::determinant(linear);
-        item.mirrored = determinant < 0.0f;
-        // Cofactors: the inverse transpose times the determinant. They exist for a singular scale
-        // too.
-        const glm::mat3 cofactors(glm::cross(linear[1], linear[2]),
-                                  glm::cross(linear[2], linear[0]),
-                                  glm::cross(linear[0], linear[1]));
-        item.normal_from_local = item.mirrored ? -1.0f * cofactors : cofactors;
+        item.mirrored = is_mirrored(linear);
+        item.normal_from_local = normal_transform(linear);
         item.bounds =
             transformed(meshes[static_cast<std::size_t>(instance.mesh)], instance.transform);
         items.push_back(item);

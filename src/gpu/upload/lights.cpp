@@ -1,30 +1,15 @@
 #include "gpu/upload/lights.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <string>
 
 #include "burnish/error.hpp"
 #include "burnish/f32.hpp"
+#include "scene/light/punctual_lights.hpp"
 
 namespace burnish::gpu {
-namespace {
-
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
-    const float l = glm::length(v);
-    return l > 0.0f && std::isfinite(l) ? v / l : fallback;
-}
-
-glm::vec2 cone_of(const Light& light) {
-    if (light.type != LightType::spot) return {0.0f, 1.0f};
-    const f32::vec2 cone = f32::spot_cone(std::cos(light.inner_cone), std::cos(light.outer_cone));
-    return {cone.x, cone.y};
-}
-
-}  // namespace
-
 LightUniforms::LightUniforms(std::span<const Light> lights) {
     const auto punctual = static_cast<std::size_t>(
         std::count_if(lights.begin(), lights.end(), std::not_fn(has_area)));
@@ -34,15 +19,12 @@ LightUniforms::LightUniforms(std::span<const Light> lights) {
     }
     for (const Light& light : lights) {
         if (has_area(light)) continue;
-        const glm::vec3 travel = unit_or(light.direction, glm::vec3(0, 0, -1));
-        const bool directional = light.type == LightType::directional;
-        any_positional_ = any_positional_ || !directional;
-        const bool bounded = !directional && light.range > 0.0f;
-        place_.push_back(directional ? glm::vec4(-travel, 0.0f) : glm::vec4(light.position, 1.0f));
-        radiance_.emplace_back(light.color * light.intensity,
-                               bounded ? 1.0f / (light.range * light.range) : 0.0f);
-        direction_.emplace_back(travel, 0.0f);
-        cone_.push_back(cone_of(light));
+        const PunctualValues values = punctual_values(light);
+        any_positional_ = any_positional_ || values.place.w > 0.0f;
+        place_.push_back(values.place);
+        radiance_.emplace_back(light.color * light.intensity, values.inverse_range2);
+        direction_.emplace_back(values.axis, 0.0f);
+        cone_.push_back(values.cone);
     }
 }
 

@@ -4,20 +4,17 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scene/light/punctual_lights.hpp"
+
 namespace burnish {
 namespace {
 
 constexpr double kLumensPerWatt = 683.0;
 
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& other) {
-    const float length = glm::length(v);
-    return length > 0.0f && std::isfinite(length) ? v / length : other;
-}
-
 }  // namespace
 
 AreaAxes area_axes(const Light& light) {
-    const glm::vec3 normal = unit_or(light.direction, glm::vec3(0, 0, -1));
+    const glm::vec3 normal = travel_of(light);
     const glm::vec3 spare = std::abs(normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
     const auto beside = [&](const glm::vec3& v) { return v - normal * glm::dot(normal, v); };
     // 1e-6 of a unit vector: an `up` along the normal is rounding.

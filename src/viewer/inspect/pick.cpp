@@ -14,6 +14,7 @@
 #include "core/index_of.hpp"
 #include "core/parallel.hpp"
 #include "scene/camera/view.hpp"
+#include "scene/geometry/normal_transform.hpp"
 
 namespace burnish::viewer {
 namespace {
@@ -66,13 +67,6 @@ bool meets_box(const Bounds& box, const Ray& ray) {
     return from <= to;
 }
 
-// Inverse transpose times |determinant|, as the renderer transforms normals.
-glm::mat3 normal_from_local(const glm::mat3& linear, bool mirrored) {
-    const glm::mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                              glm::cross(linear[0], linear[1]));
-    return mirrored ? -1.0f * cofactors : cofactors;
-}
-
 glm::vec3 unit_or_zero(glm::vec3 v) {
     // As surface.vert.
     return v / std::sqrt(std::max(glm::dot(v, v), 1e-30f));
@@ -94,7 +88,7 @@ struct Corners {
 void put_frame(Hit& hit, const Mesh& mesh, const Corners& corners, const glm::mat4& transform,
                bool mirrored) {
     const glm::mat3 linear(transform);
-    const glm::mat3 of_normals = normal_from_local(linear, mirrored);
+    const glm::mat3 of_normals = normal_transform(linear);
     glm::vec3 normal(0.0f);
     glm::vec4 tangent(0.0f);
     for (int c = 0; c < 3; ++c) {

@@ -1,6 +1,8 @@
 // The part of App that saves turntables.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
 #include "burnish/turntable.hpp"
@@ -15,43 +17,32 @@ namespace {
 
 constexpr int kFilmRate = 24;  // frames a second
 
-// The renderer's lights are the scene's again where this ends.
+// The lights of the frames of a turn, and what vertices see in them. The renderer has those of the scene again where
+// this ends.
 class LightsOfFrames {
   public:
-    LightsOfFrames(gpu::Renderer& renderer, const Scene& scene)
-        : renderer_(renderer), scene_(scene) {}
+    LightsOfFrames(Picture& picture, const Stage& stage)
+        : picture_(picture), stage_(stage), visibility_(stage, picture.environment(), {}) {}
     LightsOfFrames(const LightsOfFrames&) = delete;
     LightsOfFrames& operator=(const LightsOfFrames&) = delete;
     ~LightsOfFrames() {
         try {
-            renderer_.set_lights(scene_.lights);
-        } catch (const Error&) {
-            // The device is lost: the window finds that out by itself.
-        }
-    }
-    void set(std::span<const Light> lights) { renderer_.set_lights(lights); }
-
-  private:
-    gpu::Renderer& renderer_;
-    const Scene& scene_;
-};
-
-// The renderer's vertices see what the window has found again where this ends.
-class VisibilityOfFrames {
-  public:
-    explicit VisibilityOfFrames(Picture& picture) : picture_(picture) {}
-    VisibilityOfFrames(const VisibilityOfFrames&) = delete;
-    VisibilityOfFrames& operator=(const VisibilityOfFrames&) = delete;
-    ~VisibilityOfFrames() {
-        try {
+            picture_.renderer().set_lights(stage_.scene.lights);
             picture_.restore_visibility();
         } catch (const Error&) {
             // The device is lost: the window finds that out by itself.
         }
     }
+    void set(const TurntableFrame& frame) {
+        picture_.renderer().set_lights(frame.lights);
+        picture_.renderer().set_visibility(
+            visibility_.lit(frame.lights, frame.environment_rotation, {}));
+    }
 
   private:
     Picture& picture_;
+    const Stage& stage_;
+    LitVisibility visibility_;
 };
 
 }  // namespace
@@ -64,19 +55,13 @@ void App::save_turntable(const std::filesystem::path& path, int frames, Turn tur
     const std::filesystem::path pictures = film ? film_pictures(path) : path;
     if (film) std::filesystem::create_directory(pictures.parent_path());
     const Stage& stage = editor.stage();
-    LightsOfFrames lights(picture.renderer(), stage.scene);
-    LitVisibility visibility(
-        stage,
-        stage.environment.radiance.empty() ? nullptr : prepare_environment(stage.environment), {});
-    const VisibilityOfFrames seen(picture);
+    // The camera's turn leaves the lights.
+    std::optional<LightsOfFrames> lights;
+    if (turn != Turn::camera) lights.emplace(picture, stage);
     for (int i = 0; i < frames; ++i) {
         const TurntableFrame frame = turntable_frame(
             stage.camera, stage.scene.lights, stage.settings.environment_rotation, turn, i, frames);
-        if (turn != Turn::camera) {
-            lights.set(frame.lights);
-            picture.renderer().set_visibility(
-                visibility.lit(frame.lights, frame.environment_rotation, {}));
-        }
+        if (lights) lights->set(frame);
         RenderSettings settings = stage.settings;
         settings.environment_rotation = frame.environment_rotation;
         settings.width = picture_width;

@@ -74,6 +74,7 @@ class Picture {
     Image shown(std::size_t index) const;
 
     gpu::Renderer& renderer() { return *renderer_; }
+    std::shared_ptr<const PreparedEnvironment> environment() const { return environment_; }
     // After another visibility was given to the renderer: what the picture has found, again.
     void restore_visibility() { visible_.give_again(*renderer_); }
     // Another picture of the scene, of any size. Ends and restarts the panes.
