@@ -31,6 +31,8 @@
 //                                             specular_eval specular_sample specular_pdf specular_fresnel
 //                   surface/surface.glsl      surface_eval surface_sample surface_pdf
 //                                             surface_direction surface_specular_share
+//                   surface/layers.glsl       layered_eval layered_sample layered_pdf, over
+//                                             coat_make (coat.glsl) and sheen_make (sheen.glsl)
 //                   surface/diffuse.glsl      diffuse_eval diffuse_albedo specular_occlusion
 //                   surface/cloth.glsl        cloth_eval cloth_sample cloth_pdf
 //                   surface/weave.glsl        weave_point

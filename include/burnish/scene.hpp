@@ -258,7 +258,7 @@ struct Light {
     bool two_sided = false;  // rectangle, disc: the back emits as well
     bool visible = true;     // shown in the picture, from sides that emit
     // Rectangle: its upper edge lies at the upper edge of the light, seen from the side that emits.
-    LightTexture texture;
+    LightTexture texture{};
     bool operator==(const Light&) const = default;
 };
 

@@ -90,8 +90,6 @@ vec3 layer_radiance(Surface s, Frame a, vec3 wi, float pdf, int samples) {
 #endif
 
 #ifdef COAT
-const float kWidthOfCoat = 0.8;
-
 vec3 coat_image(Surface s, Shading m, Frame a, vec3 wo) {
     CoatLayer coat = m.layers.coat;
 #if IMAGE_LIGHT == 1
@@ -108,10 +106,11 @@ vec3 coat_image(Surface s, Shading m, Frame a, vec3 wo) {
     return sum / float(samples);
 #else
     vec3 towards = frame_to_outer(a, reflect_about(wo, coat.at.n));
-    // Within the plane of incidence the lobe is as wide as alpha, across it by the cosine narrower.
+    // Within the plane of incidence the lobe is as wide as alpha, across it by the cosine narrower: the look-up is as
+    // wide as their mean.
     float alpha2 = coat.lobe.p0 * coat.lobe.p0 * max(dot(coat.at.n, wo), 0.0);
     vec3 radiance =
-        lobe_radiance(environment_direction(towards), lobe_lod(kWidthOfCoat * kWidthOfCoat * alpha2));
+        lobe_radiance(environment_direction(towards), lobe_lod(alpha2));
     return seen_radiance(s, towards, radiance * u_environment_scale) *
            (coat.cover * m.seen.coat.albedo);
 #endif

@@ -55,7 +55,7 @@ FN Float coat_polynomial(Float r, Float c0, Float c1, Float c2, Float c3, Float 
 }
 
 // The terms of coat_albedo for a roughness, the root of alpha. Fitted to quadrature of the lobe with its Fresnel
-// factor (tests/shading/coat_test.cpp): within 0.006 for cosines from 0.1, 0.03 below.
+// factor (tests/shading/layers_test.cpp): within 0.007 for cosines from 0.1, 0.03 below.
 FN CoatLayer coat_with_fit(CoatLayer c, Float roughness) {
     Float r = min(roughness, Float(1));
     c.roughness2 = r * r;

@@ -39,8 +39,8 @@ FN Float sheen_polynomial(Float l, Float c0, Float c1, Float c2, Float c3, Float
     return c0 + l * (c1 + l * (c2 + l * (c3 + l * (c4 + l * c5))));
 }
 
-// The terms of sheen_albedo for the logarithm of a roughness. Fitted to quadrature (tests/shading/sheen_test.cpp):
-// within 0.012, and 1.3 % where the albedo is above 1.
+// The terms of sheen_albedo for the logarithm of a roughness. Fitted to quadrature (tests/shading/layers_test.cpp):
+// within 0.014, and 1 % where the albedo is above 1.
 FN SheenLayer sheen_with_fit(SheenLayer s, Float l) {
     s.e0 = sheen_polynomial(l, -Float(0.6579121), Float(0.2481199), -Float(0.549534), -Float(0.9466828),
                             -Float(0.3450226), -Float(0.03883049));
