@@ -161,7 +161,14 @@ class Renderer {
     // The pass that SurfacePass::automatic takes for a picture with these settings.
     SurfacePass pass_of(const RenderSettings& settings) const;
     void add_sample();  // Error when nothing was begun
-    int samples_done() const;
+    // Seconds that add_sample may take to compile programs of materials, and begin takes none; one program is
+    // compiled at least unless it is 0. For the other materials a simple program stands in: such a sample is to
+    // be presented, and the next add_sample begins the mean anew. None, as at first: begin compiles everything.
+    // Views other than radiance, and scenes that only lights with an area light, are never stood in for.
+    void set_compile_budget(std::optional<double> seconds);
+    // Number of materials that were stood in for in the last sample of the last series.
+    int stand_ins() const;
+    int samples_done() const;  // of the mean: 0 while materials are stood in for
     // The mean so far as a display shows it, sRGB-encoded RGBA, into the lower left width x height
     // pixels of a framebuffer (0: the window's); as to_display(picture()) within 1/255. A
     // framebuffer of another size than the picture's gets the nearest pixels. Alpha is coverage

@@ -198,7 +198,7 @@ void Painter::paint_deferred(const Frame& frame, Targets& targets,
         targets.bind_gbuffer(needs_.position, needs_.shape, needs_.visibility);
         std::erase_if(forward, [&](std::size_t i) {
             const DrawItem& item = scene_.items()[i];
-            if (!can_defer(frame, item)) return false;
+            if (!can_defer(frame, item) || is_stood_in(frame, item)) return false;
             apply(DrawState{.stencil = Stencil{true, item.material + 1}});
             write_gbuffer(frame, item);
             Bounds& box = seen.try_emplace(item.material, item.bounds).first->second;
@@ -247,11 +247,23 @@ void Painter::draw_item(Program& program, const DrawItem& item, bool coarse) {
 }
 
 void Painter::paint_item(const Frame& frame, const DrawItem& item) {
+    if (is_stood_in(frame, item)) {
+        paint_stand_in(frame, item);
+        return;
+    }
     MaterialSlot& slot = slot_of(frame, item.material);
     const SurfaceVariant variant = variant_of(frame, slot, scene_.mesh(item.mesh).has_color());
     Program& program = surface_program(slot, variant, false, true);
     program.use();
     set_surface(program, frame, item.material);
+    draw_item(program, item, frame.options->coarse);
+}
+
+void Painter::paint_stand_in(const Frame& frame, const DrawItem& item) {
+    Program& program = stand_in_program(frame, true);
+    program.use();
+    set_frame(program, frame);
+    set_material(program, scene_.material(item.material).material, scene_.textures(), 0.0f);
     draw_item(program, item, frame.options->coarse);
 }
 

@@ -33,6 +33,8 @@ struct Frame {
     glm::dvec2 offset{0.0};  // of the sample in its pixel, which `view` contains
     ShadingVariant variant = ShadingVariant::full;
     LightCount light_count = LightCount::compiled;
+    // Materials whose program is not compiled are drawn by a simple one that all share.
+    bool stands_in = false;
 };
 
 // Whether the frames are summed for a robust mean (RenderSettings::robust_limit).
@@ -47,12 +49,18 @@ class Painter {
     // visible). Results that are complete stay when `progress` throws.
     void prepare(const Frame& frame, bool ground, const Progress& progress);
 
+    // With Frame::stands_in, after prepare: compiles programs of materials until they have taken budget_s, one at
+    // least unless it is 0. Returns the number of materials that the frame still stands in for.
+    int compile_some(const Frame& frame, double budget_s);
+
     // Draws a prepared frame into `targets`; the viewport is left at the tile's size.
     void paint(const Frame& frame, Targets& targets);
     // Adds the frame to the sum of `targets`.
     void accumulate(const Frame& frame, Targets& targets);
 
     bool sees_ground(const Frame& frame);
+    // Whether the simple program shows anything of this frame: it knows no other views, and no light with an area.
+    bool can_stand_in(const Frame& frame) const;
     // Whether opaque surfaces are drawn deferred; `shape`: some of them are tabulated.
     bool defers(const Frame& frame, bool shape) const;
     SectionTimer& timer() { return timer_; }  // its sections are those of Pass
@@ -83,6 +91,8 @@ class Painter {
                              bool wait);
     Program& gbuffer_program(const MaterialSlot& slot, bool wait);
     Program& gouraud_program(bool wait);
+    Program& stand_in_program(const Frame& frame, bool wait);
+    bool is_stood_in(const Frame& frame, const DrawItem& item);
     // The stage that sums the frames.
     static const char* accumulation_of(const RenderSettings& settings) {
         return is_robust(settings) ? "accumulate_robust.frag" : "accumulate.frag";
@@ -90,6 +100,7 @@ class Painter {
     Program& plain_program(const char* vertex, const char* fragment, bool wait);
     bool can_defer(const Frame& frame, const DrawItem& item);
     bool shows_environment(const Frame& frame) const;
+    bool lit_by_environment(const Frame& frame) const;
     bool sees_surroundings(const Frame& frame) const;
     bool shows_emitters(const Frame& frame) const;
     Program& emitter_program(bool wait);
@@ -108,6 +119,7 @@ class Painter {
     void draw_item(Program& program, const DrawItem& item, bool coarse);
     void paint_item(const Frame& frame, const DrawItem& item);
     void paint_gouraud(const Frame& frame, const DrawItem& item);
+    void paint_stand_in(const Frame& frame, const DrawItem& item);
     void paint_emitters(const Frame& frame);
     void paint_background(const Frame& frame);
     void paint_blended(const Frame& frame);

@@ -1,5 +1,6 @@
 // Prepares the data and programs of a frame.
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <utility>
 
@@ -41,6 +42,17 @@ bool Painter::shows_environment(const Frame& frame) const {
            frame.options->background == BackgroundKind::environment;
 }
 
+bool Painter::lit_by_environment(const Frame& frame) const {
+    const RenderSettings& o = *frame.options;
+    return scene_.environment() != nullptr && o.environment_intensity > 0.0f &&
+           o.image_light != ImageLight::off;
+}
+
+bool Painter::can_stand_in(const Frame& frame) const {
+    return frame.options->view == SurfaceView::radiance &&
+           (lit_by_environment(frame) || scene_.lights().count() > 0);
+}
+
 bool Painter::sees_ground(const Frame& frame) {
     return frame.options->ground && frame.options->view == SurfaceView::radiance &&
            frame.variant != ShadingVariant::gouraud && scene_.ground().faces(frame.view.eye);
@@ -52,9 +64,7 @@ bool Painter::sees_surroundings(const Frame& frame) const {
     if (!o.visibility || !scene_.has_visibility() || frame.variant == ShadingVariant::gouraud ||
         is_furnace(frame))
         return false;
-    const bool lit = scene_.environment() != nullptr && o.environment_intensity > 0.0f &&
-                     o.image_light != ImageLight::off;
-    return lit || o.view == SurfaceView::openness;
+    return lit_by_environment(frame) || o.view == SurfaceView::openness;
 }
 
 bool Painter::defers(const Frame& frame, bool shape) const {
@@ -106,8 +116,7 @@ SurfaceVariant Painter::variant_of(const Frame& frame, const MaterialSlot& slot,
         if (v.area_lights > 0) v.area_lights = static_cast<int>(kMostAreaLights);
         if (v.shadow_maps > 0) v.shadow_maps = kMostShadowMaps;
     }
-    const bool lit = scene_.environment() != nullptr && frame.options->environment_intensity > 0.0f;
-    v.image_light = lit ? static_cast<int>(frame.options->image_light) : 0;
+    v.image_light = lit_by_environment(frame) ? static_cast<int>(frame.options->image_light) : 0;
     v.view = frame.options->view != SurfaceView::radiance;
     v.visibility = needs_.visibility;
     if (is_furnace(frame)) {
@@ -176,6 +185,50 @@ Program& Painter::gouraud_program(bool wait) {
     return of(context_.programs(), wait, "gouraud.vert", "gouraud.frag", defines);
 }
 
+Program& Painter::stand_in_program(const Frame& frame, bool wait) {
+    std::string defines = "#define LIGHTS " + std::to_string(kMostLights) + "\n";
+    defines += "#define LIGHT_COUNT_AT_RUN_TIME\n#define POSITION\n";
+    if (lit_by_environment(frame)) defines += "#define LIT_BY_ENVIRONMENT\n";
+    return of(context_.programs(), wait, "surface.vert", "stand_in.frag", defines);
+}
+
+bool Painter::is_stood_in(const Frame& frame, const DrawItem& item) {
+    if (!frame.stands_in) return false;
+    MaterialSlot& slot = slot_of(frame, item.material);
+    const SurfaceVariant variant = variant_of(frame, slot, scene_.mesh(item.mesh).has_color());
+    const bool resolve = needs_.defers && can_defer(frame, item);
+    return std::ranges::none_of(slot.programs, [&](const PreparedProgram& p) {
+        if (p.resolve != resolve || p.variant != variant) return false;
+        const std::shared_ptr<Program> program = p.program.lock();
+        return program && program->is_finished();
+    });
+}
+
+int Painter::compile_some(const Frame& frame, double budget_s) {
+    if (!frame.stands_in) return 0;
+    needs_ = needs_of(frame);
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    bool compiled = false;
+    const auto spent = [&] {
+        if (!compiled) return budget_s <= 0.0;
+        return std::chrono::duration<double>(Clock::now() - start).count() >= budget_s;
+    };
+    std::set<int> missing;
+    for (const DrawItem& item : scene_.items()) {
+        if (!is_stood_in(frame, item)) continue;
+        if (spent()) {
+            missing.insert(item.material);
+            continue;
+        }
+        MaterialSlot& slot = slot_of(frame, item.material);
+        surface_program(slot, variant_of(frame, slot, scene_.mesh(item.mesh).has_color()),
+                        needs_.defers && can_defer(frame, item), true);
+        compiled = true;
+    }
+    return static_cast<int>(missing.size());
+}
+
 // Sends every program that paint() needs to the compiler.
 void Painter::start_programs(const Frame& frame, std::vector<Program*>& programs) {
     programs.push_back(&plain_program("fullscreen.vert", accumulation_of(*frame.options), false));
@@ -188,13 +241,16 @@ void Painter::start_programs(const Frame& frame, std::vector<Program*>& programs
         programs.push_back(&gouraud_program(false));
         return;
     }
+    if (frame.stands_in) programs.push_back(&stand_in_program(frame, false));
     std::set<std::pair<int, bool>> done;  // material, and whether its mesh has colors
     for (const DrawItem& item : scene_.items()) {
         const bool color = scene_.mesh(item.mesh).has_color();
         if (!done.emplace(item.material, color).second) continue;
         MaterialSlot& slot = slot_of(frame, item.material);
         const bool resolve = needs_.defers && can_defer(frame, item);
-        programs.push_back(&surface_program(slot, variant_of(frame, slot, color), resolve, false));
+        if (!frame.stands_in)
+            programs.push_back(
+                &surface_program(slot, variant_of(frame, slot, color), resolve, false));
         if (resolve) programs.push_back(&gbuffer_program(slot, false));
     }
 }

@@ -134,7 +134,8 @@ struct Renderer::Impl {
         LightCount light_count = LightCount::compiled;
         std::vector<glm::dvec2> offsets = pixel_offsets(settings.samples);
         int samples = 0;
-        bool stale = false;  // the scene was edited
+        bool stale = false;     // the scene was edited
+        bool stood_in = false;  // the last sample is none of the mean
     };
 
     // A series and the images that it is drawn into.
@@ -163,6 +164,9 @@ struct Renderer::Impl {
         // Beyond the wished number the offsets repeat.
         frame.offset = s.offsets[static_cast<std::size_t>(s.samples) % s.offsets.size()];
         frame.light_count = s.light_count;
+        // Series that a window shows are those whose programs take any number of lights.
+        frame.stands_in = compile_budget_s.has_value() &&
+                          s.light_count == LightCount::at_run_time && painter.can_stand_in(frame);
         Bounds bounds = scene.bounds();
         if (s.settings.ground) {
             const Bounds ground = scene.ground().bounds();
@@ -181,12 +185,18 @@ struct Renderer::Impl {
         const Frame frame = frame_of(series);
         painter.prepare(frame, painter.sees_ground(frame), progress);
         slot().targets->clear_sum(is_robust(series.settings));
-        series.stale = false;
+        series.stale = series.stood_in = false;
     }
 
     void add() {
         Series& series = *slot().series;
+        if (series.stood_in) {
+            slot().targets->clear_sum(is_robust(series.settings));
+            series.samples = 0;
+        }
         const Frame frame = frame_of(series);
+        stand_ins = painter.compile_some(frame, compile_budget_s.value_or(0.0));
+        series.stood_in = stand_ins > 0;
         painter.paint(frame, *slot().targets);
         painter.accumulate(frame, *slot().targets);
         ++series.samples;
@@ -233,6 +243,8 @@ struct Renderer::Impl {
     Context& context;
     DeviceScene scene;
     Painter painter;
+    std::optional<double> compile_budget_s;
+    int stand_ins = 0;                          // in the last sample of a series
     int timed_samples = 0, timed_presents = 0;  // since the times of passes were taken
     std::array<Slot, 16> slots;
     std::size_t selected = 0;
@@ -373,6 +385,14 @@ SurfacePass Renderer::pass_of(const RenderSettings& settings) const {
     return deferred ? SurfacePass::deferred : SurfacePass::forward;
 }
 
+void Renderer::set_compile_budget(std::optional<double> seconds) {
+    impl_->compile_budget_s = seconds;
+}
+
+int Renderer::stand_ins() const {
+    return impl_->stand_ins;
+}
+
 void Renderer::add_sample() {
     std::optional<Impl::Series>& series = impl_->slot().series;
     if (!series) throw Error("add_sample", "", "begin before it", "none");
@@ -384,7 +404,7 @@ void Renderer::add_sample() {
 
 int Renderer::samples_done() const {
     const std::optional<Impl::Series>& series = impl_->slot().series;
-    return series && !series->stale ? series->samples : 0;
+    return series && !series->stale && !series->stood_in ? series->samples : 0;
 }
 
 void Renderer::present(unsigned framebuffer, int width, int height, double exposure_ev,

@@ -162,11 +162,13 @@ void status_bar(App& app) {
                   "a model or a picture on the window.",
                   orbit);
     ImGui::TextDisabled("%s", hint.c_str());
-    const std::string right = app.picture.at_rest()
-                                  ? fmt::format("{} samples", app.picture.samples())
-                                  : fmt::format("{}/{} samples  {:.0f} %  {:.0f} fps",
-                                                app.picture.samples(), app.picture.wanted_samples(),
-                                                100 * app.picture.scale(), app.frames_per_second);
+    const int simple = app.picture.stand_ins();
+    const std::string right =
+        app.picture.at_rest() ? fmt::format("{} samples", app.picture.samples())
+        : simple > 0          ? fmt::format("compiling shaders of {} materials", simple)
+                     : fmt::format("{}/{} samples  {:.0f} %  {:.0f} fps", app.picture.samples(),
+                                   app.picture.wanted_samples(), 100 * app.picture.scale(),
+                                   app.frames_per_second);
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     ImGui::SameLine(ImGui::GetWindowWidth() - width - 12 * static_cast<float>(app.ui_scale));
     ImGui::TextUnformatted(right.c_str());

@@ -19,7 +19,9 @@ constexpr int kSeriesOfPreparation = 15;  // no pane's
 // processors: these take 5 ms of a frame. Hardware draws two million in about as long; not measured.
 constexpr std::size_t kSoftwareTriangles = 25'000, kHardwareTriangles = 2'000'000;
 constexpr double kQuiet_s = 0.5;  // at rest, before programs for changes are compiled
-constexpr double kRate = 30.0;    // frames a second that a moving picture holds
+// Of a frame, for programs of materials: a change of one material shows itself, and not first a simple picture.
+constexpr double kCompile_s = 0.3;
+constexpr double kRate = 30.0;  // frames a second that a moving picture holds
 // Shares of the resolution between which a moving picture chooses.
 constexpr std::array<double, 6> kScales = {1.0, 0.75, 0.55, 0.4, 0.3, 0.2};
 
@@ -93,6 +95,7 @@ void Picture::follow(const Editor& editor) {
         renderer_->set_scene(stage.scene);
         meshes_.follow(stage.scene,
                        context_.is_software() ? kSoftwareTriangles : kHardwareTriangles);
+        new_scene_ = true;
         previewing_ = false;
         preview_normal_ = preview_stretch_ = -1;
     } else {
@@ -308,8 +311,9 @@ void Picture::prepare_motion() {
     renderer_->select_series(kSeriesOfPreparation);
     renderer_->begin(camera_, o, gpu::PixelRegion{width_ / 2, height_ / 2, 1, 1});
     renderer_->add_sample();
+    const bool compiled = renderer_->stand_ins() == 0;
     renderer_->end_series();
-    motion_prepared_ = true;
+    motion_prepared_ = compiled;
 }
 
 bool Picture::refine(double budget_s) {
@@ -335,16 +339,21 @@ bool Picture::refine(double budget_s) {
         return false;
     }
     rest_since_.reset();
+    // The first picture of a scene comes at once.
+    renderer_->set_compile_budget(new_scene_ ? 0.0 : kCompile_s);
+    new_scene_ = false;
     if (!begun_) begin_panes();
     const auto start = Clock::now();
     bool added = true;
-    while (added) {
+    stand_ins_ = 0;
+    while (added && stand_ins_ == 0) {
         added = false;
         for (std::size_t i = 0; i < panes_.size(); ++i) {
             if (is_done(i)) continue;
             renderer_->select_series(static_cast<int>(i));
             renderer_->add_sample();
-            ++samples_[i];
+            samples_[i] = renderer_->samples_done();
+            stand_ins_ = std::max(stand_ins_, renderer_->stand_ins());
             added = true;
         }
         if (!moving_) glFinish();
@@ -352,6 +361,7 @@ bool Picture::refine(double budget_s) {
         if (sample_s_ > budget_s) break;
     }
     present_panes();
+    has_shown_ = true;
     display_changed_ = false;
     if (at_rest()) prepare_motion();
     return true;

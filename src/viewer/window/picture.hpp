@@ -62,6 +62,10 @@ class Picture {
     // At rest, refine() still prepares what a motion or a change of the model needs.
     bool prepares() const;
     int samples() const;  // of the pane that has fewest
+    // Whether something was shown since this was made, be it simple pictures of materials to come.
+    bool has_shown() const { return has_shown_; }
+    // Number of materials that are drawn simply until their programs are compiled.
+    int stand_ins() const { return stand_ins_; }
     int wanted_samples() const { return settings_.samples; }
     double scale() const { return shown_scale_; }  // of the resolution shown
     double last_sample_s() const { return sample_s_; }
@@ -118,6 +122,8 @@ class Picture {
     std::vector<int> samples_;
     int width_ = 1, height_ = 1;
     bool moving_ = false, begun_ = false, display_changed_ = false;
+    int stand_ins_ = 0;
+    bool new_scene_ = false, has_shown_ = false;
     double moving_scale_ = 0.5, shown_scale_ = 1, sample_s_ = 0;
     std::optional<Clock::time_point> last_moving_frame_;
 };

@@ -186,8 +186,10 @@ void ScriptRunner::settle_errors() {
 }
 
 void ScriptRunner::run() {
-    if (first_picture_s_ < 0 && !app_.document().input.empty() && app_.picture.samples() > 0)
-        first_picture_s_ = process_age_s();
+    if (!app_.document().input.empty()) {
+        if (first_picture_s_ < 0 && app_.picture.has_shown()) first_picture_s_ = process_age_s();
+        if (whole_picture_s_ < 0 && app_.picture.samples() > 0) whole_picture_s_ = process_age_s();
+    }
     while (!still_busy()) {
         settle_errors();
         if (next_ >= commands_.size()) return;
@@ -249,6 +251,7 @@ double ScriptRunner::measured(const std::string& name) const {
     if (name == "scale") return app_.picture.scale();
     if (name == "idle_cpu") return idle_cpu_.value_or(0);
     if (name == "first_picture_s") return first_picture_s_;
+    if (name == "whole_picture_s") return whole_picture_s_;
     if (name == "change_s") return change_s_;
     if (name == "recovered") return was_recoverable_ ? 1 : 0;
     if (name == "window_width") return app_.window.width();

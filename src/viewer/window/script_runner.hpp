@@ -76,9 +76,10 @@ class ScriptRunner {
     double drag_cpu_s_ = 0, last_cpu_s_ = 0;  // of these frames; of the process at the last one
     std::optional<std::chrono::steady_clock::time_point> last_drag_frame_, changed_;
     std::optional<double> idle_cpu_;
-    double first_picture_s_ = -1;  // since the process started
-    double change_s_ = 0;          // from the last `set` until it was drawn
-    std::size_t errors_ = 0;       // that were met: of App::errors_said()
+    // Since the process started: something was shown, and every material by its own program.
+    double first_picture_s_ = -1, whole_picture_s_ = -1;
+    double change_s_ = 0;     // from the last `set` until it was drawn
+    std::size_t errors_ = 0;  // that were met: of App::errors_said()
     bool was_recoverable_ = false;
     // The mouse of the script; none: the person's.
     std::optional<glm::dvec2> mouse_;
