@@ -24,7 +24,7 @@ constexpr int kFewestWindows = 3, kMostWindows = 12;  // along a side of the til
 // whether it touches a window.
 constexpr double kStroke_ns = 1000, kRow_ns = 100, kTexel_ns = 5, kBentTexel_ns = 10, kTest_ns = 3;
 // For all strokes on the map, and for all windows.
-constexpr double kMap_ns = 7e7, kWindows_ns = 3e7;
+constexpr double kMap_ns = 4e7, kWindows_ns = 3e7;
 
 // More are not drawn on the coarse map. More than this are not made for the windows either, and fewer
 // where strokes are trimmed to the tile point by point.

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// Texels a side of a coarse map that takes about 50 ms on two cores: 128 to 512, and no more than
+// Texels a side of a coarse map that takes about 30 ms on two cores: 128 to 512, and no more than
 // the settings ask for.
 int coarse_scratch_size(const ScratchSettings& settings);
 

@@ -39,7 +39,7 @@ ScratchRecipe scratch_recipe(const ScratchChoice& choice);
 // Makes `value` the median (of a uniform quantity the mean): the other values keep their ratios to it.
 void set_typical(Spread& spread, double value);
 
-// Coarse maps of the recipe in about 50 ms: the same scratches, with the mean squared slope of the full
+// Coarse maps of the recipe in about 30 ms: the same scratches, with the mean squared slope of the full
 // maps. Throws as make_scratch_maps does.
 ScratchTextures coarse_scratches(const ScratchRecipe& recipe);
 
