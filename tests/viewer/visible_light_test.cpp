@@ -66,6 +66,23 @@ TEST_F(OffTheFrame, DarkensWhatIsClosedInOnceItIsFound) {
     EXPECT_LT(inside().x, 0.95f * open);
 }
 
+TEST_F(OffTheFrame, WaitsWhileItIsHeldAndEndsWhenItIsNoMore) {
+    light.hold(true);
+    light.follow(stage, environment, kNew, *renderer);
+    light.step();
+    // Ten times what the work takes.
+    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    EXPECT_FALSE(light.give(*renderer));
+    EXPECT_TRUE(light.working());
+    light.hold(false);
+    EXPECT_TRUE(is_given());
+    // Work that is held is given up with its owner: the end of the test does not wait forever.
+    light.hold(true);
+    stage.settings.bounces = 0;
+    light.follow(stage, environment, {}, *renderer);
+    light.step();
+}
+
 TEST_F(OffTheFrame, LightThatChangesIsFoundWithoutNewRaysForWhatIsSeen) {
     light.follow(stage, environment, kNew, *renderer);
     light.step();

@@ -1,6 +1,8 @@
 #include "viewer/prepare/visible_light.hpp"
 
 #include <chrono>
+#include <string_view>
+#include <thread>
 
 #include "burnish/error.hpp"
 
@@ -17,6 +19,15 @@ std::shared_ptr<const Visibility> unknown(const Scene& scene) {
 bool is_wanted(const Stage& stage) {
     return stage.settings.visibility && stage.settings.environment_intensity > 0.0f &&
            stage.settings.image_light != ImageLight::off;
+}
+
+// Progress whose steps wait while the work is held and not cancelled.
+Progress progress_of(const CancelToken& token, const std::shared_ptr<std::atomic<bool>>& held) {
+    const auto wait = [token, held](std::string_view, double) {
+        while (held->load(std::memory_order_relaxed) && !token.cancelled())
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    };
+    return Progress(wait, token);
 }
 
 }  // namespace
@@ -96,7 +107,7 @@ void VisibleLight::step() {
     stale_ = false;
     work_ =
         std::async(std::launch::async, [finder = std::move(finder_), request = std::move(*next_),
-                                        progress = Progress(token_)]() mutable {
+                                        progress = progress_of(token_, held_)]() mutable {
             return find(std::move(finder), request, progress);
         });
     next_.reset();

@@ -4,6 +4,7 @@
 // cancels what is in work and waits for it.
 #pragma once
 
+#include <atomic>
 #include <future>
 #include <memory>
 #include <optional>
@@ -40,6 +41,8 @@ class VisibleLight {
                 Change change, gpu::Renderer& renderer);
     // Begins what is due, unless something is in work.
     void step();
+    // While true, work in progress waits: a picture that moves needs every processor. It stops within 0.2 s.
+    void hold(bool held) { held_->store(held, std::memory_order_relaxed); }
     // Gives the renderer what is ready. False: there is nothing new.
     bool give(gpu::Renderer& renderer);
     // What it was given last.
@@ -76,6 +79,7 @@ class VisibleLight {
     std::unique_ptr<VisibilityFinder> finder_;  // while nothing is in work
     std::shared_ptr<const Visibility> known_;   // that the renderer was given last
     CancelToken token_;
+    std::shared_ptr<std::atomic<bool>> held_ = std::make_shared<std::atomic<bool>>(false);
     bool stale_ = false;  // what is in work is of another scene
     std::future<Found> work_;
 };

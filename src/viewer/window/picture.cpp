@@ -18,6 +18,8 @@ constexpr int kSeriesOfPreparation = 15;  // no pane's
 // Triangles of a picture in motion. llvmpipe takes 0.2 s of processor time for a million on 2026's
 // processors: these take 5 ms of a frame. Hardware draws two million in about as long; not measured.
 constexpr std::size_t kSoftwareTriangles = 25'000, kHardwareTriangles = 2'000'000;
+// What vertices see is not looked for in a motion, but in one that goes on for longer, as a turntable does.
+constexpr double kLongMotion_s = 5.0;
 constexpr double kQuiet_s = 0.5;  // at rest, before programs for changes are compiled
 // Of a frame, for programs of materials: a change of one material shows itself, and not first a simple picture.
 constexpr double kCompile_s = 0.3;
@@ -201,6 +203,8 @@ void Picture::set_panes(std::vector<Pane> panes) {
 void Picture::set_moving(bool moving) {
     if (moving == moving_) return;
     moving_ = moving;
+    moving_since_.reset();
+    if (moving) moving_since_ = Clock::now();
     last_moving_frame_.reset();
     begun_ = false;
 }
@@ -318,6 +322,7 @@ void Picture::prepare_motion() {
 
 bool Picture::refine(double budget_s) {
     if (!followed_) return false;
+    visible_.hold(moving_since_ && seconds_since(*moving_since_) < kLongMotion_s);
     meshes_.give(*renderer_);
     if (cloths_.give(*renderer_)) begun_ = false;
     if (moving_) {

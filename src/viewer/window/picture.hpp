@@ -125,7 +125,7 @@ class Picture {
     int stand_ins_ = 0;
     bool new_scene_ = false, has_shown_ = false;
     double moving_scale_ = 0.5, shown_scale_ = 1, sample_s_ = 0;
-    std::optional<Clock::time_point> last_moving_frame_;
+    std::optional<Clock::time_point> last_moving_frame_, moving_since_;
 };
 
 }  // namespace burnish::viewer
