@@ -23,7 +23,8 @@ constexpr double kLongMotion_s = 5.0;
 constexpr double kQuiet_s = 0.5;  // at rest, before programs for changes are compiled
 // Of a frame, for programs of materials: a change of one material shows itself, and not first a simple picture.
 constexpr double kCompile_s = 0.3;
-constexpr double kRate = 30.0;  // frames a second that a moving picture holds
+constexpr std::size_t kFewMaterials = 2;  // whose programs a motion may wait for
+constexpr double kRate = 30.0;            // frames a second that a moving picture holds
 // Shares of the resolution between which a moving picture chooses.
 constexpr std::array<double, 6> kScales = {1.0, 0.75, 0.55, 0.4, 0.3, 0.2};
 
@@ -115,6 +116,7 @@ void Picture::follow(const Editor& editor) {
     any_tabulated_ = std::ranges::any_of(
         stage.scene.materials, [](const Material& m) { return tabulated_of(m) != nullptr; });
     lit_ = !stage.environment.radiance.empty();
+    materials_ = stage.scene.materials.size();
     if (first || now.materials != before.materials || now.scene != before.scene) {
         std::vector<std::pair<Brdf, Mdf>> models = models_with_tables(stage.scene);
         if (models != models_) motion_prepared_ = false;
@@ -344,8 +346,9 @@ bool Picture::refine(double budget_s) {
         return false;
     }
     rest_since_.reset();
-    // The first picture of a scene comes at once.
-    renderer_->set_compile_budget(new_scene_ ? 0.0 : kCompile_s);
+    // The first picture of a scene comes at once, and a motion of many materials does not wait for them.
+    const bool hurries = new_scene_ || (moving_ && materials_ > kFewMaterials);
+    renderer_->set_compile_budget(hurries ? 0.0 : kCompile_s);
     new_scene_ = false;
     if (!begun_) begin_panes();
     const auto start = Clock::now();

@@ -122,6 +122,7 @@ class Picture {
     std::vector<int> samples_;
     int width_ = 1, height_ = 1;
     bool moving_ = false, begun_ = false, display_changed_ = false;
+    std::size_t materials_ = 0;
     int stand_ins_ = 0;
     bool new_scene_ = false, has_shown_ = false;
     double moving_scale_ = 0.5, shown_scale_ = 1, sample_s_ = 0;
