@@ -66,6 +66,20 @@ TEST_F(OffTheFrame, DarkensWhatIsClosedInOnceItIsFound) {
     EXPECT_LT(inside().x, 0.95f * open);
 }
 
+TEST_F(OffTheFrame, IsAllThereBeforeAPictureIsKept) {
+    light.hold(true);
+    light.follow(stage, environment, kNew, *renderer);
+    light.finish(*renderer);
+    EXPECT_FALSE(light.working());
+    const float found = inside().x;
+    light.finish(*renderer);  // nothing is due
+    EXPECT_EQ(inside().x, found);
+    Stage again = stage;
+    again.settings.visibility = false;
+    light.follow(again, environment, {}, *renderer);
+    EXPECT_GT(inside().x, 1.05f * found);
+}
+
 TEST_F(OffTheFrame, WaitsWhileItIsHeldAndEndsWhenItIsNoMore) {
     light.hold(true);
     light.follow(stage, environment, kNew, *renderer);

@@ -113,6 +113,15 @@ void VisibleLight::step() {
     next_.reset();
 }
 
+void VisibleLight::finish(gpu::Renderer& renderer) {
+    hold(false);
+    while (working()) {
+        step();
+        work_.wait();
+        give(renderer);
+    }
+}
+
 bool VisibleLight::give(gpu::Renderer& renderer) {
     if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return false;

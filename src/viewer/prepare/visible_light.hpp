@@ -45,6 +45,8 @@ class VisibleLight {
     void hold(bool held) { held_->store(held, std::memory_order_relaxed); }
     // Gives the renderer what is ready. False: there is nothing new.
     bool give(gpu::Renderer& renderer);
+    // The same, after waiting for all that is due: before a picture that is kept.
+    void finish(gpu::Renderer& renderer);
     // What it was given last.
     void give_again(gpu::Renderer& renderer) const { renderer.set_visibility(known_); }
     bool working() const { return work_.valid() || next_.has_value(); }

@@ -416,6 +416,7 @@ Image Picture::render(const Camera& camera, const RenderSettings& settings,
     begun_ = false;
     const FullCloths full(context_);
     cloths_.finish(*renderer_);
+    visible_.finish(*renderer_);
     renderer_->select_series(0);
     return renderer_->render(camera, settings, progress);
 }
