@@ -17,6 +17,7 @@
 #include "jobs/lit_visibility.hpp"
 #include "jobs/turntable.hpp"
 #include "plot/sheet.hpp"
+#include "rays/closed_in_lights.hpp"
 #include "stage/material_parameters.hpp"
 
 namespace burnish {
@@ -193,6 +194,9 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
     const std::string lost = warning_of_lost_transparency(request, stage);
     if (!lost.empty()) warnings.push_back(lost);
     warn_of_format(request, stage, warnings);
+    if (stage.settings.shadows)
+        for (std::string& line : warnings_of_closed_in_lights(stage.scene))
+            warnings.push_back(std::move(line));
     RenderReport report =
         request.turntable > 0
             ? render_turntable(request, stage, metadata_of(request, stage), progress)
