@@ -12,8 +12,8 @@ in vec4 v_blocked0;
 in vec4 v_blocked1;
 in vec4 v_blocked2;
 in vec4 v_blocked3;
-in vec3 v_around_color;
-in vec4 v_around_slope;  // and the ratio of the sky, less 1
+in vec4 v_around_color;  // and the ratio of the sky, less 1, of the back
+in vec4 v_around_slope;  // and the same of the front
 #endif
 
 layout(location = 0) out uvec4 o_packed;
@@ -44,11 +44,12 @@ void main() {
     o_position = vec4(v_position, 1.0);
 #endif
 #ifdef VISIBILITY
+    float sky = gl_FrontFacing ? v_around_slope.w : v_around_color.w;
     o_seen0 = uvec4(packed_three(vec3(v_blocked0.x - 0.5, v_blocked0.yz)),
                     packed_three(vec3(v_blocked0.w, v_blocked1.xy)),
                     packed_three(vec3(v_blocked1.zw, v_blocked2.x)), packed_three(v_blocked2.yzw));
-    o_seen1 = uvec4(packed_three(v_blocked3.xyz), packed_three(vec3(v_blocked3.w, v_around_slope.w * 0.125, 0.0)),
-                    packed_color(v_around_color), packed_three(v_around_slope.xyz * 0.125));
+    o_seen1 = uvec4(packed_three(v_blocked3.xyz), packed_three(vec3(v_blocked3.w, sky * 0.125, 0.0)),
+                    packed_color(v_around_color.rgb), packed_three(v_around_slope.xyz * 0.125));
 #endif
 #ifdef SHAPE
     o_shape = vec4(dx, dy);

@@ -49,8 +49,8 @@ in vec4 v_blocked0;
 in vec4 v_blocked1;
 in vec4 v_blocked2;
 in vec4 v_blocked3;
-in vec3 v_around_color;
-in vec4 v_around_slope;  // and the ratio of the sky, less 1
+in vec4 v_around_color;  // and the ratio of the sky, less 1, of the back
+in vec4 v_around_slope;  // and the same of the front
 #endif
 
 uniform ivec2 u_tile_origin;
@@ -77,7 +77,8 @@ void main() {
 #endif
 #ifdef VISIBILITY
     s.blocked = harmonics_of(v_blocked0, v_blocked1, v_blocked2, v_blocked3);
-    s.around = Surroundings(v_around_color, v_around_slope.xyz, v_around_slope.w + 1.0);
+    float sky = gl_FrontFacing ? v_around_slope.w : v_around_color.w;
+    s.around = Surroundings(v_around_color.rgb, v_around_slope.xyz, sky + 1.0);
 #endif
     s.front = gl_FrontFacing;
     s.pixel = uvec2(ivec2(gl_FragCoord.xy) + u_tile_origin);

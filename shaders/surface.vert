@@ -41,7 +41,7 @@ out vec4 v_blocked0;
 out vec4 v_blocked1;
 out vec4 v_blocked2;
 out vec4 v_blocked3;
-out vec3 v_around_color;
+out vec4 v_around_color;
 out vec4 v_around_slope;
 #endif
 
@@ -68,7 +68,7 @@ void main() {
     v_blocked1 = a_blocked1;
     v_blocked2 = a_blocked2;
     v_blocked3 = a_blocked3;
-    v_around_color = a_around0.xyz;
+    v_around_color = vec4(a_around0.xyz, a_around1.w);
     v_around_slope = vec4(a_around0.w, a_around1.xyz);
 #endif
     gl_Position = u_clip_from_world * world;

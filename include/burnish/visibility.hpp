@@ -30,7 +30,7 @@ namespace BURNISH_API burnish {
 struct VertexVisibility {
     // Coefficients of Harmonics in the order of its members.
     std::array<std::int16_t, 16> blocked{};
-    // Surroundings: half floats of color, slope and sky - 1, and one unused.
+    // Surroundings: half floats of color, slope, and sky - 1 of the side of the normal and of the other.
     std::array<std::uint16_t, 8> around{};
 };
 

@@ -37,7 +37,7 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
 #else
     vec2 first = first_point(rotation);
     for (int i = 0; i < u_image_samples; ++i) {
-        float select = select_of(u_frame * uint(u_image_samples) + uint(i), rotation);
+        float select = select_of(u_frame, uint(i), rotation);
         sum += image_sample(s, m, a, p, wo, lattice_point(first, i), select);
     }
     return sum / float(u_image_samples);

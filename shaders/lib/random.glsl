@@ -41,3 +41,9 @@ vec2 point_of(uint index, Rotation r) {
 float select_of(uint index, Rotation r) {
     return unit_of(index * 2773480763u + r.z);
 }
+
+// The same beside lattices, whose point i stays within its cell in all frames: the frames of one cell are spread by
+// the golden ratio. An index that counted on from frame to frame would give a cell of 16 points three values.
+float select_of(uint frame, uint i, Rotation r) {
+    return unit_of(frame * 2654435769u + i * 2773480763u + r.z);
+}

@@ -137,19 +137,20 @@ glm::vec3 BounceLight::sky_at(std::uint32_t point, std::size_t side,
     return environment_.irradiance(normal) * reached / glm::max(all, glm::vec3(1e-20f));
 }
 
-float BounceLight::sky_ratio(std::uint32_t point) const {
-    const f32::vec3 n = to_f32(scene_.mesh.normal(point));
+float BounceLight::sky_ratio(std::uint32_t point, std::size_t side) const {
+    if (side >= sides_of(point)) return 1.0f;
+    const f32::vec3 n = to_f32(kUp[side] * scene_.mesh.normal(point));
     const f32::Harmonics& blocked = scene_.blocked[point];
     const glm::vec3 open = to_glm(f32::open_direction(blocked, n));
     const float length = glm::length(open);
-    // One ratio cannot serve two sides.
-    if (!(length > 0.0f) || !(blocked.mean > 0.0f) || sides_of(point) > 1) return 1.0f;
+    if (!(length > 0.0f) || !(blocked.mean > 0.0f)) return 1.0f;
     const glm::vec3 shown =
         (1.0f - f32::blocked_about(blocked, n)) * environment_.irradiance(open / length);
     // 1e-3 of the open sky: what is darker has no ratio that matters.
     const float least = 1e-3f * luminance_of(environment_.irradiance(to_glm(n))) + 1e-20f;
-    return std::clamp((luminance_of(direct_[0][point].sky) + least) / (luminance_of(shown) + least),
-                      0.0f, kMostSkyRatio);
+    return std::clamp(
+        (luminance_of(direct_[side][point].sky) + least) / (luminance_of(shown) + least), 0.0f,
+        kMostSkyRatio);
 }
 
 glm::vec3 BounceLight::lamps_at(std::uint32_t point, std::size_t side,

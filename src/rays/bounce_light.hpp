@@ -40,8 +40,9 @@ class BounceLight {
     std::vector<f32::Surroundings> bounce(std::span<const f32::Surroundings> before,
                                           const Progress& progress) const;
 
-    // Surroundings::sky of a point.
-    float sky_ratio(std::uint32_t point) const;
+    // Surroundings::sky of a point: 0 for the side of its normal, 1 for the other, where it is 1 unless the point is
+    // double-sided.
+    float sky_ratio(std::uint32_t point, std::size_t side) const;
 
   private:
     // Irradiance over pi of a side of a point.

@@ -75,13 +75,16 @@ std::array<std::int16_t, 16> packed(const f32::Harmonics& h) {
             packed(h.y3.x), packed(h.y3.y), packed(h.y3.z), packed(h.z3)};
 }
 
-std::array<std::uint16_t, 8> packed(const f32::Surroundings& s) {
+// Surroundings::sky of either side of a point.
+using Skies = std::array<float, 2>;
+
+std::array<std::uint16_t, 8> packed(const f32::Surroundings& s, const Skies& skies) {
     const auto half = [](float value) {
         return glm::packHalf1x16(std::isfinite(value) ? std::clamp(value, -60000.0f, 60000.0f)
                                                       : 0.0f);
     };
-    return {half(s.color.x), half(s.color.y), half(s.color.z),    half(s.slope.x),
-            half(s.slope.y), half(s.slope.z), half(s.sky - 1.0f), 0};
+    return {half(s.color.x), half(s.color.y), half(s.color.z),       half(s.slope.x),
+            half(s.slope.y), half(s.slope.z), half(skies[0] - 1.0f), half(skies[1] - 1.0f)};
 }
 
 // The mean of an attribute of the parents of a vertex.
@@ -242,20 +245,22 @@ struct VisibilityFinder::Impl {
         blocked = std::move(next);
     }
 
-    // The ratio of the sky, which shadows make differ more than chance does.
-    void smooth_sky(std::vector<f32::Surroundings>& around) const {
+    // The ratios of the sky, which shadows make differ more than chance does.
+    std::vector<Skies> smoothed(const std::vector<Skies>& skies) const {
         const NearPoints near(mesh, fans, kSmoothing * diagonal);
-        std::vector<float> next(around.size());
+        std::vector<Skies> next(skies.size());
         for_points(near, [&](std::uint32_t point, std::span<const NearPoints::Near> found) {
-            float sum = around[point].sky, weights = 1.0f;
+            Skies sum = skies[point];
+            float weights = 1.0f;
             for (const NearPoints::Near& other : found) {
                 const float weight = other.weight * likeness(point, other.point, kAlike);
-                sum += around[other.point].sky * weight;
+                for (std::size_t side = 0; side < 2; ++side)
+                    sum[side] += skies[other.point][side] * weight;
                 weights += weight;
             }
-            next[point] = sum / weights;
+            next[point] = {sum[0] / weights, sum[1] / weights};
         });
-        for (std::size_t i = 0; i < next.size(); ++i) around[i].sky = next[i];
+        return next;
     }
 
     // The light of surroundings from near points that see alike: what blocks more is known by more rays.
@@ -313,14 +318,15 @@ struct VisibilityFinder::Impl {
         }
     }
 
-    Visibility lit_by(std::span<const f32::Surroundings> around) const {
+    Visibility lit_by(std::span<const f32::Surroundings> around,
+                      std::span<const Skies> skies) const {
         Visibility lit = result;
         for (std::size_t m = 0; m < mesh.meshes().size(); ++m) {
             InstanceVisibility& instance =
                 lit.instances[static_cast<std::size_t>(mesh.meshes()[m].instance)];
             const std::span<const std::uint32_t> points = mesh.points_of(m);
             for (std::size_t v = 0; v < instance.vertices.size(); ++v)
-                instance.vertices[v].around = packed(around[points[v]]);
+                instance.vertices[v].around = packed(around[points[v]], skies[points[v]]);
         }
         return lit;
     }
@@ -368,10 +374,11 @@ std::shared_ptr<const Visibility> VisibilityFinder::lit(const SceneLight& light,
     std::vector<f32::Surroundings> around;
     for (int i = 0; i < bounces; ++i) around = direct.bounce(around, progress);
     around.resize(impl_->mesh.points(), {{}, {}, 1.0f});
-    for (std::uint32_t i = 0; i < around.size(); ++i) around[i].sky = direct.sky_ratio(i);
-    impl_->smooth_sky(around);
+    std::vector<Skies> skies(around.size());
+    for (std::uint32_t i = 0; i < skies.size(); ++i)
+        skies[i] = {direct.sky_ratio(i, 0), direct.sky_ratio(i, 1)};
     impl_->smooth_light(around);
-    return std::make_shared<const Visibility>(impl_->lit_by(around));
+    return std::make_shared<const Visibility>(impl_->lit_by(around, impl_->smoothed(skies)));
 }
 
 std::size_t VisibilityFinder::rays() const {

@@ -232,6 +232,29 @@ TEST_F(ImageLighting, TheNumberOfSamplesChangesNoiseOnly) {
     EXPECT_NEAR(means[1] / means[2], 1.0, 0.02);
 }
 
+// The lobe of normal-map is sampled as a mixture, and a third number chooses the part. Where it depends on the place of
+// a point within its lattice, the noise stays as the samples grow.
+TEST_F(ImageLighting, NoiseOfAMixtureFallsWithTheSamples) {
+    const Environment environment = sky_environment(128);
+    Scene scene = one_object(uv_sphere(48, 24), white_metal(Method::normal_map, {0.1f, 0.5f}));
+    scene.textures = {bump_texture(32, 4, 0.3f)};
+    scene.materials[0].normal_texture.texture = 0;
+    const auto difference = [&](int samples) {
+        RenderSettings o = small_picture(64, 64, samples);
+        o.seed = 1;
+        const Image a = render(scene, environment, o);
+        o.seed = 2;
+        const Image b = render(scene, environment, o);
+        double sum = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+            const double d = static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]);
+            sum += d * d;
+        }
+        return std::sqrt(sum);
+    };
+    EXPECT_LT(difference(64) / difference(8), 0.0);
+}
+
 TEST_F(ImageLighting, DiffuseInConstantLightHasAClosedForm) {
     Material m;
     m.metallic = 0.0f;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/packing.hpp>
 
 #include "bounce_support.hpp"
 #include "core/constants.hpp"
@@ -308,6 +309,40 @@ TEST(Bounces, TheUpperSideOfAPlateDoesNotShineDown) {
         const std::size_t below = vertex_at(scene.meshes[0], glm::dvec3(0.0));
         const auto seen = finder.lit(light, 1);
         EXPECT_LT(radiance(around(*seen, 0, below), {0, 1, 0}).x, 0.05) << facing_up;
+    }
+}
+
+// A box over a floor under a bright patch of the sky. The shadow is the same whether the floor has one side or two, and
+// whichever of them is the front.
+TEST(Bounces, BothSidesOfASurfaceHaveShadowsOfTheSky) {
+    const SceneLight sky = sky_of([](glm::dvec3 w) {
+        return glm::dot(w, glm::normalize(glm::dvec3(1, 2, 0))) > 0.97 ? 40.0 : 0.3;
+    });
+    const auto ratios = [&](bool two_sided, bool turned, std::size_t half) {
+        Scene scene = scene_of({turned ? rectangle({-2, 0, -2}, {4, 0, 0}, {0, 0, 4}, 32, 32)
+                                       : rectangle({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 32, 32),
+                                box({-0.3, 0.02, -0.3}, {0.3, 0.8, 0.3}, 4)});
+        scene.materials.push_back(matt());
+        scene.materials[1].double_sided = two_sided;
+        scene.instances[0].material = 1;
+        VisibilityFinder finder(scene, kWhole);
+        const auto seen = finder.lit(sky, 1);
+        std::vector<double> found;
+        for (double x = -1.6; x < -0.3; x += 0.25) {
+            const std::size_t vertex = vertex_at(scene.meshes[0], {x, 0, 0});
+            found.push_back(1.0 + static_cast<double>(glm::unpackHalf1x16(
+                                      seen->instances[0].vertices[vertex].around[half])));
+        }
+        return found;
+    };
+    const std::vector<double> one = ratios(false, false, 6);
+    EXPECT_LT(*std::ranges::min_element(one), 0.5);  // in the shadow
+    EXPECT_GT(*std::ranges::max_element(one), 0.8);  // beyond it
+    const std::vector<double> front = ratios(true, false, 6), back = ratios(true, true, 7);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        // The upper side's own rays differ by their turn about the normal.
+        EXPECT_NEAR(front[i], one[i], 0.1) << i;
+        EXPECT_NEAR(back[i], one[i], 0.1) << i;
     }
 }
 
