@@ -37,7 +37,7 @@ std::string table() {
             }
             if (alpha == alphas[1]) continue;  // other methods and distributions at one alpha only
             for (int m = static_cast<int>(Method::normal_map);
-                 m <= static_cast<int>(Method::deform_smooth); ++m) {
+                 m < static_cast<int>(method_names().size()); ++m) {
                 const auto method = static_cast<Method>(m);
                 if (method == Method::follow_grain) continue;
                 text += row(context, environment, {Mdf::ggx, method, alpha, 30.0f});

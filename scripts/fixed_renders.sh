@@ -21,7 +21,7 @@ render() {
 
 bumps="--normal-map builtin:bumps --alpha-x 0.12 --alpha-y 0.45"
 for method in none normal-map gram-schmidt rotate-exact rotate-approx rotate-arc follow-grain \
-    deform-linear deform-smooth; do
+    deform-linear deform-smooth slope-shift stretch; do
     # shellcheck disable=SC2086  # a list of flags
     {
         render "method-$method-light" builtin:sphere $bumps --method "$method" --light 40,50 \
@@ -66,7 +66,7 @@ if [ ! -s "$table" ]; then
     "$program" capture simulate satin --size 16 --lights 8x8 -o "$folder/satin"
     "$program" capture fit "$folder/satin/rig.json" --eta 1.5 -o "$table"
 fi
-for method in none normal-map follow-grain rotate-approx deform-smooth; do
+for method in none normal-map follow-grain rotate-approx deform-smooth slope-shift; do
     render "table-$method" builtin:drape --tabulated "$table" --method "$method" --uv-scale 3 \
         --normal-map builtin:bumps --light 40,50
 done

@@ -4,6 +4,7 @@
 // clang-format off
 #include "shading/names.glsl"
 #include "shading/frame.glsl"
+#include "shading/perturb/facet_map.glsl"
 #include "shading/perturb/perturb.glsl"
 #include "shading/mdf/ashikhmin_shirley.glsl"
 #include "shading/mdf/ward.glsl"

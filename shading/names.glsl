@@ -28,6 +28,8 @@ const int kMethodRotateArc = 5;
 const int kMethodFollowGrain = 6;
 const int kMethodDeformLinear = 7;
 const int kMethodDeformSmooth = 8;
+const int kMethodSlopeShift = 9;
+const int kMethodStretch = 10;
 
 // Fresnel factors of a specular term (surface/specular.glsl).
 const int kFresnelSchlick = 0;

@@ -34,7 +34,7 @@ constexpr Technique by_table(std::string_view name, BenchMaterial material) {
     return {name, Method::follow_grain, ShadingVariant::full, ImageLight::off, material};
 }
 
-constexpr std::array<Technique, 15> kTechniques = {{
+constexpr std::array<Technique, 17> kTechniques = {{
     {"gouraud", Method::normal_map, ShadingVariant::gouraud, ImageLight::off, BenchMaterial::steel},
     {"aniso", Method::none, ShadingVariant::anisotropic, ImageLight::off, BenchMaterial::steel},
     by_method(Method::normal_map, "normal-map"),
@@ -45,6 +45,8 @@ constexpr std::array<Technique, 15> kTechniques = {{
     by_method(Method::follow_grain, "follow-grain"),
     by_method(Method::deform_linear, "deform-linear"),
     by_method(Method::deform_smooth, "deform-smooth"),
+    by_method(Method::slope_shift, "slope-shift"),
+    by_method(Method::stretch, "stretch"),
     by_image("image-importance", ImageLight::importance),
     by_image("image-prefiltered", ImageLight::prefiltered),
     by_image("image-bent-normal", ImageLight::bent_normal),

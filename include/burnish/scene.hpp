@@ -168,7 +168,8 @@ struct Material {
     std::optional<float> ks;  // phong, lafortune: scale; none: as much as keeps its energy
     glm::vec3 lafortune_c{-1.0f, -1.0f, 1.0f};  // Cx, Cy, Cz: the mirror direction
     Method method = Method::follow_grain;
-    bool conserve = false;  // deform-*: the energy-conserving form
+    std::optional<Process> process;  // that the file or a person names; renderers draw `method`
+    bool conserve = false;           // deform-*: the energy-conserving form
     // microfacet, microfacet-separable: without the light that facets reflect more than once, as the
     // models were published (docs/theory/energy.md). The other models have none.
     bool single_scattering = false;

@@ -33,15 +33,31 @@ enum class Method {
     rotate_arc = 5,
     follow_grain = 6,
     deform_linear = 7,
-    deform_smooth = 8
+    deform_smooth = 8,
+    slope_shift = 9,
+    stretch = 10
+};
+
+// How the micro-structure of a surface got onto its bumps, which decides what they do to the lobe
+// (docs/theory/processes.md).
+enum class Process {
+    embossed = 0,  // pressed: grooves keep their shadow on the plate, and their widths
+    bent = 1,      // bent without stretch
+    stamped = 2,   // deep-drawn: stretched with the surface
+    brushed_after =
+        3  // height added to height: brushed on the bumps, or bumps cut into a brushed plate
 };
 
 std::span<const std::string_view> mdf_names();  // in the order of the enumeration
 std::span<const std::string_view> brdf_names();
 std::span<const std::string_view> method_names();
+std::span<const std::string_view> process_names();
+
+// The method that shades a surface made by the process.
+Method method_of(Process process);
 
 // Phong and lafortune are lobes about a direction: there is no distribution of half vectors, so
-// `mdf` is not looked at and a deformation has nothing to act on.
+// `mdf` is not looked at, and neither a deformation nor slope-shift or stretch has anything to act on.
 constexpr bool has_half_vectors(Brdf brdf) {
     return brdf != Brdf::phong && brdf != Brdf::lafortune;
 }
@@ -56,5 +72,6 @@ std::string_view instead_of_undrawn(std::string_view brdf);
 std::string_view name_of(Mdf mdf);
 std::string_view name_of(Brdf brdf);
 std::string_view name_of(Method method);
+std::string_view name_of(Process process);
 
 }  // namespace burnish

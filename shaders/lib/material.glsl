@@ -153,7 +153,7 @@ void put_colors(inout Shading m) { m.surface = surface_colored(m.surface, m.base
 void put_normal(inout Shading m, vec4 texel) {
 #ifdef NORMAL_MOMENTS
     m.n = normal_of_slopes(texel.x * u_normal_scale.x, texel.y * u_normal_scale.y);
-    vec2 variance = variance_about(m.n, texel.zw, u_normal_scale);
+    vec2 variance = variance_under(METHOD, m.n, texel.zw, u_normal_scale);
 #ifdef TURNED
     variance = variance_along(variance, m.direction);
 #endif

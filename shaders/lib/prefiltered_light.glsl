@@ -110,6 +110,6 @@ vec3 image_specular(Surface s, Shading m, Frame a, Perturbation p, vec3 wo) {
         energy += share;
     }
     // 1e-3: below the share of any look-up when the view is above the horizon.
-    float scale = albedo_at(albedo_place(lobe, go)) / max(energy, 1e-3);
+    float scale = albedo_at(albedo_place_of(m.surface.lobe, p, wo)) / max(energy, 1e-3);
     return dot(p.n, wo) > 0.0 ? sum * scale : vec3(0.0);
 }

@@ -22,6 +22,7 @@ float block_at(highp sampler2D map, ivec2 block, TablePlace place) {
 }
 
 float tabulated_D(TableBlock b, LobePoint q) {
+    q = lobe_point_unit(q);
     TablePlace place = table_place(u_tabulated_grid.x, u_tabulated_grid.y,
                                    tabulated_row(q, u_tabulated_grid.y),
                                    tabulated_turns(q.x, q.y) + b.groove);

@@ -54,7 +54,7 @@ vec3 color_of_place(vec2 uv) {
 float slope_deviation(Surface s, Shading m) {
 #if defined(HAS_NORMAL_MAP) && defined(NORMAL_MOMENTS)
     vec4 texel = MAP_AT(u_normal_map, 2);
-    vec2 variance = variance_about(m.n, texel.zw, u_normal_scale);
+    vec2 variance = variance_under(METHOD, m.n, texel.zw, u_normal_scale);
     return sqrt(max(max(variance.x, variance.y), 0.0));
 #else
     return 0.0;

@@ -9,6 +9,7 @@ CONSTANT(kMostCosineMapExponent, 40.0)
 
 // The logarithm of the share of half vectors beyond the slope of q, negated.
 FN Float cosine_map_exponent(Lobe lobe, LobePoint q) {
+    if (lobe.mdf == kMdfAshikhminShirley || lobe.mdf == kMdfWard) { q = lobe_point_unit(q); }
     Float x = q.x / lobe.p0;
     Float y = q.y / lobe.p1;
     Float xy = x * x + y * y;

@@ -3,7 +3,7 @@
 // (docs/theory/image-light.md, docs/theory/area-lights.md).
 
 // The linear part of the map: the columns of a matrix B; h is along B m. Rotations are orthogonal. normal-map
-// is a shear: x and y stay, and n~.h replaces m.z.
+// is a shear: x and y stay, and n~.h replaces m.z. Of slope-shift and stretch it is L (perturb/facet_map.glsl).
 struct LobeMapping {
     vec3 x;
     vec3 y;
@@ -18,6 +18,10 @@ FN LobeMapping mapping_of(Perturbation p) {
         map.x = vec3(Float(1), Float(0), -p.n.x * s);
         map.y = vec3(Float(0), Float(1), -p.n.y * s);
         map.z = vec3(Float(0), Float(0), s);
+    } else if (method_moves_facets(p.method)) {
+        map.x = facet_moved(p.method, p.n, vec3(Float(1), Float(0), Float(0)));
+        map.y = facet_moved(p.method, p.n, vec3(Float(0), Float(1), Float(0)));
+        map.z = p.n;
     } else {
         Frame f = frame_for_sampling(p);
         map.x = f.t;
@@ -33,7 +37,7 @@ FN Bool method_deforms(int method) {
 
 // Whether the method is a rotation, so that the lobe keeps its shape and its energy.
 FN Bool method_turns(int method) {
-    return method != kMethodNormalMap && !method_deforms(method);
+    return method != kMethodNormalMap && !method_deforms(method) && !method_moves_facets(method);
 }
 
 // The component of `v` perpendicular to the unit vector h.

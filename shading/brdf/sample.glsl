@@ -64,6 +64,10 @@ FN BasePoints base_points(Perturbation p, vec3 h) {
         q.at = perturb_point(p, h);
         q.at.weight = choose(q.at.weight > Float(0), Float(1), Float(0));  // a density, not an energy
         q.round = q.at;
+    } else if (method_moves_facets(p.method)) {
+        q.at = lobe_point_unit(perturb_point(p, h));
+        q.at.weight = choose(q.at.weight > Float(0), Float(1), Float(0));
+        q.round = q.at;
     } else {
         q.at = lobe_point_of(frame_to_local(frame_for_sampling(p), h));
         q.round = q.at;
@@ -79,6 +83,9 @@ FN Float perturbed_density(Perturbation p, vec3 h, BasePoints q, Float base, Flo
         density = kMixtureBase * base + kMixtureRound * round + kMixtureCosine * q.round.z / kPi;
     } else if (p.method == kMethodDeformLinear || p.method == kMethodDeformSmooth) {
         density = base * deform_jacobian(p.method, p.n, h) * h.z / max(q.at.z, Float(1e-7));
+    } else if (method_moves_facets(p.method)) {
+        Float inverse = perturb_point(p, h).inverse_length;
+        density = base * (p.gain * inverse * inverse * inverse);
     }
     return density;
 }
@@ -114,7 +121,7 @@ FN Float lobe_pdf(Lobe lobe, Perturbation p, vec3 h) {
     return perturbed_density(p, h, q, base, round);
 }
 
-// GGX turned by a rotation is sampled by the normals that wo sees where the model masks. Scaled by the
+// GGX turned by a rotation or moved by a linear map is sampled by the normals that wo sees where the model masks. Scaled by the
 // roughness pair they are the normals of a hemisphere, and wo reflected off these fills the sphere evenly
 // (Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023). Of that sphere
 // only the cap that holds all reflections above the horizon of n~ is drawn from (Eto and Tokuyoshi,
@@ -126,19 +133,25 @@ FN Bool samples_visible_normals(int brdf, Lobe lobe, Perturbation p) {
            p.method != kMethodDeformSmooth;
 }
 
-// The cap is z >= -k w.z, w the scaled and normalized v. `v`: wo in the lobe's own space, unit, v.z > 0.
-// The bound holds for the smaller alpha up to 1; beyond, the cap is the upper hemisphere.
-FN Float visible_cap_bound(Float alpha_x, Float alpha_y, vec3 v) {
-    Float a = min(min(alpha_x, alpha_y), Float(1));
-    Float a2 = a * a;
-    Float s = Float(1) + sqrt(v.x * v.x + v.y * v.y);
-    Float s2 = s * s;
-    return (Float(1) - a2) * s2 / (s2 + a2 * v.z * v.z);
+// The cap is z >= -k w.z, w the scaled and normalized v. `v`: wo in the lobe's own space, v.z > 0; unit of rotations.
+// The bound holds for the smaller alpha up to 1; beyond, the cap is the upper hemisphere. slope-shift and stretch
+// reflect about moved normals, for which it does not hold: they draw from all normals that wo sees, k = 1.
+FN Float visible_cap_bound(Lobe lobe, Perturbation p, vec3 v) {
+    Float bound = Float(1);
+    if (!method_moves_facets(p.method)) {
+        Float a = min(min(lobe.p0, lobe.p1), Float(1));
+        Float a2 = a * a;
+        Float s = Float(1) + sqrt(v.x * v.x + v.y * v.y);
+        Float s2 = s * s;
+        bound = (Float(1) - a2) * s2 / (s2 + a2 * v.z * v.z);
+    }
+    return bound;
 }
 
-FN vec3 visible_normal_sample(Float alpha_x, Float alpha_y, vec3 v, vec2 xi) {
+// `cap`: visible_cap_bound.
+FN vec3 visible_normal_sample(Float alpha_x, Float alpha_y, Float cap, vec3 v, vec2 xi) {
     vec3 w = normalize(vec3(alpha_x * v.x, alpha_y * v.y, v.z));
-    Float bound = visible_cap_bound(alpha_x, alpha_y, v) * w.z;
+    Float bound = cap * w.z;
     Float z = (Float(1) - xi.y) * (Float(1) + bound) - bound;
     Float r = sqrt(max(Float(1) - z * z, Float(0)));
     vec3 m = w + vec3(r * cos(Float(2) * kPi * xi.x), r * sin(Float(2) * kPi * xi.x), z);
@@ -151,7 +164,7 @@ FN Float visible_normal_density(Lobe lobe, Perturbation p, vec3 wo, vec3 h) {
     vec3 v = perturb_direction(p, wo);
     Float x = lobe.p0 * v.x;
     Float y = lobe.p1 * v.y;
-    Float seen = visible_cap_bound(lobe.p0, lobe.p1, v) * v.z + sqrt(x * x + y * y + v.z * v.z);
+    Float seen = visible_cap_bound(lobe, p, v) * v.z + sqrt(x * x + y * y + v.z * v.z);
     return choose(v.z > Float(0),
                   Float(2) * max(dot(wo, h), Float(0)) * lobe_D(lobe, p, h) / max(seen, kTiny),
                   Float(0));
@@ -164,7 +177,7 @@ FN Float visible_normal_pdf(Lobe lobe, Perturbation p, vec3 wo, vec3 h) {
     vec3 m = frame_to_local(p.frame, h);
     vec3 n = normalize(vec3(m.x / lobe.p0, m.y / lobe.p1, m.z));
     Float z = Float(2) * dot(w, n) * n.z - w.z;
-    return choose(z >= -visible_cap_bound(lobe.p0, lobe.p1, v) * w.z,
+    return choose(z >= -visible_cap_bound(lobe, p, v) * w.z,
                   visible_normal_density(lobe, p, wo, h), Float(0));
 }
 
@@ -174,7 +187,7 @@ FN vec3 brdf_half_sample(int brdf, Lobe lobe, Perturbation p, vec3 wo, vec2 xi, 
     if (samples_visible_normals(brdf, lobe, p)) {
         vec3 v = perturb_direction(p, wo);
         v.z = max(v.z, Float(1e-6));  // below the horizon the density is 0, whatever is drawn
-        h = frame_to_outer(p.frame, visible_normal_sample(lobe.p0, lobe.p1, v, xi));
+        h = perturb_forward(p, visible_normal_sample(lobe.p0, lobe.p1, visible_cap_bound(lobe, p, v), v, xi));
     } else {
         h = lobe_sample(lobe, p, xi, select);
     }
@@ -197,7 +210,7 @@ FN Float reflected_pdf(Float density, Float wo_h) {
 }
 
 // wi by reflection of wo about a sampled half vector, and its density; pdf 0: throw the sample away.
-// Where the lobe itself is sampled (everything but rotated GGX) the weight f cos/pdf is
+// Where the lobe itself is sampled (everything but rotated or moved GGX) the weight f cos/pdf is
 // F G2 (wo.h)/((n~.wo) m.z), m the base half vector: bounded but for m.z -> 0, which the narrow lobes
 // all but never draw. 99.9 % of weights are below 6 (Beckmann, Ward, Ashikhmin-Shirley) or 12 (GGX
 // under rotate-approx and the deformations) over random views; normal-map: lobe_pdf.

@@ -7,5 +7,5 @@
 // bound in the last degree; their product (Duer, "An Improved Normalization for the Ward Reflectance
 // Model", JGT 11(1), 2006) gains without bound from some 80 degrees on.
 FN Float ward_factor(Lobe lobe, LobePoint q) {
-    return lobe.projected_norm * q.weight * slope_gaussian(lobe.p0, lobe.p1, q);
+    return lobe.projected_norm * lobe_point_unit(q).weight * slope_gaussian(lobe.p0, lobe.p1, q);
 }

@@ -63,6 +63,7 @@ FN Bool lobe_grooves_along_x(int mdf, Float p0, Float p1) {
 // Unnormalised value at a point of the lobe's own space, weight included.
 FN Float lobe_shape(Lobe lobe, LobePoint q) {
     Float shape = Float(0);
+    if (lobe.mdf == kMdfAshikhminShirley || lobe.mdf == kMdfWard) { q = lobe_point_unit(q); }
     if (lobe.mdf == kMdfAshikhminShirley) {
         shape = mdf_ashikhmin_shirley_shape(lobe.p0, lobe.p1, q);
     } else if (lobe.mdf == kMdfWard) {

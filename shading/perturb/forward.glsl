@@ -15,6 +15,7 @@ FN LobePoint lobe_point_of(vec3 m) {
     q.z = max(m.z, Float(0));
     q.s2 = m.x * m.x + m.y * m.y;
     q.weight = choose(m.z > Float(0), Float(1), Float(0));
+    q.inverse_length = Float(1);
     return q;
 }
 
@@ -67,13 +68,16 @@ FN vec3 perturb_forward(Perturbation p, vec3 m) {
         h = deform_linear_forward(p.n, m);
     } else if (p.method == kMethodDeformSmooth) {
         h = deform_smooth_forward(p.n, m);
+    } else if (method_moves_facets(p.method)) {
+        h = normalize(facet_moved(p.method, p.n, m));
     } else {
         h = frame_to_outer(frame_for_sampling(p), m);
     }
     return h;
 }
 
-// The half vector at which the perturbed lobe is highest. normal-map reads the unperturbed axes, whose
+// The half vector of the base lobe's pole, where the perturbed lobe is highest; slope-shift, whose density changes
+// within the lobe, is highest up to a width of the lobe squared beside it. normal-map reads the unperturbed axes, whose
 // components vanish at the unperturbed normal: its highlight stays there but for less than the lobe's
 // width, where the factor of the cosine to n~ grows faster than the lobe falls.
 FN vec3 lobe_peak(Perturbation p) {

@@ -5,21 +5,37 @@
 // unperturbed distribution is evaluated, a map for the directions that shadowing sees, and the
 // normal that cosines use.
 
-// Where an unperturbed distribution is evaluated.
+// Where an unperturbed distribution is evaluated. Unit but for slope-shift and stretch, whose D has the factor
+// inverse_length^4: distributions of slopes (Beckmann, GGX) have it of themselves, as their formulas are of degree -4
+// in (x, y, z). The others ask for lobe_point_unit.
 struct LobePoint {
     Float x;       // tangent part: azimuth and slopes come from (x, y)
     Float y;
-    Float z;       // cosine to the pole, > 0 where weight > 0
-    Float s2;      // 1 - z^2 of a unit direction, kept apart because 1 - z*z loses the lobe's core
+    Float z;       // cosine to the pole times the length, > 0 where weight > 0
+    Float s2;      // 1 - z^2 of the unit direction, kept apart because 1 - z*z loses the lobe's core
     Float weight;  // 0 where the method says D = 0, else 1 (or the factor that conserves energy)
+    Float inverse_length;  // 1 / |(x, y, z)|
 };
+
+// Of unit length, the factor in its weight.
+FN LobePoint lobe_point_unit(LobePoint q) {
+    Float l2 = q.inverse_length * q.inverse_length;
+    q.x = q.x * q.inverse_length;
+    q.y = q.y * q.inverse_length;
+    q.z = q.z * q.inverse_length;
+    q.weight = q.weight * (l2 * l2);
+    q.inverse_length = Float(1);
+    return q;
+}
 
 struct Perturbation {
     int method;
-    Frame frame;       // rows that map h and w; for rotate-approx not normalised (K12 Eq 11)
+    Frame frame;       // rows that map h and w; for rotate-approx not normalised (K12 Eq 11); of slope-shift
+                       // and stretch those of facet_map_inverse, which map h alone
     Float stretch;     // s2 = stretch (x^2 + y^2)
     vec3 n;            // the normal of cosines and of the diffuse term
     Float conserve;    // factor of deform-smooth: 1 as published
+    Float gain;        // facet_map_gain of slope-shift and stretch, else 1
 };
 
 // maths: (4 - |d|^2) / (4 - 2 |d|^2) makes deform-smooth keep its energy to 2 % up to 60 degrees.
@@ -36,6 +52,7 @@ FN Perturbation perturb_make(int method, vec3 n, Bool grooves_along_x, Bool cons
     p.stretch = Float(1);
     p.n = n;
     p.conserve = Float(1);
+    p.gain = Float(1);
     if (method == kMethodNone || method == kMethodNormalMap) {
         p.frame.t = vec3(Float(1), Float(0), Float(0));
         p.frame.b = vec3(Float(0), Float(1), Float(0));
@@ -64,6 +81,9 @@ FN Perturbation perturb_make(int method, vec3 n, Bool grooves_along_x, Bool cons
         p.frame.t = choose(grooves_along_x, along_x.t, along_y.t);
         p.frame.b = choose(grooves_along_x, along_x.b, along_y.b);
         p.frame.n = n;
+    } else if (method_moves_facets(method)) {
+        p.frame = facet_map_inverse(method, n);
+        p.gain = facet_map_gain(method, n);
     } else {
         // rotate-arc; the deformations have no closed shadowing of their own and take this frame.
         p.frame = frame_shortest_arc(n);
@@ -96,6 +116,7 @@ FN LobePoint deform_linear_point(vec3 n, vec3 h) {
     q.x = h.x - m * n.x;
     q.y = h.y - m * n.y;
     q.z = sqrt(max(m * (Float(2) - m), Float(0)));
+    q.inverse_length = Float(1);
     q.s2 = q.x * q.x + q.y * q.y;
     q.weight = choose(h.z > Float(0), Float(1), Float(0));
     return q;
@@ -110,8 +131,24 @@ FN LobePoint deform_smooth_point(vec3 n, vec3 h) {
     q.x = h.x - r * n.x;
     q.y = h.y - r * n.y;
     q.z = sqrt(max(z2, Float(0)));
+    q.inverse_length = Float(1);
     q.s2 = q.x * q.x + q.y * q.y;
     q.weight = choose(h.z > Float(0) && z2 > Float(0), Float(1), Float(0));
+    return q;
+}
+
+// slope-shift and stretch: L^-1 h. Below a length of 0.5 there is none for a unit h.
+FN LobePoint moved_facet_point(Perturbation p, vec3 h) {
+    vec3 v = frame_to_local(p.frame, h);
+    Float flat2 = v.x * v.x + v.y * v.y;
+    Float inverse2 = Float(1) / max(flat2 + v.z * v.z, kTiny);
+    LobePoint q;
+    q.x = v.x;
+    q.y = v.y;
+    q.z = max(v.z, Float(0));
+    q.s2 = flat2 * inverse2;
+    q.weight = choose(v.z > Float(0), p.gain, Float(0));
+    q.inverse_length = sqrt(inverse2);
     return q;
 }
 
@@ -123,6 +160,8 @@ FN LobePoint perturb_point(Perturbation p, vec3 h) {
     } else if (p.method == kMethodDeformSmooth) {
         q = deform_smooth_point(p.n, h);
         q.weight = q.weight * p.conserve;
+    } else if (method_moves_facets(p.method)) {
+        q = moved_facet_point(p, h);
     } else {
         q.x = dot(p.frame.t, h);
         q.y = dot(p.frame.b, h);
@@ -134,12 +173,14 @@ FN LobePoint perturb_point(Perturbation p, vec3 h) {
         }
         q.weight = choose(q.z > Float(0), Float(1), Float(0));
         q.z = max(q.z, Float(0));
+        q.inverse_length = Float(1);
     }
     return q;
 }
 
-// The direction that shadowing sees. Not unit for normal-map and rotate-approx: only the ratios
-// x/z and y/z enter.
+// The direction that shadowing sees. Not unit for normal-map, rotate-approx, slope-shift and stretch: only the
+// ratios x/z and y/z enter. Its z is n~.w.
 FN vec3 perturb_direction(Perturbation p, vec3 w) {
+    if (method_moves_facets(p.method)) { return facet_view(p.method, p.n, w); }
     return frame_to_local(p.frame, w);
 }

@@ -158,11 +158,16 @@ struct AreaReflection {
     vec3 towards_diffuse;
 };
 
-// f over the base distribution, of models with masking under rotations: D is the same in both.
-FN Float half_vector_ratio(SurfaceMaterial m, Perturbation p, AreaLobe lobe, LobePoint q, vec3 wi, vec3 wo) {
+// f over the base distribution at a base half vector whose image is `at`. Of models with masking D is the same in both
+// under rotations; under slope-shift and stretch it is that times 1/(|L^-1 h|^4 det L), with |L^-1 h| = at.scale.
+FN Float half_vector_ratio(SurfaceMaterial m, Perturbation p, AreaLobe lobe, MappedHalf at, LobePoint q, vec3 wi,
+                           vec3 wo) {
     Float ratio = Float(0);
     if (brdf_masks(m.brdf) && method_turns(p.method) && p.method != kMethodRotateApprox) {
         ratio = brdf_of_factor(m.brdf, m.lobe, Float(1), p, wi, wo);
+    } else if (brdf_masks(m.brdf) && method_moves_facets(p.method)) {
+        Float inverse2 = Float(1) / (at.scale * at.scale);
+        ratio = brdf_of_factor(m.brdf, m.lobe, p.gain * (inverse2 * inverse2), p, wi, wo);
     } else {
         Float D = lobe.base.projected_norm * lobe_shape(lobe.base, q);
         // 1e-20: 1e-9 of the least peak of a lobe is farther out than any light that shows.
@@ -188,11 +193,11 @@ FN vec3 half_vector_rest(SurfaceMaterial m, Perturbation p, AreaLobe lobe, vec3 
     Float area = Float(1);
     if (method_deforms(p.method)) {
         area = q.z / max(at.h.z, Float(0.01));
-    } else if (p.method == kMethodNormalMap) {
+    } else if (p.method == kMethodNormalMap || method_moves_facets(p.method)) {
         area = mapped_area(at, lobe.map, p);
     }
     Float cosines = max(dot(p.n, wi), Float(0)) / max(q.z, kLeastCosine);
-    Float rest = half_vector_ratio(m, p, lobe, q, wi, wo) * Float(4) * wo_h * area * cosines;
+    Float rest = half_vector_ratio(m, p, lobe, at, q, wi, wo) * Float(4) * wo_h * area * cosines;
     return specular_color(m, half_angle_cosine(wi, wo)) * rest;
 }
 

@@ -60,6 +60,18 @@ FN vec2 variance_about(vec3 n, vec2 variance, vec2 scale) {
     return vec2(min(x, Float(1)), min(y, Float(1)));
 }
 
+// The same of the lobe that `method` moves. Slopes add under slope-shift: the variance is that of the lobe's own slopes,
+// as it is. stretch narrows facets by nz along the tilt, and a step of the slope moves them by ds nz in the lobe's.
+FN vec2 variance_under(int method, vec3 n, vec2 variance, vec2 scale) {
+    vec2 v = variance_about(n, variance, scale);
+    if (method_moves_facets(method)) {
+        Float z2 = method == kMethodStretch ? n.z * n.z : Float(1);
+        v = vec2(min(variance.x * scale.x * scale.x * z2, Float(1)),
+                 min(variance.y * scale.y * scale.y * z2, Float(1)));
+    }
+    return v;
+}
+
 // The variances along `direction` (unit) and across it; what varies together is not kept.
 FN vec2 variance_along(vec2 variance, vec2 direction) {
     Float xx = direction.x * direction.x;

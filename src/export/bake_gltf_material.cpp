@@ -358,6 +358,7 @@ GltfMaterial bake_gltf_material(const Material& material, std::span<const Textur
     Material& to = out.material;
     to.name = m.name;
     to.method = m.method;
+    to.process = m.process;
     to.conserve = m.conserve;
     to.single_scattering = !is_compensated(m);
     to.normal_filter = m.normal_filter;

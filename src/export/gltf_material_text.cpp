@@ -58,6 +58,7 @@ ordered_json extras_of(const Material& m, const std::string& file) {
                         {"method", name_of(m.method)},
                         {"conserve", m.conserve},
                         {"single_scattering", m.single_scattering}};
+    if (m.process) out["process"] = name_of(*m.process);
     if (m.ks) out["ks"] = *m.ks;
     if (m.brdf == Brdf::lafortune) out["lafortune_c"] = triple(m.lafortune_c);
     if (m.conductor) out["conductor"] = conductor_json(*m.conductor);

@@ -46,6 +46,8 @@ void check(const RenderRequest& request) {
         throw UsageError("--compare", "", "no --turntable beside it", "both");
     if (sheet && request.stage.values.is_set("method"))
         throw UsageError("--compare", "", "no --method beside it", "both");
+    if (sheet && request.stage.values.is_set("process"))
+        throw UsageError("--compare", "", "no --process beside it", "both");
     for (const Method method : request.compare)
         if (std::count(request.compare.begin(), request.compare.end(), method) > 1)
             throw UsageError("--compare", "", "each method once",

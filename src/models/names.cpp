@@ -22,9 +22,11 @@ constexpr std::array<std::string_view, 9> kBrdfNames = {"microfacet",
                                                         "cook-torrance",
                                                         "phong",
                                                         "lafortune"};
-constexpr std::array<std::string_view, 9> kMethodNames = {
-    "none",       "normal-map",   "gram-schmidt",  "rotate-exact", "rotate-approx",
-    "rotate-arc", "follow-grain", "deform-linear", "deform-smooth"};
+constexpr std::array<std::string_view, 11> kMethodNames = {
+    "none",         "normal-map",    "gram-schmidt",  "rotate-exact", "rotate-approx", "rotate-arc",
+    "follow-grain", "deform-linear", "deform-smooth", "slope-shift",  "stretch"};
+constexpr std::array<std::string_view, 4> kProcessNames = {"embossed", "bent", "stamped",
+                                                           "brushed-after"};
 
 // What `brdf eval` calls by another name or computes alone, and what draws it or comes nearest.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kUndrawn = {
@@ -52,6 +54,22 @@ std::span<const std::string_view> brdf_names() {
 std::span<const std::string_view> method_names() {
     return kMethodNames;
 }
+std::span<const std::string_view> process_names() {
+    return kProcessNames;
+}
+
+Method method_of(Process process) {
+    switch (process) {
+        case Process::bent:
+            return Method::rotate_arc;
+        case Process::stamped:
+            return Method::stretch;
+        case Process::brushed_after:
+            return Method::slope_shift;
+        default:
+            return Method::follow_grain;
+    }
+}
 
 std::string_view instead_of_undrawn(std::string_view brdf) {
     for (const auto& [name, instead] : kUndrawn)
@@ -67,6 +85,9 @@ std::string_view name_of(Brdf brdf) {
 }
 std::string_view name_of(Method method) {
     return name_in(kMethodNames, method);
+}
+std::string_view name_of(Process process) {
+    return name_in(kProcessNames, process);
 }
 
 }  // namespace burnish

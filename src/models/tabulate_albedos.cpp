@@ -60,7 +60,8 @@ Albedos albedos_of(const TurnedLobe& t, float cosine) {
     const float lambda_o = f32::smith_lambda(t.lobe, wo);
     Albedos sum;
     for (std::uint32_t i = 0; i < kSamples; ++i) {
-        const f32::vec3 h = f32::visible_normal_sample(drawn.p0, drawn.p1, wo, albedo_point(i));
+        const f32::vec3 h = f32::visible_normal_sample(
+            drawn.p0, drawn.p1, f32::visible_cap_bound(drawn, flat, wo), wo, albedo_point(i));
         const f32::vec3 wi = f32::reflect_about(wo, h);
         const float wo_h = f32::dot(wo, h);
         if (!(wo_h > 0.0f) || !(wi.z > 0.0f)) continue;

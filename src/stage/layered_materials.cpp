@@ -28,7 +28,7 @@ void erase_all(ParameterValues& values, std::initializer_list<std::string_view> 
 bool is_replaced_by_maps(const Parameter& p) {
     if (p.group != ParameterGroup::material) return false;
     static constexpr std::string_view kKept[] = {
-        "mdf",           "brdf",         "method", "conserve", "single_scattering",
+        "mdf",           "brdf",         "method", "process", "conserve", "single_scattering",
         "normal_filter", "double_sided", "maps"};
     return std::find(std::begin(kKept), std::end(kKept), p.name) == std::end(kKept);
 }
@@ -71,6 +71,8 @@ void erase_replaced(ParameterValues& lower, const ParameterValues& upper,
     if (upper.is_set("scratch") && static_cast<ScratchDirection>(upper.choice(
                                        "scratch_direction")) == ScratchDirection::follow)
         lower.erase("anisotropy_rotation");
+    // The method follows from the process, unless it is stated beside it.
+    if (upper.is_set("process") && !upper.is_set("method")) lower.erase("method");
     if (names_one(upper, "metal")) lower.erase("metallic");
     if (upper.is_set("metal") &&
         (!names_one(upper, "metal") || oxide_of(upper.text("metal")).empty()))

@@ -51,6 +51,10 @@ void require_consistent(const ParameterValues& values) {
 void apply_model(Material& material, const ParameterValues& values) {
     if (values.is_set("mdf")) material.mdf = static_cast<Mdf>(values.choice("mdf"));
     if (values.is_set("brdf")) material.brdf = static_cast<Brdf>(values.choice("brdf"));
+    if (values.is_set("process")) {
+        material.process = static_cast<Process>(values.choice("process"));
+        material.method = method_of(*material.process);
+    }
     if (values.is_set("method")) material.method = static_cast<Method>(values.choice("method"));
     if (values.is_set("conserve")) material.conserve = values.boolean("conserve");
     if (values.is_set("single_scattering"))
@@ -324,11 +328,15 @@ std::optional<glm::vec2> roughness_pair(const ParameterValues& values,
 void require_drawable(const Material& material, Method method) {
     const Brdf brdf = drawn_material(material).brdf;
     if (f32::brdf_takes_method(static_cast<int>(brdf), static_cast<int>(method))) return;
+    const bool named = material.process && method_of(*material.process) == method;
+    const std::string found =
+        named ? fmt::format("{} (of process {})", name_of(method), name_of(*material.process))
+              : std::string(name_of(method));
     throw UsageError("method", "",
                      fmt::format("a rotation such as follow-grain for brdf {}, which has no half "
-                                 "vectors to deform",
-                                 name_of(brdf)),
-                     std::string(name_of(method)));
+                                 "vectors to {}",
+                                 name_of(brdf), is_deformation(method) ? "deform" : "move"),
+                     found);
 }
 
 Material apply_parameters(const Material& base, const ParameterValues& values,

@@ -149,8 +149,9 @@ void append_idle(const Scene& scene, const std::vector<ParameterValues>& values,
                      compensated.single_scattering = false;
                      return is_compensated(compensated);
                  });
-    warn_if_idle("method", "there is no normal map",
-                 [](const Material& m, Values) { return bends_normals(m); });
+    for (const std::string_view name : {"method", "process"})
+        warn_if_idle(name, "there is no normal map",
+                     [](const Material& m, Values) { return bends_normals(m); });
     warn_if_idle("anisotropy_rotation", "the lobe is isotropic",
                  [](const Material& m, Values) { return !is_round(m); });
     for (const std::string_view name :
@@ -218,6 +219,18 @@ void append_hidden(const Scene& scene, const std::vector<ParameterValues>& value
     }
 }
 
+void append_other_methods(const Scene& scene, std::vector<std::string>& warnings) {
+    for (const Material& m : scene.materials) {
+        if (!m.process || m.method == method_of(*m.process)) continue;
+        append_once(
+            warnings,
+            fmt::format("process: {} asks for method {}, but method {} is stated: {} is "
+                        "drawn (leave the method out for {})",
+                        name_of(*m.process), name_of(method_of(*m.process)), name_of(m.method),
+                        name_of(m.method), name_of(method_of(*m.process))));
+    }
+}
+
 void append_missing_coordinates(const Scene& scene, const std::vector<ParameterValues>& values,
                                 std::vector<std::string>& warnings) {
     for (const Instance& instance : scene.instances) {
@@ -243,6 +256,7 @@ void append_missing_coordinates(const Scene& scene, const std::vector<ParameterV
 void append_warnings(const Scene& scene, const std::vector<ParameterValues>& values,
                      std::vector<std::string>& warnings) {
     append_idle(scene, values, warnings);
+    append_other_methods(scene, warnings);
     append_missing_coordinates(scene, values, warnings);
     append_hidden(scene, values, warnings);
 }

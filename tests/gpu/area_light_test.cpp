@@ -85,14 +85,14 @@ TEST_F(AreaLightPixels, AreWhatTheTextSays) {
                                              {Brdf::ashikhmin_shirley, Mdf::ashikhmin_shirley},
                                              {Brdf::phong, Mdf::ggx}}};
     for (const Lobe& lobe : kLobes) {
-        Material m;
+        Scene scene = one_object(unit_plane(), Material{});
+        Material& m = scene.materials[0];
         m.base_color = glm::vec4(0.7f, 0.5f, 0.3f, 1.0f);
         m.metallic = 0.25f;
         m.brdf = lobe.brdf;
         m.mdf = lobe.mdf;
         m.lobe = AlphaLobe{{0.1f, 0.35f}};
         m.single_scattering = true;
-        Scene scene = one_object(unit_plane(), m);
         for (const LightType type : {LightType::rectangle, LightType::disc, LightType::tube}) {
             // Partly below the plane.
             scene.lights = {area_light(type, {0.3f, 0.2f, 0.4f}, {-0.1f, 0, 0}, {1.2f, 0.5f})};

@@ -243,7 +243,7 @@ TEST_F(SurfacePixels, TabulatedUnderEveryMethod) {
             Point q = point_of(m, surface, mapped_normal(), at_angle(kAngle + groove + kRotation),
                                true, wi, wo);
             const vec3 h = f32::half_vector(q.wi + q.wo, q.p.n);
-            const f32::LobePoint at = f32::perturb_point(q.p, h);
+            const f32::LobePoint at = f32::lobe_point_unit(f32::perturb_point(q.p, h));
             const float u = std::sqrt(2 / kPiF * std::atan2(std::sqrt(at.s2), at.z));
             q.values.D =
                 at.weight * ndf_lookup(t.grid, t.table(0), u, std::atan2(at.y, at.x) + groove);

@@ -124,7 +124,7 @@ inline double reflected_by_texel(const TabulatedMaterial& m, const ReferenceTabl
     const double cos_i = f64::dot(p.n, i), cos_o = f64::dot(p.n, o);
     if (cos_i <= 0 || cos_o <= 0) return 0;
     const f64::vec3 h = f64::normalize(i + o);
-    const f64::LobePoint q = f64::perturb_point(p, h);
+    const f64::LobePoint q = f64::lobe_point_unit(f64::perturb_point(p, h));
     const double u = std::sqrt(2 / kPiD * std::atan2(std::sqrt(q.s2), q.z));
     const double D = q.weight * table.at(u, std::atan2(q.y, q.x) + groove);
     const auto in_table = [&](f64::vec3 w) {

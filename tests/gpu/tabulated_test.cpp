@@ -159,7 +159,7 @@ TEST_F(TabulatedLookUp, DrawsHaveTheDensityThatTheySay) {
             for (int j = 0; j < 2 * steps; ++j) {
                 const double z = (i + 0.5) / steps;
                 const f64::vec3 h = direction_of(std::acos(z), kPiD * (j + 0.5) / steps);
-                const f64::LobePoint q = f64::perturb_point(p, h);
+                const f64::LobePoint q = f64::lobe_point_unit(f64::perturb_point(p, h));
                 const double u = std::sqrt(2 / kPiD * std::atan2(std::sqrt(q.s2), q.z));
                 const double D = q.weight * table.at(u, std::atan2(q.y, q.x));
                 exact[0] += D * z * kPiD / steps / steps;

@@ -91,6 +91,21 @@ TEST(ExportMaterial, WhatGltfCannotSayComesBack) {
     EXPECT_TRUE(to.anisotropy_texture);
 }
 
+TEST(ExportMaterial, ANamedProcessComesBackWithItsMethod) {
+    const ScratchFolder folder;
+    for (const std::string_view name : process_names()) {
+        const ExportMaterialRequest request =
+            request_of(folder, {{"metal", "steel"}, {"process", name.data()}});
+        export_material(request, {});
+        const Material from = source_of(request), to = read_back(folder);
+        ASSERT_TRUE(from.process);
+        EXPECT_EQ(name_of(*from.process), name);
+        EXPECT_EQ(to.process, from.process) << name;
+        EXPECT_EQ(to.method, method_of(*from.process)) << name;
+        std::filesystem::remove_all(folder / "out");
+    }
+}
+
 TEST(ExportMaterial, AFilmComesBackAndIsSaidToBeLostInGltf) {
     const ScratchFolder folder;
     const ExportMaterialRequest request =

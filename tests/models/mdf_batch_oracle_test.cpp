@@ -66,7 +66,7 @@ struct Group {
 template <typename Float>
 std::vector<Group<Float>> groups(unsigned seed, std::size_t cases_of_a_pair) {
     std::map<std::pair<std::string, std::string>, Group<Float>> by_name;
-    for (const MdfCase& c : oracle::mdf_cases(seed, 36 * cases_of_a_pair)) {
+    for (const MdfCase& c : oracle::mdf_cases(seed, 44 * cases_of_a_pair)) {
         const bool single = sizeof(Float) == sizeof(float);
         by_name[{c.mdf, c.method}].add(single ? rounded_to_float(c) : c);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "brdf_directions.hpp"
+#include "facet_maps.hpp"
 
 namespace burnish::oracle {
 
@@ -20,6 +21,7 @@ Vec3 carry(Random& random, const MdfCase& c, Vec3 n, Vec3 v) {
         const long double z2 = 1 - dot(p, p);
         return z2 > 0 ? Vec3{p.x, p.y, sqrtl(z2)} : v;
     }
+    if (moves_facets(c.method)) return normalize(moved_facet(c.method, n, v));
     // R v from the columns R^T x, R^T y, R^T z of the map, which is its own inverse's transpose.
     const auto column = [&](Vec3 axis) {
         return dot(mdf_transform(c.mdf, c.p0, c.p1, c.method, n, axis).v, v);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "facet_maps.hpp"
 #include "further_brdfs.hpp"
 
 namespace burnish::oracle {
@@ -67,7 +68,8 @@ const std::vector<std::string>& mdf_names() {
 const std::vector<std::string>& method_names() {
     static const std::vector<std::string> names{"none",         "normal-map",    "gram-schmidt",
                                                 "rotate-exact", "rotate-approx", "rotate-arc",
-                                                "follow-grain", "deform-linear", "deform-smooth"};
+                                                "follow-grain", "deform-linear", "deform-smooth",
+                                                "slope-shift",  "stretch"};
     return names;
 }
 
@@ -213,6 +215,11 @@ Transformed mdf_transform(const std::string& mdf, long double p0, long double p1
     }
     if (method == "deform-linear") return deform(n, h, false);
     if (method == "deform-smooth") return deform(n, h, true);
+    if (moves_facets(method)) {
+        if (n.z <= 0) return {h, false};
+        const Vec3 q = unmoved_facet(method, n, h);
+        return {normalize(q), q.z > 0, facet_density(method, n, h)};
+    }
     unknown("method", method);
 }
 
@@ -289,7 +296,7 @@ MdfValue mdf_eval(const std::string& mdf, long double p0, long double p1, const 
     const Transformed t = mdf_transform(mdf, p0, p1, method, n_in, h_in);
     MdfValue value;
     if (!t.alive) return value;
-    value.D = lobe(mdf, p0, p1, t.v);
+    value.D = t.density * lobe(mdf, p0, p1, t.v);
     value.D_proj = value.D * projected_scale(mdf, p0, p1);
     value.D_conserving = value.D_proj;
     if (method == "deform-smooth") {
@@ -323,7 +330,7 @@ long double mdf_wobble(const std::string& mdf, long double p0, long double p1,
                        const std::string& method, Vec3 n_in, Vec3 h_in, long double eps) {
     const auto value = [&](Vec3 n, Vec3 h) {
         const Transformed t = mdf_transform(mdf, p0, p1, method, n, h);
-        return t.alive ? lobe(mdf, p0, p1, t.v) : 0;
+        return t.alive ? t.density * lobe(mdf, p0, p1, t.v) : 0;
     };
     return wobble(value, normalize(n_in), normalize(h_in), eps);
 }

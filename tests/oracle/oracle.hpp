@@ -38,7 +38,7 @@ Vec3 normalize(Vec3 v);  // v must not be the zero vector
 Vec3 tilted(long double tilt_deg, long double azimuth_deg);
 
 const std::vector<std::string>& mdf_names();     // ashikhmin-shirley ward beckmann ggx
-const std::vector<std::string>& method_names();  // the nine methods, `none` first
+const std::vector<std::string>& method_names();  // the methods, `none` first
 const std::vector<std::string>& brdf_names();    // ashikhmin-shirley ward-gmd ggx ggx-separable
                                                  // beckmann
 
@@ -59,18 +59,21 @@ struct MdfValue {
 //          ward: K12 Eq 3 with squares, peak 1.
 //          beckmann, ggx: Int D (n.h) dw = 1.
 // Zero     where n~.h <= 0 for normal-map and the rotations, where h_z <= 0 for none and the
-//          deformations, and where deform-smooth takes the point out of the disk.
+//          deformations, where deform-smooth takes the point out of the disk, and where slope-shift or
+//          stretch would take a facet from below the plate, or n.z <= 0.
 MdfValue mdf_eval(const std::string& mdf, long double p0, long double p1, const std::string& method,
                   Vec3 n, Vec3 h);
 
 // The vector at which the unperturbed lobe is evaluated. `v` is unit for none, for the true
-// rotations and for the deformations; (h_x, h_y, n~.h) for normal-map; not normalised for
+// rotations, for the deformations and for slope-shift and stretch; (h_x, h_y, n~.h) for normal-map; not normalised for
 // rotate-approx. `alive` is false where the value is zero by decree (v is then the raw result of
 // the map, with z = 0 for a point that left the disk, and means nothing where h_z <= 0 for a
 // deformation). mdf, p0 and p1 matter to follow-grain only: they tell which way the grooves run.
 struct Transformed {
     Vec3 v;
     bool alive = false;
+    long double density =
+        1;  // of half vectors there, for one of the base lobe: slope-shift, stretch
 };
 Transformed mdf_transform(const std::string& mdf, long double p0, long double p1,
                           const std::string& method, Vec3 n, Vec3 h);

@@ -325,9 +325,9 @@ TEST(OracleSelf, CasesAreDoublesAndReproducible) {
     const auto all_doubles = [&](Vec3 v) {
         return is_double(v.x) && is_double(v.y) && is_double(v.z);
     };
-    const std::vector<MdfCase> cases = mdf_cases(5, 360);
-    const std::vector<MdfCase> again = mdf_cases(5, 360);
-    ASSERT_EQ(cases.size(), 360u);
+    const std::vector<MdfCase> cases = mdf_cases(5, 440);
+    const std::vector<MdfCase> again = mdf_cases(5, 440);
+    ASSERT_EQ(cases.size(), 440u);
     std::set<std::pair<std::string, std::string>> pairs;
     for (std::size_t k = 0; k < cases.size(); ++k) {
         const MdfCase& c = cases[k];
@@ -335,7 +335,7 @@ TEST(OracleSelf, CasesAreDoublesAndReproducible) {
         EXPECT_EQ(length(c.n - again[k].n) + length(c.h - again[k].h), 0);
         pairs.emplace(c.mdf, c.method);
     }
-    EXPECT_EQ(pairs.size(), 36u);
+    EXPECT_EQ(pairs.size(), 44u);
     for (const BrdfCase& c : brdf_cases(5, 200)) {
         EXPECT_TRUE(all_doubles(c.i) && all_doubles(c.o) && is_double(c.p[0]));
     }
@@ -344,7 +344,7 @@ TEST(OracleSelf, CasesAreDoublesAndReproducible) {
 // Most cases must ask about a lobe that is there: at least 1% of the unperturbed peak.
 TEST(OracleSelf, CasesMeetTheLobes) {
     std::map<std::string, std::pair<int, int>> of_pair;  // method: alive, all
-    for (const MdfCase& c : mdf_cases(6, 3600)) {
+    for (const MdfCase& c : mdf_cases(6, 4400)) {
         const long double d = mdf_eval(c.mdf, c.p0, c.p1, c.method, c.n, c.h).D;
         const long double peak = mdf_eval(c.mdf, c.p0, c.p1, "none", kUp, kUp).D;
         EXPECT_TRUE(d >= 0 && std::isfinite(d)) << c.mdf << ' ' << c.method << ' ' << c.kind;

@@ -241,7 +241,7 @@ TEST(OracleSelf, ZeroWhereTheMethodsSaySo) {
     const Vec3 n = tilted(60, 0);
     const Vec3 behind_n = tilted(60, 180);   // n~.h < 0, h_z > 0
     const Vec3 below_base = tilted(100, 0);  // n~.h > 0, h_z < 0
-    const std::set<std::string> base{"none", "deform-linear", "deform-smooth"};
+    const std::set<std::string> base{"none", "deform-linear", "deform-smooth", "slope-shift"};
     for (const std::string& method : method_names()) {
         const bool on_base = base.count(method) == 1;
         EXPECT_EQ(value(kGgx, method, n, below_base).D > 0, !on_base) << method;

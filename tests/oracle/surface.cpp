@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "facet_maps.hpp"
 #include "further_brdfs.hpp"
 
 namespace burnish::oracle {
@@ -33,9 +34,10 @@ Vec3 normal_at(long double slope_x, long double slope_y) {
     return normalize({slope_x, slope_y, 1});
 }
 
-// The direction that masking sees, unit but for normal-map and rotate-approx.
+// The direction that masking sees, unit but for normal-map, rotate-approx, slope-shift and stretch.
 Vec3 masked_direction(const std::string& mdf, const std::array<long double, 5>& p,
                       const std::string& method, Vec3 n, Vec3 w) {
+    if (moves_facets(method)) return facets_seen(method, n, w);
     const bool deforms = method == "deform-linear" || method == "deform-smooth";
     return mdf_transform(mdf, p[0], p[1], deforms ? "rotate-arc" : method, n, w).v;
 }

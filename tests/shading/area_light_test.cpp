@@ -170,8 +170,9 @@ constexpr std::array<Row, 5> kRows = {{
 
 TEST(AreaLights, ReflectWhatASumOverTheirSurfaceDoes) {
     const bool print = std::getenv("BURNISH_TABULATE") != nullptr;
-    constexpr std::array<Method, 4> kMethods = {Method::follow_grain, Method::rotate_arc,
-                                                Method::deform_smooth, Method::normal_map};
+    constexpr std::array<Method, 6> kMethods = {Method::follow_grain,  Method::rotate_arc,
+                                                Method::deform_smooth, Method::normal_map,
+                                                Method::slope_shift,   Method::stretch};
     double sum = 0;
     int cells = 0;
     for (const Row& row : kRows) {

@@ -70,4 +70,32 @@ inline Radiance tilted_plate(const LobeCase& c, vec3 n, vec3 wo) {
     };
 }
 
+// A plate whose surface is moved by the process of slope-shift or stretch: the unperturbed lobe's facets, moved with
+// the vectors of the surface (docs/theory/processes.md, P1 and P2).
+inline Radiance moved_plate(const LobeCase& c, int method, vec3 n, vec3 wo) {
+    const vec3 x{1, 0, -n.x / n.z}, y{0, 1, -n.y / n.z};
+    const vec3 z = method == f64::kMethodSlopeShift ? vec3{0, 0, 1} : n;
+    const vec3 across = f64::cross(x, y);
+    const double volume = f64::dot(across, z);
+    const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);
+    const f64::Perturbation flat = f64::perturb_make(f64::kMethodNone, {0, 0, 1}, true, false);
+    // w in the vectors that those of the plate have become.
+    const auto seen = [=](vec3 w) {
+        return vec3{f64::dot(f64::cross(y, z), w), f64::dot(f64::cross(z, x), w),
+                    f64::dot(across, w)} *
+               (1 / volume);
+    };
+    return [=](vec3 wi) {
+        const double cos_i = f64::dot(n, wi), cos_o = f64::dot(n, wo);
+        if (!(cos_i > 0 && cos_o > 0)) return 0.0;
+        const vec3 h = f64::normalize(wi + wo);
+        const vec3 q{f64::dot(x, h), f64::dot(y, h), f64::dot(z, h)};
+        const double l = f64::length(q);
+        if (q.z <= 0) return 0.0;
+        const double D = f64::lobe_D(lobe, flat, q * (1 / l)) * volume * volume /
+                         (l * l * l * l * f64::length(across));
+        return D * f64::smith_G2(lobe, seen(wi), seen(wo)) / (4 * cos_o);
+    };
+}
+
 }  // namespace burnish::test

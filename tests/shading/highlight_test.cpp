@@ -16,6 +16,8 @@ TEST(Highlight, SeenAlongThePerturbedNormalItIsTheMirrorDirection) {
         for (double tilt : {15.0, 30.0, 45.0}) {
             const vec3 n = direction(tilt * kPi / 180, 0.6);
             for (int method = f64::kMethodGramSchmidt; method < kMethods; ++method) {
+                // Its lobe is no even one about n~: facets crowd towards the tilt (facet_map_test.cpp).
+                if (method == f64::kMethodSlopeShift) continue;
                 const vec3 peak = brightest(mapped_plate(c, method, n, n));
                 EXPECT_LT(angle_deg(peak, n), 1.0) << label(c, method) << " at " << tilt;
             }

@@ -272,7 +272,7 @@ TEST(Layers, SamplesHaveTheMeanOfTheIntegral) {
     m = f64::surface_colored(m, {0.8, 0.5, 0.3}, 0.4);
     f64::SurfaceLayers l = layers_of(coat_of(0.5, {0.9, 0.6, 0.3}, direction(0.2, 2.0), 0.7));
     l.sheen = f64::sheen_make({0.2, 0.3, 0.4}, 0.4);
-    for (int method = 0; method <= f64::kMethodDeformSmooth; ++method) {
+    for (int method = 0; method <= f64::kMethodStretch; ++method) {
         const f64::Perturbation p = f64::perturb_make(method, direction(0.3, 1.0), true, false);
         for (const double cosine : {0.4, 0.9}) {
             const vec3 wo = seen_at(cosine, 0.5);

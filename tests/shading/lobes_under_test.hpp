@@ -30,7 +30,7 @@ inline std::vector<LobeCase> lobe_cases() {
             {f64::kMdfGgx, 0.8, 0.3}};
 }
 
-inline constexpr int kMethods = 9;
+inline constexpr int kMethods = 11;
 
 inline std::string label(const LobeCase& c, int method) {
     return std::string(mdf_names()[static_cast<std::size_t>(c.mdf)]) + "(" + std::to_string(c.p0) +

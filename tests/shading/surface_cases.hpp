@@ -43,7 +43,7 @@ class TableUnderTest {
     f64::LobeValues values(const f64::Perturbation& p, vec3 wi, vec3 wo) const {
         const vec3 h = f64::half_vector(wi + wo, p.n);
         f64::LobeValues v;
-        const f64::LobePoint q = f64::perturb_point(p, h);
+        const f64::LobePoint q = f64::lobe_point_unit(f64::perturb_point(p, h));
         v.D = q.weight * read(D_, kColumns, kRings, f64::tabulated_row(q, kRings),
                               f64::tabulated_turns(q.x, q.y) + kGroove);
         v.area_i = area(f64::perturb_direction(p, wi));

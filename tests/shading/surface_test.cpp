@@ -193,7 +193,8 @@ TEST(Surface, TablesFindTheCellOfADraw) {
 // docs/theory/papers.md: deformations have nothing to act on where there are no half vectors; he knows one normal.
 TEST(Surface, TheRuleOfModelsAndMethods) {
     for (int method = 0; method < kMethods; ++method) {
-        const bool deforms = is_deformation(static_cast<Method>(method));
+        const bool deforms = is_deformation(static_cast<Method>(method)) ||
+                             method == f64::kMethodSlopeShift || method == f64::kMethodStretch;
         for (int brdf = 0; brdf <= f64::kBrdfHe; ++brdf) {
             const bool cosine =
                 brdf == static_cast<int>(Brdf::phong) || brdf == static_cast<int>(Brdf::lafortune);
@@ -204,7 +205,7 @@ TEST(Surface, TheRuleOfModelsAndMethods) {
     }
     // The numbers of names.glsl are those of the enumerations.
     EXPECT_EQ(f64::kBrdfLafortune, static_cast<int>(brdf_names().size()) - 1);
-    EXPECT_EQ(f64::kMethodDeformSmooth, static_cast<int>(method_names().size()) - 1);
+    EXPECT_EQ(f64::kMethodStretch, static_cast<int>(method_names().size()) - 1);
     EXPECT_EQ(f64::kMdfGgx, static_cast<int>(mdf_names().size()) - 1);
 }
 

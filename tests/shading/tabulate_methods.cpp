@@ -103,7 +103,9 @@ std::string highlight_errors(const LobeCase& c, int method) {
         const vec3 n = direction(tilt * kPi / 180, 35 * kPi / 180);
         const vec3 wo{0, 0, 1};
         const vec3 found = brightest(mapped_plate(c, method, n, wo), 60);
-        const vec3 wanted = brightest(tilted_plate(c, n, wo), 60);
+        const bool moved = method == f64::kMethodSlopeShift || method == f64::kMethodStretch;
+        const vec3 wanted =
+            brightest(moved ? moved_plate(c, method, n, wo) : tilted_plate(c, n, wo), 60);
         text += fmt::format("{}{:.1f}", text.empty() ? "" : ", ", angle_deg(found, wanted));
     }
     return text;
@@ -114,7 +116,8 @@ std::string highlight_table() {
            "normal map says n~ and that of a plate\nwhich really is tilted, its grooves lying in "
            "it, seen along the geometric normal: n~ tilted by 15, 30\nand 45 degrees at azimuth "
            "35. "
-           "`microfacet`, Fresnel 1.\n" +
+           "`microfacet`, Fresnel 1. Of slope-shift and stretch the plate is one of their own "
+           "process: bumps\nbrushed afterwards, or stamped with the grain.\n" +
            lobes_by_methods(highlight_errors);
 }
 

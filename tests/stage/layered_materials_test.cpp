@@ -50,7 +50,7 @@ TEST_F(LayeredMaterialsTest, EveryParameterIsAppliedOnceAndCanBeTakenBack) {
         expect_pure(values, samples_.values(p, 1));
         ++counted;
     }
-    EXPECT_EQ(counted, 61);
+    EXPECT_EQ(counted, 62);
 }
 
 // Whether the combination of two values in a layer is an error.

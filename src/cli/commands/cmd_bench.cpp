@@ -26,10 +26,11 @@ namespace {
 constexpr const char* kBenchFooter = R"(
 Techniques: gouraud, aniso (the anisotropic lobe without the normal map), the methods of `burnish
 render --method` (normal-map, gram-schmidt, rotate-exact, rotate-approx, rotate-arc, follow-grain,
-deform-linear, deform-smooth), follow-grain under image light (image-importance, image-prefiltered,
-image-bent-normal), and follow-grain of a measured material made of tables: of many texels, of which
-four are shaded in a pixel (tabulated), and of one (tabulated-one). gouraud and normal-map are what the others are compared to;
-they are always measured.
+deform-linear, deform-smooth, slope-shift, stretch), follow-grain under image light
+(image-importance, image-prefiltered, image-bent-normal), and follow-grain of a measured material
+made of tables: of many texels, of which four are shaded in a pixel (tabulated), and of one
+(tabulated-one). gouraud and normal-map are what the others are compared to; they are always
+measured.
 
 Every mesh is drawn at every size where --size or --triangles is given; without the other that is
 4096 and 102400 triangles, or 1280x720.

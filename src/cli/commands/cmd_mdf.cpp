@@ -15,7 +15,8 @@ Reads the columns
   p0, p1        e_x, e_y (0 to 1000000) for ashikhmin-shirley;
                 alpha_x, alpha_y (0.001 to 1.5) for the others
   method        what the perturbed normal does: none, normal-map, gram-schmidt, rotate-exact,
-                rotate-approx, rotate-arc, follow-grain, deform-linear or deform-smooth
+                rotate-approx, rotate-arc, follow-grain, deform-linear, deform-smooth,
+                slope-shift or stretch
   nx, ny, nz    the perturbed normal, nz > 0
   hx, hy, hz    the half vector, anywhere
 both in the unperturbed tangent space: x tangent, y bitangent, z normal. Adds

@@ -210,7 +210,9 @@ ScratchRecipe recipe_of(const ScratchFlags& flags) {
 void run_scratch(const ScratchFlags& flags, const Session& session) {
     const ScratchRequest request{recipe_of(flags), flags.orm, flags.output, session.command_line()};
     const ScratchReport report = make_scratch_maps(request, session.progress());
-    print_report(report.warnings, report.written);
+    print_report(report.warnings, report.written,
+                 {fmt::format("process: {} (render with --process {})", name_of(kScratchProcess),
+                              name_of(kScratchProcess))});
 }
 
 void add_layer_flags(CLI::App& command, const std::shared_ptr<ScratchFlags>& flags) {

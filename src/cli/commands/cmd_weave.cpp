@@ -62,7 +62,9 @@ void run_weave(WeaveFlags& flags, const Session& session) {
     request.output = flags.output;
     request.command = session.command_line();
     const WeaveReport report = make_weave_maps(request, session.progress());
-    print_report(report.warnings, report.written);
+    print_report(report.warnings, report.written,
+                 {fmt::format("process: {} (render with --process {})", name_of(kWeaveProcess),
+                              name_of(kWeaveProcess))});
 }
 
 }  // namespace

@@ -109,9 +109,10 @@ void read_switch(const JsonPlace& root, std::string_view key, bool& value) {
 
 Material restored(const JsonPlace& root, const std::filesystem::path& folder, Material m,
                   std::vector<std::string>& warnings) {
-    constexpr std::array<std::string_view, 13> kKeys = {"mdf",
+    constexpr std::array<std::string_view, 14> kKeys = {"mdf",
                                                         "brdf",
                                                         "method",
+                                                        "process",
                                                         "conserve",
                                                         "single_scattering",
                                                         "ks",
@@ -125,6 +126,10 @@ Material restored(const JsonPlace& root, const std::filesystem::path& folder, Ma
     root.require_object(kKeys);
     read_name(root, "mdf", mdf_names(), m.mdf);
     read_name(root, "brdf", brdf_names(), m.brdf);
+    if (root.has("process")) {
+        read_name(root, "process", process_names(), m.process.emplace());
+        m.method = method_of(*m.process);
+    }
     read_name(root, "method", method_names(), m.method);
     read_switch(root, "conserve", m.conserve);
     read_switch(root, "single_scattering", m.single_scattering);

@@ -135,6 +135,7 @@ using Metadata = std::map<std::string, std::string>;
 Metadata metadata_of(const ScratchRequest& request, const ScratchReport& report) {
     return {{"burnish:version", std::string(version())},
             {"burnish:command", request.command},
+            {"burnish:process", std::string(name_of(kScratchProcess))},
             {"burnish:tile_mm", fmt::format("{}", request.recipe.settings.tile_mm)},
             {"burnish:height_black_mm", fmt::format("{}", report.low_mm)},
             {"burnish:height_white_mm", fmt::format("{}", report.high_mm)}};

@@ -9,6 +9,7 @@
 #include "burnish/progress.hpp"
 #include "burnish/scratch_maps.hpp"
 #include "burnish/scratch_settings.hpp"
+#include "burnish/shading_names.hpp"
 
 namespace burnish {
 
@@ -42,6 +43,10 @@ struct ScratchRequest {
 
 // Of the metal between the scratches, perceptual, in orm.png.
 inline constexpr float kScratchOrmRoughness = 0.3f;
+
+// What the maps are to the grain of the metal: their height is added to that of the grain, whichever came first
+// (docs/theory/processes.md). For --process.
+inline constexpr Process kScratchProcess = Process::brushed_after;
 
 struct ScratchReport {
     std::vector<std::filesystem::path> written;

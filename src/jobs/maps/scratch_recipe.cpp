@@ -191,6 +191,7 @@ std::string scratch_recipe_text(const ScratchRecipe& recipe, const ScratchReport
     ordered_json out = recipe_json(recipe, folder);
     out["made"] = {{"version", version()},
                    {"command", command},
+                   {"process", name_of(kScratchProcess)},
                    {"height_png_black_mm", report.low_mm},
                    {"height_png_white_mm", report.high_mm},
                    {"rms_slope", report.rms_slope}};

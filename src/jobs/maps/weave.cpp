@@ -152,6 +152,7 @@ Metadata metadata_of(const WeaveRequest& request, const WeaveMapSettings& settin
                      const WeaveReport& report) {
     return {{"burnish:version", std::string(version())},
             {"burnish:command", request.command},
+            {"burnish:process", std::string(name_of(kWeaveProcess))},
             {"burnish:weave", one_line(settings.draft.name)},
             {"burnish:width_mm", fmt::format("{}", settings.width_mm())},
             {"burnish:height_mm", fmt::format("{}", settings.height_mm())},
@@ -184,6 +185,7 @@ std::string summary_of(const WeaveRequest& request, const WeaveMapSettings& sett
     }
     out["made"] = {{"version", version()},
                    {"command", request.command},
+                   {"process", name_of(kWeaveProcess)},
                    {"height_png_black_mm", report.low_mm},
                    {"height_png_white_mm", report.high_mm}};
     // Titles of drafts need not be UTF-8.

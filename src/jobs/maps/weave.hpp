@@ -11,6 +11,7 @@
 
 #include "burnish/parameters.hpp"
 #include "burnish/progress.hpp"
+#include "burnish/shading_names.hpp"
 
 namespace burnish {
 
@@ -27,6 +28,10 @@ struct WeaveRequest {
     std::filesystem::path output;  // a folder, created if it is missing
     std::string command;           // for metadata
 };
+
+// What the maps are to the fibers, whose directions are stated in the plane of the cloth: they keep their shadow there
+// as the yarn curves (docs/theory/processes.md). For --process.
+inline constexpr Process kWeaveProcess = Process::embossed;
 
 struct WeaveReport {
     std::vector<std::filesystem::path> written;

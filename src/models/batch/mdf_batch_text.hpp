@@ -117,6 +117,10 @@ inline void run_method(const MdfKernelCall<Scalar>& call) {
             return evaluate_all<mdf, kMethodFollowGrain>(call);
         case kMethodDeformLinear:
             return evaluate_all<mdf, kMethodDeformLinear>(call);
+        case kMethodSlopeShift:
+            return evaluate_all<mdf, kMethodSlopeShift>(call);
+        case kMethodStretch:
+            return evaluate_all<mdf, kMethodStretch>(call);
         default:
             return evaluate_all<mdf, kMethodDeformSmooth>(call);
     }

@@ -122,6 +122,9 @@ void add_material(Table& t) {
     t.choice("brdf", brdf_names(), choice_of(standard.brdf), "reflection model");
     t.choice("method", method_names(), choice_of(standard.method),
              "what a normal map does to the anisotropic lobe");
+    t.choice("process", process_names(), {},
+             "how bumps and grain came together, which picks the method: follow-grain, rotate-arc, "
+             "stretch or slope-shift");
     t.boolean("conserve", standard.conserve, "energy-conserving form of the deform methods");
     t.boolean(
         "single_scattering", standard.single_scattering,

@@ -159,6 +159,7 @@ Value of_model(const Material& m, const Parameter& p) {
     if (name == "mdf") return choice_of(m.mdf);
     if (name == "brdf") return choice_of(m.brdf);
     if (name == "method") return choice_of(m.method);
+    if (name == "process") return m.process ? Value(choice_of(*m.process)) : Value();
     if (name == "normal_filter") return choice_of(m.normal_filter);
     if (name == "conserve") return m.conserve;
     if (name == "single_scattering") return m.single_scattering;

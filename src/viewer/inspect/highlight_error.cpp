@@ -24,7 +24,7 @@ std::optional<double> highlight_error_deg(const SurfaceAt& at, Method method,
     const PointLobe shown(at, method);
     if (!at.reflects() || !shown.has_meaning()) return std::nullopt;
     const glm::dvec3 eye = to_tangent_frame(at, to_eye_world);
-    return angle_between_deg(shown.peak(eye), PointLobe(at, Method::follow_grain).peak(eye));
+    return angle_between_deg(shown.peak(eye), PointLobe(at, at.right).peak(eye));
 }
 
 std::optional<double> highlight_error_deg(const Scene& scene, const Hit& hit,

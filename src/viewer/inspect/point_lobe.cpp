@@ -248,21 +248,27 @@ std::optional<PointLobe::Sample> PointLobe::sample(glm::dvec3 to_eye,
 
 // ---- the peak -----------------------------------------------------------------------------------
 
-// Only normal-map is no map of half vectors, whose highest value would be the image of the base's.
+// The highest value of a map of half vectors is the image of the base's, but for slope-shift, whose density changes
+// within the lobe. normal-map is no such map.
 f64::vec3 PointLobe::highest(const f64::Perturbation& p) const {
-    const f64::vec3 base = table_ ? table_->highest(table_turns_) : f64::vec3(0, 0, 1);
-    if (p.method != f64::kMethodNormalMap) return f64::perturb_forward(p, base);
+    f64::vec3 base = table_ ? table_->highest(table_turns_) : f64::vec3(0, 0, 1);
+    const bool maps = p.method != f64::kMethodNormalMap;
+    if (maps) base = f64::perturb_forward(p, base);
+    if (maps && p.method != f64::kMethodSlopeShift) return base;
     const auto value = [&](f64::vec3 h) { return lobe_at(p, h); };
     Climber best;
     const auto start = [&](double x, double y) {
         const double v = value(on_disk(x, y));
         if (v > best.value) best = {x, y, v};
     };
-    constexpr int kSide = 24;  // a first look at the disk, for a second rise far from both normals
-    for (int i = 0; i < kSide; ++i) {
-        for (int j = 0; j < kSide; ++j) {
-            const double x = (2 * i + 1.0) / kSide - 1, y = (2 * j + 1.0) / kSide - 1;
-            if (x * x + y * y < 1) start(x, y);
+    if (!maps) {
+        constexpr int kSide =
+            24;  // a first look at the disk, for a second rise far from both normals
+        for (int i = 0; i < kSide; ++i) {
+            for (int j = 0; j < kSide; ++j) {
+                const double x = (2 * i + 1.0) / kSide - 1, y = (2 * j + 1.0) / kSide - 1;
+                if (x * x + y * y < 1) start(x, y);
+            }
         }
     }
     const double ax = f64::lobe_alpha_x(surface_.lobe), ay = f64::lobe_alpha_y(surface_.lobe);

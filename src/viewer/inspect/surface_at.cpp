@@ -242,6 +242,7 @@ SurfaceAt surface_of(const Material& m, const TexturesAt& textures, const Hit& h
     at.under_coat = has_coat(m);
     at.under_sheen = has_sheen(m);
     at.method = m.method;
+    if (m.process) at.right = method_of(*m.process);
     at.conserve = m.conserve;
     if (values.compensated) at.albedos = albedo_table(m.brdf, m.mdf);
     at.grooves_along_x = values.grooves_along_x;

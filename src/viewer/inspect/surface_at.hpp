@@ -57,9 +57,10 @@ struct SurfaceAt {
     std::shared_ptr<const AlbedoTable> albedos;  // none: the surface is not compensated
     bool isotropic =
         false;  // nothing is anisotropic: the renderer draws normal-map as gram-schmidt
-    bool half_vectors = true;      // the lobe is a distribution of half vectors
-    Method method = Method::none;  // of the material
-    glm::dvec3 base_color{1.0};    // linear
+    bool half_vectors = true;             // the lobe is a distribution of half vectors
+    Method method = Method::none;         // of the material
+    Method right = Method::follow_grain;  // of its process, what highlight errors are against
+    glm::dvec3 base_color{1.0};           // linear
     double metallic = 0;
     std::optional<YarnAt> yarn;
     std::optional<ExemplarAt> exemplar;

@@ -37,8 +37,9 @@ TableLobe::TableLobe(std::shared_ptr<const TabulatedMaterial> material, int exem
     highest_cell_ = static_cast<int>(std::max_element(D, D + material_->grid.cells()) - D);
 }
 
-double TableLobe::D(const f64::LobePoint& q, double turns) const {
+double TableLobe::D(const f64::LobePoint& at, double turns) const {
     const NdfGrid& grid = material_->grid;
+    const f64::LobePoint q = f64::lobe_point_unit(at);
     return q.weight * interpolated(material_->table(exemplar_), grid,
                                    f64::tabulated_row(q, grid.rings),
                                    f64::tabulated_turns(q.x, q.y) + turns);

@@ -28,7 +28,7 @@ struct Section {
 // The order in which a person meets them; every parameter of the table is in one section or the last.
 const std::vector<Section>& sections() {
     static const std::vector<Section> all = {
-        {"Model", {"method", "conserve", "mdf", "brdf", "single_scattering"}},
+        {"Model", {"method", "process", "conserve", "mdf", "brdf", "single_scattering"}},
         {"Roughness",
          {"alpha_x", "alpha_y", "anisotropy_rotation", "roughness", "anisotropy", "e_x", "e_y",
           "cosine_exponent", "ks", "lafortune_c"}},
@@ -63,6 +63,7 @@ const std::vector<Section>& sections() {
 // Where the papers treat a parameter.
 std::string_view paper_of(std::string_view name) {
     static const std::map<std::string_view, std::string_view> kPapers = {
+        {"process", "docs/theory/processes.md"},
         {"method", "Kang & Cho 2011 section 2, 2012 sections 3 and 4 (docs/theory/papers.md)"},
         {"conserve", "Kang & Cho 2011 section 2.3"},
         {"single_scattering", "Turquin 2019 (docs/theory/energy.md)"},
