@@ -1,6 +1,6 @@
 // `make bench`: measures the costs that have budgets and writes both side by side.
 // Usage: burnish_bench OUT.md [PART...], with the parts frames, area-lights, cloth, layers, edits, image-light, loading,
-// first-picture, scratches, weaves, distributions, capture and visibility.
+// first-picture, scratches, weaves, distributions, capture, visibility and traces.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -30,6 +30,7 @@ constexpr std::pair<const char*, void (*)(Report&)> kParts[] = {
     {"distributions", burnish::bench::measure_distributions},
     {"capture", burnish::bench::measure_capture},
     {"visibility", burnish::bench::measure_visibility},
+    {"traces", burnish::bench::measure_traces},
 };
 
 }  // namespace

@@ -38,5 +38,6 @@ void measure_weaves(Report& report);
 void measure_distributions(Report& report);
 void measure_capture(Report& report);
 void measure_visibility(Report& report);
+void measure_traces(Report& report);
 
 }  // namespace burnish::bench

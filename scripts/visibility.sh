@@ -2,14 +2,13 @@
 # Errors of pictures with and without visibility against brute force, as a row of the table of
 # docs/theory/visibility.md, and a sheet: without visibility, with it, brute force. Usage:
 #   visibility.sh BIN FOLDER SCENE [PATHS [EXPOSURE]]
-# BIN: the folder of burnish, trace_stage and picture_error. SCENE: of materials without textures, lit by an environment
-# alone. PATHS: a pixel, 3000. EXPOSURE: a factor on what the sheet shows, 1.5. Needs oiiotool and cjpeg.
+# BIN: the folder of burnish and picture_error. PATHS: a pixel, 1024. EXPOSURE: a factor on what the sheet shows, 1.5. Needs oiiotool and cjpeg.
 # FOLDER keeps the pictures; a brute force that lies there is kept: it takes minutes.
 set -eu
 bin=$1
 out=$2
 scene=$3
-paths=${4:-3000}
+paths=${4:-1024}
 factor=${5:-1.5}
 size=360x240
 name=$(basename "$scene" .json)
@@ -21,10 +20,10 @@ small -o "$out-no-bounce.exr" --bounces 0
 small -o "$out-one-bounce.exr" --bounces 1
 small -o "$out-two-bounces.exr"
 small -o "$out-prefiltered.exr" --image-light prefiltered
-sed "s/\"width\": [0-9]*, \"height\": [0-9]*/\"width\": ${size%x*}, \"height\": ${size#*x}/" "$scene" >"$out-small.json"
-[ -f "$out-truth.exr" ] || "$bin/trace_stage" "$out-small.json" "$paths" 8 "$out-truth.exr"
+traced() { "$bin/burnish" trace "$scene" --size $size "$@" >/dev/null; }
+[ -f "$out-truth.exr" ] || traced --samples "$paths" -o "$out-truth.exr"
 # A quarter of the paths, at other random numbers: the noise of all of them is 1/sqrt(5) of the difference.
-[ -f "$out-quarter.exr" ] || "$bin/trace_stage" "$out-small.json" $((paths / 4)) 8 "$out-quarter.exr"
+[ -f "$out-quarter.exr" ] || traced --samples $((paths / 4)) --seed 2 -o "$out-quarter.exr"
 
 # The mean of the three channels of a picture that oiiotool makes, radiance counting up to 4.
 mean() { oiiotool "$@" --clamp:max=4 --printstats | awk '/Stats Avg/ { print ($3 + $4 + $5) / 3 }'; }

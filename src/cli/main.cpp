@@ -49,6 +49,7 @@ void set_signals() {
 
 void add_commands(CLI::App& app, Session& session) {
     add_render_command(app, session);
+    add_trace_command(app, session);
     add_view_command(app, session);
     add_gallery_command(app, session);
     add_scratch_command(app, session);

@@ -14,9 +14,9 @@
 #include "burnish/f32.hpp"
 #include "burnish/material_textures.hpp"
 #include "burnish/tabulated_material.hpp"
-#include "export/texture_sampler.hpp"
 #include "maps/weave/weave_cells.hpp"
 #include "scene/material/material_values.hpp"
+#include "scene/material/texture_sampler.hpp"
 #include "scene/material/texture_uses.hpp"
 
 namespace burnish {

@@ -24,18 +24,6 @@ namespace burnish {
 
 namespace {
 
-// But for "burnish:device".
-Metadata metadata_of(const RenderRequest& request, const Stage& stage) {
-    std::string parameters;
-    for (const auto& [name, value] : stage.values.set_values())
-        parameters += fmt::format("{}{}={}", parameters.empty() ? "" : "; ", name,
-                                  text_of(*find_parameter(name), value));
-    return {{"burnish:version", std::string(version())},
-            {"burnish:command", request.command},
-            {"burnish:parameters", parameters},
-            {"burnish:environment", stage.environment.name}};
-}
-
 void check(const RenderRequest& request) {
     if (!is_film(request.output)) require_image_extension(request.output);
     check_turntable(request);
@@ -147,7 +135,7 @@ RenderReport render_one(const RenderRequest& request, Stage& stage, const Progre
     gpu::Context context(request.gl_device);
     gpu::Renderer renderer(context);
     const LitVisibility visibility = put_stage(renderer, stage, progress);
-    Metadata metadata = metadata_of(request, stage);
+    Metadata metadata = picture_metadata(request.command, stage);
     metadata["burnish:device"] = context.renderer();
     if (!request.compare.empty())
         render_comparison(request, stage, renderer, metadata, progress);
@@ -162,6 +150,17 @@ RenderReport render_one(const RenderRequest& request, Stage& stage, const Progre
 std::filesystem::path numbered(const std::filesystem::path& path, int number) {
     return path.parent_path() /
            fmt::format("{}_{:04d}{}", path.stem().string(), number, path.extension().string());
+}
+
+Metadata picture_metadata(const std::string& command, const Stage& stage) {
+    std::string parameters;
+    for (const auto& [name, value] : stage.values.set_values())
+        parameters += fmt::format("{}{}={}", parameters.empty() ? "" : "; ", name,
+                                  text_of(*find_parameter(name), value));
+    return {{"burnish:version", std::string(version())},
+            {"burnish:command", command},
+            {"burnish:parameters", parameters},
+            {"burnish:environment", stage.environment.name}};
 }
 
 void write_picture(const std::filesystem::path& path, const Image& linear, const Stage& stage,
@@ -201,7 +200,7 @@ RenderReport render(const RenderRequest& request, const Progress& progress) {
             warnings.push_back(std::move(line));
     RenderReport report =
         request.turntable > 0
-            ? render_turntable(request, stage, metadata_of(request, stage), progress)
+            ? render_turntable(request, stage, picture_metadata(request.command, stage), progress)
             : render_one(request, stage, progress);
     report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
     report.notes.insert(report.notes.begin(), stage.scene.notes.begin(), stage.scene.notes.end());

@@ -17,6 +17,9 @@ using Metadata = std::map<std::string, std::string>;  // as write_image takes it
 // "a/b.png", 7 -> "a/b_0007.png".
 std::filesystem::path numbered(const std::filesystem::path& path, int number);
 
+// What a picture of the stage says of itself, but for "burnish:device".
+Metadata picture_metadata(const std::string& command, const Stage& stage);
+
 // Writes a linear picture as the file holds it: linear, or as a display has it.
 void write_picture(const std::filesystem::path& path, const Image& linear, const Stage& stage,
                    const Metadata& metadata);

@@ -113,6 +113,7 @@ const std::map<std::string, std::string> kPublic = {
     {"api", "core"},
     {"error", "core"},
     {"progress", "core"},
+    {"trace_shard", "core"},
     {"version", "core"},
     {"f32", "core"},
     {"f64", "core"},
@@ -173,6 +174,7 @@ const std::map<std::string, std::string> kPublic = {
     {"gltf_material", "export"},
     {"material_textures", "export"},
     {"render", "jobs"},
+    {"trace", "jobs"},
 };
 
 std::string layer_of_include(const std::string& folder, const std::string& name) {

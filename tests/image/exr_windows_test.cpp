@@ -12,6 +12,7 @@
 
 #include "burnish/error.hpp"
 #include "burnish/image_io.hpp"
+#include "image/image_parts.hpp"
 #include "support/paths.hpp"
 #include "support/samples.hpp"
 
@@ -205,6 +206,22 @@ TEST(ExrLayers, TheFirstPartThatHasColorIsRead) {
                                         ": parts part1, part2 have R, G and B: part1 is read"}));
     write_parts(path, {{"Z"}, {"N.X", "N.Y", "N.Z"}});
     EXPECT_EQ(read_image(path).channels, 1);
+}
+
+// More pixels than one: a part is read with the channels of its own, whatever a later part has.
+TEST(ExrLayers, AColorPartIsReadBeforeAPartOfOtherChannels) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "a.exr";
+    const ImagePart color{
+        "color",
+        2,
+        1,
+        {{"R", false, {1, 2}}, {"G", false, {3, 4}}, {"B", false, {5, 6}}, {"A", false, {1, 1}}},
+        {},
+        {},
+        {}};
+    write_image_parts(path, {color, {"depth", 2, 1, {{"Z", false, {7, 8}}}, {}, {}, {}}});
+    EXPECT_EQ(read_image(path).pixels, (std::vector<float>{1, 3, 5, 1, 2, 4, 6, 1}));
 }
 
 TEST(ExrLayers, AreNamedWhenNoneHasColor) {

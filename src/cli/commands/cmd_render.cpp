@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "burnish/error.hpp"
-#include "burnish/parameters.hpp"
 #include "burnish/render.hpp"
 #include "burnish/turntable.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/integer_flag.hpp"
-#include "cli/parameter_flags.hpp"
+#include "cli/scene_flags.hpp"
 #include "cli/session.hpp"
 #include "core/text.hpp"
 
@@ -34,48 +33,15 @@ Without a GPU a picture of the default size and samples takes about a minute on 
 --samples 8 is a preview.)";
 
 struct RenderFlags {
-    RenderRequest request;
+    SceneFlags scene;
+    RenderRequest request;  // without its stage
     std::string output;
-    std::string size;
     std::optional<std::string> compare;
     std::optional<std::string> turn, frames;
     int fps = 0;  // 0: none was given
 };
 
 constexpr int kMostFrames = 9999;
-
-std::string_view heading(ParameterGroup group) {
-    switch (group) {
-        case ParameterGroup::material:
-            return "Material (of every surface; default: the file's)";
-        case ParameterGroup::render:
-            return "Picture";
-        case ParameterGroup::camera:
-            return "Camera (default: the file's first, else framed)";
-        case ParameterGroup::environment:
-            return "Environment";
-        case ParameterGroup::mesh:
-            return "Built-in meshes";
-    }
-    return "";
-}
-
-// Adds one flag per row of the parameter table.
-void add_parameter_flags(CLI::App& command, const std::shared_ptr<RenderFlags>& flags) {
-    for (const Parameter& parameter : parameter_table())
-        add_parameter_flag(command, parameter.name, flags->request.stage.values)
-            ->group(std::string(heading(parameter.group)));
-}
-
-void set_size(ParameterValues& values, const std::string& size) {
-    const std::size_t x = size.find_first_of("xX");
-    if (x == std::string::npos)
-        throw UsageError("--size", "", "WIDTHxHEIGHT, such as 1280x720", shown(size));
-    if (values.is_set("width") || values.is_set("height"))
-        throw UsageError("--size", "", "no --width or --height beside it", "both");
-    values.set("width", size.substr(0, x), "--size");
-    values.set("height", size.substr(x + 1), "--size");
-}
 
 std::vector<Method> parse_methods(const std::string& list) {
     std::vector<Method> methods;
@@ -108,7 +74,7 @@ void set_turntable(const RenderFlags& flags, RenderRequest& request) {
 
 void run_render(RenderFlags& flags, const Session& session) {
     RenderRequest& request = flags.request;
-    if (!flags.size.empty()) set_size(request.stage.values, flags.size);
+    request.stage = stage_request(flags.scene);
     if (flags.compare) request.compare = parse_methods(*flags.compare);
     set_turntable(flags, request);
     request.output = flags.output;
@@ -156,12 +122,6 @@ void add_render_command(CLI::App& parent, Session& session) {
     const auto flags = std::make_shared<RenderFlags>();
     RenderRequest& request = flags->request;
     command
-        ->add_option("input", request.stage.input,
-                     ".gltf, .glb, .obj, a scene .json, or builtin:sphere, plane, cylinder, "
-                     "torus, drape, pot")
-        ->required()
-        ->type_name("MODEL|SCENE");
-    command
         ->add_option(
             "-o,--output", flags->output,
             ".png, .jpg, .tif (tone mapped) or .exr (linear); with --turntable the "
@@ -169,22 +129,7 @@ void add_render_command(CLI::App& parent, Session& session) {
             "film: .mp4, .webm, .apng (of the program ffmpeg)")
         ->required()
         ->type_name("FILE");
-    command
-        ->add_option("--env", request.stage.environment,
-                     "lat-long .hdr or .exr; builtin:studio (default), builtin:white; "
-                     "builtin:black: dark, black behind the model; none: dark, "
-                     "--background-color behind it")
-        ->type_name("FILE");
-    command
-        ->add_option("--light", request.stage.lights,
-                     "AZIMUTH,ELEVATION[,INTENSITY] in degrees and lux, point:X,Y,Z[,INTENSITY], "
-                     "or none; may be repeated; instead of the file's lights")
-        ->type_name("LIGHT")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->allow_extra_args(false);
-    command->add_option("--size", flags->size, "WIDTHxHEIGHT: --width and --height in one")
-        ->type_name("WxH");
+    add_scene_flags(*command, flags->scene);
     command
         ->add_option("--compare", flags->compare,
                      "METHOD,METHOD,...: one labelled sheet with difference images; instead of "
@@ -192,7 +137,7 @@ void add_render_command(CLI::App& parent, Session& session) {
         ->type_name("LIST");
     add_turntable_flags(*command, *flags);
     add_gl_device(*command, request.gl_device);
-    add_parameter_flags(*command, flags);
+    add_scene_parameter_flags(*command, flags->scene);
     command->footer(kExamples);
     command->callback([flags, &session] { run_render(*flags, session); });
 }

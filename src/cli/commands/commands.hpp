@@ -16,6 +16,7 @@ void add_brdf_fit_command(CLI::App& brdf, Session& session);  // `brdf fit`
 void add_info_command(CLI::App& parent, Session& session);
 void add_bench_command(CLI::App& parent, Session& session);
 void add_render_command(CLI::App& parent, Session& session);
+void add_trace_command(CLI::App& parent, Session& session);
 void add_export_command(CLI::App& parent, Session& session);
 void add_gallery_command(CLI::App& parent, Session& session);
 void add_scratch_command(CLI::App& parent, Session& session);

@@ -131,6 +131,8 @@ void ImageFile::choose_part() {
         color_parts_.push_back(one_line(spec.get_string_attribute("oiio:subimagename")));
     }
     if (input_->has_error()) fail(input_->geterror());
+    // Looking at the parts has moved on to the last one, whose channels would be read.
+    if (!input_->seek_subimage(part_, 0)) fail(input_->geterror());
 }
 
 void ImageFile::fail(std::string_view reason) const {

@@ -11,9 +11,9 @@
 #include "burnish/f32.hpp"
 #include "core/constants.hpp"
 #include "core/index_of.hpp"
-#include "export/texture_sampler.hpp"
 #include "maps/weave/weave_cells.hpp"
 #include "scene/material/material_values.hpp"
+#include "scene/material/texture_sampler.hpp"
 #include "scene/material/texture_uses.hpp"
 
 namespace burnish::viewer {

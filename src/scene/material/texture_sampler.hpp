@@ -10,6 +10,12 @@
 
 namespace burnish {
 
+// The texel that stands at any whole number on a row of `size`.
+int wrapped_texel(int i, int size, Wrap wrap);
+
+// Red, green, blue and alpha of a texel of the texture, linear. One channel is gray, two are gray and alpha.
+glm::vec4 linear_texel(const Texture& texture, int column, int row);
+
 class TextureSampler {
   public:
     // Reads 1 everywhere where `use` names no texture. The textures must outlive the sampler.
@@ -18,8 +24,8 @@ class TextureSampler {
     explicit operator bool() const { return texture_ != nullptr; }
     const Texture* texture() const { return texture_; }
 
-    // Red, green, blue and alpha, linear, at a texture coordinate of the mesh: bilinear, or the
-    // nearest texel where the texture asks for it. One channel is gray, two are gray and alpha.
+    // As linear_texel, at a texture coordinate of the mesh: bilinear, or the nearest texel where the
+    // texture asks for it.
     glm::vec4 at(glm::vec2 uv) const;
 
   private:

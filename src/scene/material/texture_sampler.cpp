@@ -1,4 +1,4 @@
-#include "export/texture_sampler.hpp"
+#include "scene/material/texture_sampler.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,9 @@ float channel_at(const Texture& texture, std::size_t index, bool color) {
                                           : texel_value(texture, index);
 }
 
-int wrapped(int i, int size, Wrap wrap) {
+}  // namespace
+
+int wrapped_texel(int i, int size, Wrap wrap) {
     if (i >= 0 && i < size) return i;
     if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
     const int period = wrap == Wrap::mirror ? 2 * size : size;
@@ -38,21 +40,11 @@ int wrapped(int i, int size, Wrap wrap) {
     return at < size ? at : period - 1 - at;
 }
 
-}  // namespace
-
-TextureSampler::TextureSampler(const TextureUse& use, std::span<const Texture> textures)
-    : use_(use) {
-    if (!use) return;
-    const Texture& texture = textures[static_cast<std::size_t>(use.texture)];
-    if (!texture.empty()) texture_ = &texture;
-}
-
-glm::vec4 TextureSampler::texel(int x, int y) const {
-    const Texture& t = *texture_;
+glm::vec4 linear_texel(const Texture& t, int column, int row) {
     const auto channels = static_cast<std::size_t>(t.channels);
-    const std::size_t at = channels * (static_cast<std::size_t>(wrapped(y, t.height, use_.wrap_t)) *
-                                           static_cast<std::size_t>(t.width) +
-                                       static_cast<std::size_t>(wrapped(x, t.width, use_.wrap_s)));
+    const std::size_t at =
+        channels * (static_cast<std::size_t>(row) * static_cast<std::size_t>(t.width) +
+                    static_cast<std::size_t>(column));
     glm::vec4 out(1.0f);
     if (t.channels >= 3) {
         for (std::size_t c = 0; c < channels; ++c)
@@ -62,6 +54,18 @@ glm::vec4 TextureSampler::texel(int x, int y) const {
         if (t.channels == 2) out.w = channel_at(t, at + 1, false);
     }
     return out;
+}
+
+TextureSampler::TextureSampler(const TextureUse& use, std::span<const Texture> textures)
+    : use_(use) {
+    if (!use) return;
+    const Texture& texture = textures[static_cast<std::size_t>(use.texture)];
+    if (!texture.empty()) texture_ = &texture;
+}
+
+glm::vec4 TextureSampler::texel(int x, int y) const {
+    return linear_texel(*texture_, wrapped_texel(x, texture_->width, use_.wrap_s),
+                        wrapped_texel(y, texture_->height, use_.wrap_t));
 }
 
 glm::vec4 TextureSampler::at(glm::vec2 uv) const {
