@@ -2,7 +2,8 @@
 # Errors of pictures with and without visibility against brute force, as a row of the table of
 # docs/theory/visibility.md, and a sheet: without visibility, with it, brute force. Usage:
 #   visibility.sh BIN FOLDER SCENE [PATHS [EXPOSURE]]
-# BIN: the folder of burnish and picture_error. PATHS: a pixel, 1024. EXPOSURE: a factor on what the sheet shows, 1.5. Needs oiiotool and cjpeg.
+# BIN: the folder of burnish and picture_error. PATHS: a pixel, 1024. EXPOSURE: a factor on what the sheet shows, 1.5.
+# Needs oiiotool and cjpeg.
 # FOLDER keeps the pictures; a brute force that lies there is kept: it takes minutes.
 set -eu
 bin=$1

@@ -252,7 +252,8 @@ TEST_F(ImageLighting, NoiseOfAMixtureFallsWithTheSamples) {
         }
         return std::sqrt(sum);
     };
-    EXPECT_LT(difference(64) / difference(8), 0.0);
+    // Measured: 0.28; 1/sqrt(8) of random numbers. With the index it was 0.9.
+    EXPECT_LT(difference(64) / difference(8), 0.4);
 }
 
 TEST_F(ImageLighting, DiffuseInConstantLightHasAClosedForm) {

@@ -188,6 +188,10 @@ const std::map<std::string, std::vector<std::string>> kDefines = {
      {"#define LIGHTS 0\n#define POSITION\n", "#define LIGHTS 2\n#define POSITION\n"}},
     {"ground_add.frag",
      {"#define LIGHTS 0\n#define POSITION\n", "#define LIGHTS 2\n#define POSITION\n"}},
+    {"stand_in.frag",
+     {"#define LIGHTS 16\n#define LIGHT_COUNT_AT_RUN_TIME\n#define POSITION\n",
+      "#define LIGHTS 16\n#define LIGHT_COUNT_AT_RUN_TIME\n#define POSITION\n#define "
+      "LIT_BY_ENVIRONMENT\n"}},
     {"gouraud.vert",
      {"#define LIGHTS 0\n", "#define LIGHTS 2\n", "#define LIGHTS 2\n#define POSITION\n"}},
     {"gbuffer.frag",
