@@ -59,6 +59,7 @@ void add_commands(CLI::App& app, Session& session) {
     add_info_command(app, session);
     add_mdf_command(app, session);
     add_brdf_command(app, session);
+    add_verify_command(app, session);
     add_bench_command(app, session);
 }
 

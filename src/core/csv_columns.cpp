@@ -183,6 +183,12 @@ std::span<const CsvRecord> take_header(std::span<const CsvRecord> records, const
     return {};
 }
 
+void require_header(const std::optional<CsvLayout>& layout, const CsvReader& reader) {
+    if (layout) return;
+    throw Error(reader.name(), "", "a header line that names the columns",
+                "nothing but comments and blank lines");
+}
+
 void transform_table(CsvReader& reader, const CsvTask& task, OutputStream& output,
                      const Progress& progress) {
     constexpr std::string_view kStage = "evaluate";
@@ -197,10 +203,7 @@ void transform_table(CsvReader& reader, const CsvTask& task, OutputStream& outpu
         if (layout) evaluate_block(block, *layout, task, chunks, output);
         progress.step(kStage, reader.done());
     }
-    if (!layout) {
-        throw Error(reader.name(), "", "a header line that names the columns",
-                    "nothing but comments and blank lines");
-    }
+    require_header(layout, reader);
     output.finish();
     progress.step(kStage, 1.0);
 }
@@ -260,6 +263,28 @@ void CsvRow::fail(std::size_t column, std::string_view expected, std::string_vie
     throw Error(layout_->file,
                 place_of(*record_) + ", column " + std::string(layout_->columns[column].name),
                 expected, found);
+}
+
+void read_csv_rows(const std::string& input, std::span<const std::string_view> columns,
+                   const std::function<void(const CsvRow&)>& visit, const Progress& progress) {
+    CsvReader reader(input, progress);
+    const CsvTask task{columns, {}, {}, {}};
+    std::optional<CsvLayout> layout;
+    std::vector<std::string_view> row_fields, fields;
+    for (auto block = reader.next_block(); !block.empty(); block = reader.next_block()) {
+        progress.step("read", reader.done());
+        for (const CsvRecord& record : block) {
+            if (!record.is_data()) continue;
+            if (!layout) {
+                layout = layout_of(record, reader.name(), task);
+                continue;
+            }
+            fields.clear();
+            append_fields(record, *layout, row_fields, fields);
+            visit(CsvRow(*layout, record, fields));
+        }
+    }
+    require_header(layout, reader);
 }
 
 void add_csv_columns(const std::string& input, const std::string& output, const CsvTask& task,

@@ -49,6 +49,8 @@ class CsvRow {
     [[noreturn]] void fail(std::size_t column, std::string_view expected,
                            std::string_view found) const;
 
+    std::size_t line() const { return record_->line; }
+
   private:
     const CsvLayout* layout_;
     const CsvRecord* record_;
@@ -64,6 +66,11 @@ struct CsvTask {
     // first bad row.
     std::function<void(std::span<const CsvRow> rows, std::span<std::string> added)> evaluate;
 };
+
+// Calls `visit` for every row of a table in turn, and adds nothing. "-" is the standard input.
+// `columns`: those that the table must have; CsvRow counts through them.
+void read_csv_rows(const std::string& input, std::span<const std::string_view> columns,
+                   const std::function<void(const CsvRow&)>& visit, const Progress& progress);
 
 // "-" is the standard input or output; any other output is written whole or not at all and may be
 // the input itself. Of several bad rows the first one is reported.

@@ -1,8 +1,9 @@
-// The tables of `mdf eval` and `brdf eval`. The first byte says which, and in which precision.
+// The tables of `mdf eval`, `brdf eval` and `verify --csv`. The first byte says which, and in which precision.
 #include <filesystem>
 
 #include "harness.hpp"
 #include "jobs/models/eval.hpp"
+#include "jobs/models/verify_csv.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using burnish::Precision;
@@ -13,6 +14,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const burnish::EvalRequest request{path.string(), output.string(),
                                        kind % 4 < 2 ? Precision::f64 : Precision::f32};
     burnish::fuzz::expect_answer([&] {
+        if (kind >= 192) {
+            burnish::VerifyCsvRequest compared;
+            compared.input = path.string();
+            compared.normal = {0.3, 0.2, 0.9};
+            burnish::verify_csv(compared, {});
+            return;
+        }
         if (kind % 2 == 0)
             burnish::eval_mdf_table(request, {});
         else

@@ -285,6 +285,7 @@ Words csv_seeds() {
                         std::string("brdf,ix,iy,iz,ox,oy,oz,p0,p1,p2,mdf,smith\n"
                                     "microfacet,.1,.2,.9,.3,.1,.8,.1,.4,.5,ggx,separable\n"));
     }
+    seeds.push_back("\xC0ix,iy,iz,ox,oy,oz,f\n0,0,1,.6,0,.8,2.5\n0,.6,.8,0,0,1.0004,0\n");
     return seeds;
 }
 

@@ -8,38 +8,9 @@
 
 namespace burnish::test {
 
-using Radiance = std::function<double(vec3 wi)>;
-
-inline double angle_deg(vec3 a, vec3 b) {
-    return std::atan2(f64::length(f64::cross(a, b)), f64::dot(a, b)) * 180 / kPi;
-}
-
-// The direction that maximises `radiance`: a grid of `rings` over the sphere, then ever finer ones
-// around the best point.
-inline vec3 brightest(const Radiance& radiance, int first_rings = 360) {
-    vec3 best{0, 0, 1};
-    double best_value = -1;
-    double reach = kPi;
-    vec3 center = direction(1e-4, 0.3);
-    for (int level = 0; level < 12; ++level) {
-        const Axes axes(center);
-        const int rings = level == 0 ? first_rings : 24;
-        const int sectors = level == 0 ? 2 * first_rings : 48;
-        for (int i = 0; i < rings; ++i) {
-            for (int j = 0; j < sectors; ++j) {
-                const vec3 wi = axes.at(reach * i / rings, 2 * kPi * j / sectors);
-                const double value = radiance(wi);
-                if (value > best_value) {
-                    best_value = value;
-                    best = wi;
-                }
-            }
-        }
-        center = best;
-        reach = level == 0 ? 7.2 / first_rings : reach * 0.4;
-    }
-    return best;
-}
+using verify::angle_deg;
+using verify::brightest;
+using verify::Radiance;
 
 inline Radiance mapped_plate(const LobeCase& c, int method, vec3 n, vec3 wo) {
     const f64::Lobe lobe = f64::lobe_make(c.mdf, c.p0, c.p1);

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "highlight.hpp"
-#include "hostile.hpp"
 #include "lobes_under_test.hpp"
 #include "tabulate.hpp"
+#include "verify/hostile.hpp"
 
 namespace burnish::test {
 namespace {
@@ -116,8 +116,8 @@ std::string highlight_table() {
            "normal map says n~ and that of a plate\nwhich really is tilted, its grooves lying in "
            "it, seen along the geometric normal: n~ tilted by 15, 30\nand 45 degrees at azimuth "
            "35. "
-           "`microfacet`, Fresnel 1. Of slope-shift and stretch the plate is one of their own "
-           "process: bumps\nbrushed afterwards, or stamped with the grain.\n" +
+           "`microfacet`, Fresnel 1. Of slope-shift and stretch the plate is\none of their own "
+           "process: bumps brushed afterwards, or stamped with the grain.\n" +
            lobes_by_methods(highlight_errors);
 }
 
@@ -130,10 +130,10 @@ std::string hostile_table() {
                "horizon; "
                "h, wi and wo equal to n and n~, at the horizon, 1e-8 or a subnormal number\nabove "
                "it, opposite one another. In single, in double precision.\n",
-               hostile_combinations()) +
+               verify::hostile_counts(f64::kMdfGgx, 0.2, 0.5, f64::kMethodNone).combinations) +
            lobes_by_methods([](const LobeCase& c, int method) {
-               return fmt::format("{}, {}", hostile_failures_f32(c, method),
-                                  hostile_failures_f64(c, method));
+               const auto counts = verify::hostile_counts(c.mdf, c.p0, c.p1, method);
+               return fmt::format("{}, {}", counts.broken_f32, counts.broken_f64);
            });
 }
 

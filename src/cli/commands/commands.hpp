@@ -23,6 +23,7 @@ void add_scratch_command(CLI::App& parent, Session& session);
 void add_view_command(CLI::App& parent, Session& session);
 // Replaces this program by the window when the first word is "view"; returns otherwise.
 void start_view_if_asked(int argc, const char* const* argv);
+void add_verify_command(CLI::App& parent, Session& session);
 void add_weave_command(CLI::App& parent, Session& session);
 void add_capture_command(CLI::App& parent, Session& session);
 void add_capture_simulate_command(CLI::App& capture, Session& session);

@@ -1,14 +1,14 @@
-// Frames and directions that break careless code, and a count of what comes out broken.
-#pragma once
+#include "verify/hostile.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "lobes_under_test.hpp"
+#include "burnish/f32.hpp"
+#include "burnish/f64.hpp"
 
-namespace burnish::test {
+namespace burnish::verify {
+namespace {
 
 // Unit to rounding; the last ones stand at the horizon, the very last lies below it.
 template <typename Vec3, typename Float>
@@ -56,13 +56,13 @@ std::vector<Vec3> hostile_normals() {
 }
 
 #define BURNISH_HOSTILE_FAILURES(ns)                                                        \
-    inline int hostile_failures_##ns(const LobeCase& c, int method) {                       \
+    int failures_##ns(int mdf, double x, double y, int method) {                            \
         using Float = ns::Float;                                                            \
-        const auto p0 = static_cast<Float>(c.p0), p1 = static_cast<Float>(c.p1);            \
-        const ns::Lobe own = ns::lobe_make(c.mdf, p0, p1);                                  \
+        const auto p0 = static_cast<Float>(x), p1 = static_cast<Float>(y);                  \
+        const ns::Lobe own = ns::lobe_make(mdf, p0, p1);                                    \
         const ns::Lobe beckmann =                                                           \
             ns::lobe_make(ns::kMdfBeckmann, ns::lobe_alpha_x(own), ns::lobe_alpha_y(own));  \
-        const bool along_x = ns::lobe_grooves_along_x(c.mdf, p0, p1);                       \
+        const bool along_x = ns::lobe_grooves_along_x(mdf, p0, p1);                         \
         const ns::vec3 odd{Float(-10), Float(0), Float(0.3)};                               \
         const std::vector<ns::CosineLobe> cosine_lobes = {                                  \
             ns::cosine_lobe_make(ns::kBrdfPhong, Float(-1), odd, Float(1e5)),               \
@@ -86,7 +86,7 @@ std::vector<Vec3> hostile_normals() {
                 for (const ns::vec3& wo : directions) {                                     \
                     expect(ns::brdf_pdf(ns::kBrdfMicrofacet, own, p, wi, wo));              \
                     for (int brdf = 0; brdf <= ns::kBrdfCookTorrance; ++brdf) {             \
-                        const bool has_own = ns::brdf_mdf(brdf, c.mdf) == c.mdf;            \
+                        const bool has_own = ns::brdf_mdf(brdf, mdf) == mdf;                \
                         expect(ns::brdf_eval(brdf, has_own ? own : beckmann, p, wi, wo));   \
                     }                                                                       \
                     for (const ns::CosineLobe& lobe : cosine_lobes) {                       \
@@ -102,11 +102,18 @@ BURNISH_HOSTILE_FAILURES(f32)
 BURNISH_HOSTILE_FAILURES(f64)
 #undef BURNISH_HOSTILE_FAILURES
 
-inline std::size_t hostile_combinations() {
+}  // namespace
+
+HostileCounts hostile_counts(int mdf, double p0, double p1, int method) {
     const std::size_t directions = hostile_directions<f64::vec3, double>().size();
     const std::size_t models = static_cast<std::size_t>(f64::kBrdfCookTorrance) + 1;
-    return hostile_normals<f64::vec3, double>().size() * directions *
-           (3 + directions * (1 + models + 2 * 4));  // two of each of four cosine lobes
+    HostileCounts counts;
+    counts.broken_f32 = failures_f32(mdf, p0, p1, method);
+    counts.broken_f64 = failures_f64(mdf, p0, p1, method);
+    // D, the sample and its density, then the density and the value of every model, and both of four cosine lobes.
+    counts.combinations = hostile_normals<f64::vec3, double>().size() * directions *
+                          (3 + directions * (1 + models + 2 * 4));
+    return counts;
 }
 
-}  // namespace burnish::test
+}  // namespace burnish::verify
