@@ -84,8 +84,8 @@ FN Float albedo_value(AlbedoPlace place, vec3 c) {
     return c.x + place.mixed * (c.y + place.mixed * c.z);
 }
 
-// The place for a perturbed lobe. Linear maps of facets: as above. A rotation moves the lobe and keeps its albedo. The deformations and
-// normal-map change it a little; theirs is taken to be that of the unperturbed lobe.
+// The place for a perturbed lobe. slope-shift and stretch: as above. A rotation moves the lobe and keeps its albedo. The
+// deformations and normal-map change it a little; theirs is taken to be that of the unperturbed lobe.
 FN AlbedoPlace albedo_place_of(Lobe lobe, Perturbation p, vec3 wo) {
     if (method_moves_facets(p.method)) { return albedo_place_of_moved(lobe, p, wo); }
     vec3 v = perturb_direction(p, wo);

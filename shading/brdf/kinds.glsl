@@ -16,8 +16,8 @@ FN Bool brdf_masks(int brdf) {
 }
 
 // The one rule of which model has a meaning under which method. A deformation acts on half vectors, and slope-shift and
-// stretch on facets; phong and lafortune have neither. He's model is a closed theory of a rough surface about its own normal:
-// it is for the unperturbed one.
+// stretch on facets; phong and lafortune have neither. He's model is a closed theory of a rough surface about its own
+// normal: it is for the unperturbed one.
 FN Bool brdf_takes_method(int brdf, int method) {
     Bool takes = true;
     if (brdf_is_cosine_lobe(brdf)) {

@@ -121,8 +121,8 @@ FN Float lobe_pdf(Lobe lobe, Perturbation p, vec3 h) {
     return perturbed_density(p, h, q, base, round);
 }
 
-// GGX turned by a rotation or moved by a linear map is sampled by the normals that wo sees where the model masks. Scaled by the
-// roughness pair they are the normals of a hemisphere, and wo reflected off these fills the sphere evenly
+// GGX turned by a rotation or moved by a linear map is sampled by the normals that wo sees where the model masks. Scaled
+// by the roughness pair they are the normals of a hemisphere, and wo reflected off these fills the sphere evenly
 // (Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023). Of that sphere
 // only the cap that holds all reflections above the horizon of n~ is drawn from (Eto and Tokuyoshi,
 // "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023): the weight f cos/pdf is at

@@ -253,7 +253,7 @@ double over_base(const f64::Lobe& lobe, vec3 n, vec3 h) {
 }
 
 // Beckmann lobes over bumps of Gaussian slopes: the mean over the bumps is the widened lobe over the mean slope, for
-// every half vector. The sum over +-6 deviations in 60 steps is good to 1e-9.
+// every half vector. The sum over +-6 deviations in 120 steps is good to 1e-9.
 TEST(FacetMap, MomentsOfGaussianBumpsAreExactUnderSlopeShift) {
     const f64::Lobe lobe = f64::lobe_make(f64::kMdfBeckmann, 0.1, 0.3);
     const f64::vec2 mean(0.4, -0.3), variance(0.02, 0.05), one(1, 1);
